@@ -1,0 +1,51 @@
+// Sizes and angles of a triangle mesh.
+#pragma once
+
+#include <vector>
+
+#include "ibmfair/base/types.h"
+#include "ibmfair/mesh/topology.h"
+
+namespace ibmfair {
+
+/// Twice the area-weighted normal of triangle (a,b,c): its length is twice the area.
+inline Vec3 double_area_vector(const Vec3& a, const Vec3& b, const Vec3& c) {
+  return (b - a).cross(c - a);
+}
+
+/// Triangle areas, #F, length^2.
+Eigen::VectorXd triangle_areas(const Points& X, const Triangles& F);
+
+/// Unit normals, #F x 3; zero for a triangle without area.
+Points triangle_normals(const Points& X, const Triangles& F);
+
+/// Triangles whose smallest height is not above 1e-12 of their longest edge, and those whose
+/// corners are so far from the origin that no digit of the height is left.
+std::vector<Index> degenerate_triangles(const Points& X, const Triangles& F);
+
+/// Sum of the triangle areas, length^2.
+double surface_area(const Points& X, const Triangles& F);
+
+/// Signed volume enclosed by a closed mesh with coherent orientation, length^3. For an open mesh
+/// the volume of the cone over it from the centroid of its vertices.
+double enclosed_volume(const Points& X, const Triangles& F);
+
+/// Mean length over the edges, each counted once; 0 for a mesh without edges.
+double mean_edge_length(const Points& X, const Edges& E);
+
+/// Lumped mass, #V: a third of the area of the usable triangles around each vertex, length^2.
+PerVertex lumped_vertex_mass(const Points& X, const Topology& topology);
+
+/// The mean length of the edges at each vertex, #V; 0 for an isolated vertex.
+PerVertex local_edge_length(const Points& X, const Topology& topology);
+
+/// Largest minus smallest coordinate, per axis.
+Vec3 bounding_box_size(const Points& X);
+
+/// Smallest corner angle of each triangle, #F, radians; 0 for a triangle without area.
+Eigen::VectorXd smallest_angles(const Points& X, const Triangles& F);
+
+/// The dihedral angle of each hinge, #H, radians in [0, pi]: pi where flat, 0 where folded over.
+Eigen::VectorXd dihedral_angles(const Points& X, const Hinges& H);
+
+}  // namespace ibmfair
