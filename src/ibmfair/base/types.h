@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include <Eigen/Core>
+#include <Eigen/Geometry>
 
 namespace ibmfair {
 

@@ -45,11 +45,12 @@ enum class VertexKind : std::uint8_t { isolated, interior, boundary, irregular }
 /// Elements around which the mesh is not a surface with area. Their stencils carry no energy and
 /// their vertices are held fixed; numbers are those of the input.
 struct Defects {
-  std::vector<Index> repeated_corner;      ///< triangles that name a vertex twice
-  std::vector<Index> zero_area;            ///< triangles without area to working precision
-  std::vector<Index> duplicate;            ///< triangles over the same three vertices as another
-  std::vector<Index> non_manifold_edges;   ///< edges (rows of Topology::E) of three or more triangles
-  std::vector<Index> bow_tie_vertices;     ///< vertices whose triangles form several fans
+  std::vector<Index> repeated_corner;  ///< triangles that name a vertex twice
+  std::vector<Index> zero_area;        ///< triangles without area to working precision
+  std::vector<Index> duplicate;        ///< triangles over the same three vertices as another
+  std::vector<Index>
+      non_manifold_edges;               ///< edges (rows of Topology::E) of three or more triangles
+  std::vector<Index> bow_tie_vertices;  ///< vertices whose triangles form several fans
 
   bool empty() const;
   /// The number of elements in all five lists.
@@ -65,18 +66,18 @@ struct Topology {
                 ///< agree; a component keeps the orientation of the majority of its triangles
   std::vector<std::uint8_t> usable;  ///< #F, whether the triangle may carry a stencil
 
-  Edges E;                   ///< #E x 2, sorted
-  Rows edge_triangles;       ///< #E, the triangles at each edge
-  Hinges H;                  ///< #H x 4, one for every interior edge between two usable triangles
+  Edges E;              ///< #E x 2, sorted
+  Rows edge_triangles;  ///< #E, the triangles at each edge
+  Hinges H;             ///< #H x 4, one for every interior edge between two usable triangles
   HingeTriangles hinge_triangles;  ///< #H x 2
-  Rows stars;                ///< #V, the triangles at each vertex (repeated corners left out)
+  Rows stars;                      ///< #V, the triangles at each vertex (repeated corners left out)
 
-  std::vector<VertexKind> kind;           ///< #V
-  std::vector<std::uint8_t> defective;    ///< #V, touches an element of `defects`
-  std::vector<std::uint8_t> twisted;      ///< #V, lies on a cut where no orientation agrees
-  std::vector<Index> component;           ///< #V, components joined by shared vertices; isolated: -1
-  Index component_count = 0;              ///< components that have a triangle
-  Index turned_triangles = 0;             ///< triangles whose orientation in F is not the input's
+  std::vector<VertexKind> kind;         ///< #V
+  std::vector<std::uint8_t> defective;  ///< #V, touches an element of `defects`
+  std::vector<std::uint8_t> twisted;    ///< #V, lies on a cut where no orientation agrees
+  std::vector<Index> component;         ///< #V, components joined by shared vertices; isolated: -1
+  Index component_count = 0;            ///< components that have a triangle
+  Index turned_triangles = 0;           ///< triangles whose orientation in F is not the input's
   bool orientable = true;
 
   std::vector<BoundaryLoop> boundary_loops;  ///< ordered by their smallest vertex
