@@ -1,0 +1,21 @@
+# Sourced by the scripts in tools/, which run from the project's root from here on.
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/../.."
+
+cores=$(nproc 2>/dev/null || sysctl -n hw.ncpu)
+
+# configure DIR [CMAKE-OPTION...]: with Ninja where it is there; DIR keeps the generator it has.
+configure() {
+  local directory=$1
+  shift
+  if [[ ! -e $directory/CMakeCache.txt ]] && command -v ninja >/dev/null; then
+    set -- -G Ninja "$@"
+  fi
+  cmake -S . -B "$directory" --log-level=WARNING "$@"
+}
+
+# build DIR [CMAKE-OPTION...]: configures DIR and compiles with all cores what is out of date.
+build() {
+  configure "$@"
+  cmake --build "$1" --parallel "$cores"
+}
