@@ -38,7 +38,8 @@ class FactorizationFailed : public Error {
   using Error::Error;
 };
 
-/// Memory ran out inside a library that reports it instead of throwing std::bad_alloc (exit code 5).
+/// Memory ran out inside a library that reports it instead of throwing std::bad_alloc (exit code
+/// 5).
 class OutOfMemory : public Error {
  public:
   using Error::Error;

@@ -127,10 +127,14 @@ void find_hinges(Topology& topology) {
   topology.hinge_triangles.resize(count, 2);
   for (Eigen::Index h = 0; h < count; ++h) {
     const Index e = hinge_edges[h];
-    const Index a = topology.E(e, 0), b = topology.E(e, 1);
+    Index a = topology.E(e, 0), b = topology.E(e, 1);
     Index t0 = topology.edge_triangles[e][0], t1 = topology.edge_triangles[e][1];
     if (!runs_along(topology.F, t0, a, b)) {
-      std::swap(t0, t1);
+      if (runs_along(topology.F, t1, a, b)) {
+        std::swap(t0, t1);
+      } else {  // the two disagree: the edge of a non-orientable cut
+        std::swap(a, b);
+      }
     }
     topology.H.row(h) << a, b, opposite_vertex(topology.F, t0, a, b),
         opposite_vertex(topology.F, t1, a, b);

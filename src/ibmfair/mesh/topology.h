@@ -28,7 +28,9 @@ using Edges = Eigen::Matrix<Index, Eigen::Dynamic, 2, Eigen::RowMajor>;
 /// triangle (x1,x0,x3). [W07] section 3.1.
 using Hinges = Eigen::Matrix<Index, Eigen::Dynamic, 4, Eigen::RowMajor>;
 
-/// #H x 2: the triangles (x0,x1,x2) and (x1,x0,x3) of each hinge.
+/// #H x 2: the triangles (x0,x1,x2) and (x1,x0,x3) of each hinge. The first always runs through its
+/// corners in that order in Topology::F; the second does too unless the edge lies on a cut where no
+/// orientation agrees.
 using HingeTriangles = Eigen::Matrix<Index, Eigen::Dynamic, 2, Eigen::RowMajor>;
 
 /// A cycle of boundary edges, as the vertices met along it.

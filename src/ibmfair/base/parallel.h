@@ -1,0 +1,41 @@
+// Loops over all threads whose results do not depend on the number of threads.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <vector>
+
+namespace ibmfair {
+
+/// Calls body(i) for every i in 0 .. count - 1, in parallel; bodies must not write the same place.
+template <class Body>
+void parallel_for(std::int64_t count, Body&& body) {
+#pragma omp parallel for schedule(static)
+  for (std::int64_t i = 0; i < count; ++i) {
+    body(i);
+  }
+}
+
+/// Sum of body(i) over 0 .. count - 1. Blocks of fixed size are summed first and then added in
+/// order, so that the rounding, too, is the same for any number of threads.
+template <class Body>
+double parallel_sum(std::int64_t count, Body&& body) {
+  constexpr std::int64_t block = 1024;
+  const std::int64_t blocks = (count + block - 1) / block;
+  std::vector<double> partial(static_cast<std::size_t>(blocks));
+#pragma omp parallel for schedule(static)
+  for (std::int64_t b = 0; b < blocks; ++b) {
+    double sum = 0;
+    for (std::int64_t i = b * block; i < std::min(count, (b + 1) * block); ++i) {
+      sum += body(i);
+    }
+    partial[static_cast<std::size_t>(b)] = sum;
+  }
+  double sum = 0;
+  for (const double part : partial) {
+    sum += part;
+  }
+  return sum;
+}
+
+}  // namespace ibmfair

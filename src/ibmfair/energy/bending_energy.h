@@ -1,0 +1,82 @@
+// The family of discrete isometric bending models (IBM): Wardetzky, Bergou, Harmon, Zorin,
+// Grinspun, "Discrete Quadratic Curvature Energies", CAGD 24 (2007), cited as [W07].
+//
+//   E_b(X) = 1/2 tr(X^T L^T M^-1 L X)                                      [W07] section 2.3
+//
+// the discrete counterpart of 1/2 * integral of H^2 with H = kappa1 + kappa2. L is a discrete
+// Laplacian, positive semi-definite throughout this library; M is a lumped mass matrix. Every
+// member is a sum over stencils, E_b = 1/2 sum_s w_s |sum_i c_si x_i|^2, with coefficients c and
+// weights w that stay constant while the mesh bends without stretching; that makes its Hessian
+// under isometry, S = sum_s w_s c_s c_s^T, a constant #V x #V matrix which acts on each coordinate.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "ibmfair/base/types.h"
+#include "ibmfair/mesh/topology.h"
+
+namespace ibmfair {
+
+/// The coefficients of all stencils at one state of the mesh.
+struct StencilWeights {
+  std::vector<double>
+      c;  ///< laid out as `stencils().value`; the coefficients of a stencil sum to 0
+  std::vector<double> w;  ///< one per stencil, positive
+};
+
+/// How a member of the family is bound to a mesh.
+struct EnergyOptions {
+  /// false: the mass matrix is left out (M = identity), the energy then has unit length^2 and
+  /// depends on the sampling ([W07] Figure 9, right).
+  bool mass = true;
+  /// #V, or empty for all: only stencils that touch a true vertex are summed.
+  std::vector<std::uint8_t> active = {};
+};
+
+/// One member of the family on one connectivity. Evaluations reuse buffers of the object, so one
+/// object serves one thread of control; it uses all threads itself, and its results do not depend
+/// on their number.
+class BendingEnergy {
+ public:
+  BendingEnergy() = default;
+  BendingEnergy(const BendingEnergy&) = delete;
+  BendingEnergy& operator=(const BendingEnergy&) = delete;
+  virtual ~BendingEnergy() = default;
+
+  /// E_b(X) >= 0 for X #V x 3. Dimensionless with mass, length^2 without. Infinite or NaN where a
+  /// triangle that carries a stencil has lost its area.
+  virtual double energy(const Points& X) = 0;
+
+  /// E_b(X), and its exact gradient (not assuming isometry) in G, #V x 3.
+  virtual double energy_and_gradient(const Points& X, Points& G) = 0;
+
+  /// The vertices of each stencil.
+  virtual const Rows& stencils() const = 0;
+
+  /// The coefficients and weights at X, from which the Hessian S is assembled (energy/hessian.h).
+  virtual void linearise(const Points& X, StencilWeights& weights) = 0;
+};
+
+/// A row of the table of members.
+struct BendingModel {
+  std::string_view name;     ///< as the command line takes it
+  std::string_view summary;  ///< one line
+  std::unique_ptr<BendingEnergy> (*bind)(const Topology& topology, const EnergyOptions& options);
+};
+
+/// All members of the family.
+std::span<const BendingModel> bending_models();
+
+/// The member of that name; throws BadOption, naming those there are.
+const BendingModel& bending_model(std::string_view name);
+
+/// E_b of the whole mesh, for one-off use.
+double bending_energy(const Points& X, const Topology& topology,
+                      std::string_view model = "lagrange");
+
+}  // namespace ibmfair

@@ -1,0 +1,45 @@
+// The edge-based member of the family, [W07] Theorem 3 and appendix: one stencil per hinge.
+//
+// On the hinge x0, x1 (edge), x2, x3 (opposite vertices), with A the area of its two triangles and
+// theta the dihedral angle (pi when flat):
+//
+//   E_hinge = 3/(2A) |c0 x0 + c1 x1 + c2 x2 + c3 x3|^2 = 3 |e0|^2 / A (1 + cos theta)
+//
+// Its limit under refinement depends on the triangulation (equilateral triangles: 3/4 of the
+// integral of H^2 minus the integral of K), and it has force left to undo folded triangles.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "ibmfair/energy/bending_energy.h"
+#include "ibmfair/energy/triangle_frames.h"
+
+namespace ibmfair {
+
+class CrouzeixRaviart final : public BendingEnergy {
+ public:
+  CrouzeixRaviart(const Topology& topology, const EnergyOptions& options);
+
+  double energy(const Points& X) override;
+  double energy_and_gradient(const Points& X, Points& G) override;
+  const Rows& stencils() const override { return stencils_; }
+  void linearise(const Points& X, StencilWeights& weights) override;
+
+ private:
+  using Forces = std::array<Vec3, 4>;  // the gradient of one hinge's energy
+
+  double hinge_energy(const Points& X, Index h) const;
+  Forces hinge_gradient(const Points& X, Index h) const;
+
+  bool mass_;
+  Triangles F_;               // the triangles at the hinges
+  Rows stencils_;             // #H rows of four
+  HingeTriangles triangles_;  // #H x 2, rows of F_
+  std::vector<double> turn_;  // #H, -1 where the second triangle's normal must be turned, else 1
+  Rows places_;               // #V rows of 4 * hinge + place
+  std::vector<TriangleFrame> triangle_;
+  std::vector<Forces> forces_;
+};
+
+}  // namespace ibmfair

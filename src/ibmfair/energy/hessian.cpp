@@ -1,0 +1,66 @@
+#include "ibmfair/energy/hessian.h"
+
+#include <algorithm>
+
+#include "ibmfair/base/parallel.h"
+#include "ibmfair/energy/incidence.h"
+
+namespace ibmfair {
+
+Unknowns::Unknowns(const std::vector<std::uint8_t>& fixed) : unknown(fixed.size(), -1) {
+  for (std::size_t v = 0; v < fixed.size(); ++v) {
+    if (!fixed[v]) {
+      unknown[v] = size();
+      vertex.push_back(static_cast<Index>(v));
+    }
+  }
+}
+
+HessianAssembler::HessianAssembler(const Rows& stencils, const Unknowns& unknowns)
+    : stencils_(stencils),
+      unknowns_(unknowns),
+      places_(places_by_vertex(stencils, static_cast<Index>(unknowns.unknown.size()))),
+      stencil_of_place_(stencils.value.size()) {
+  for (Index s = 0; s < stencils_.size(); ++s) {
+    std::fill(stencil_of_place_.begin() + stencils_.first[s],
+              stencil_of_place_.begin() + stencils_.first[s + 1], s);
+  }
+  std::vector<Index> rows;
+  for (Index j = 0; j < unknowns_.size(); ++j) {
+    rows.assign(1, j);
+    for (const Index place : places_[unknowns_.vertex[j]]) {
+      for (const Index v : stencils_[stencil_of_place_[place]]) {
+        if (unknowns_.unknown[v] > j) {
+          rows.push_back(unknowns_.unknown[v]);
+        }
+      }
+    }
+    std::sort(rows.begin(), rows.end());
+    rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
+    pattern_.row.insert(pattern_.row.end(), rows.begin(), rows.end());
+    pattern_.column_first.push_back(static_cast<std::int64_t>(pattern_.row.size()));
+  }
+  pattern_.value.assign(pattern_.row.size(), 0);
+}
+
+void HessianAssembler::assemble(const StencilWeights& weights, SymmetricMatrix& S) const {
+  // Column by column, each gathered from the stencils at its vertex: nothing is stored per term,
+  // and no two threads write the same entry.
+  parallel_for(S.size(), [&](std::int64_t j) {
+    const auto first = S.row.begin() + S.column_first[j];
+    const auto last = S.row.begin() + S.column_first[j + 1];
+    std::fill(S.value.begin() + S.column_first[j], S.value.begin() + S.column_first[j + 1], 0.0);
+    for (const Index place : places_[unknowns_.vertex[j]]) {
+      const Index s = stencil_of_place_[place];
+      const double wc = weights.w[s] * weights.c[place];
+      for (std::int64_t other = stencils_.first[s]; other < stencils_.first[s + 1]; ++other) {
+        if (const Index i = unknowns_.unknown[stencils_.value[other]]; i >= j) {
+          const auto entry = std::lower_bound(first, last, i) - S.row.begin();
+          S.value[entry] += wc * weights.c[other];
+        }
+      }
+    }
+  });
+}
+
+}  // namespace ibmfair

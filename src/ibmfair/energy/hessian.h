@@ -1,0 +1,52 @@
+// The Hessian of a bending energy under isometry, S = sum_s w_s c_s c_s^T ([W07] section 2.3),
+// restricted to the unknown vertices: pattern built once, values refilled in place.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "ibmfair/energy/bending_energy.h"
+
+namespace ibmfair {
+
+/// The lower triangle of a symmetric n x n matrix, compressed by columns, rows sorted, every
+/// diagonal entry present and first in its column. Indices are 64 bits wide throughout.
+struct SymmetricMatrix {
+  std::vector<std::int64_t> column_first{0};  ///< n + 1
+  std::vector<std::int64_t> row;
+  std::vector<double> value;
+
+  std::int64_t size() const { return static_cast<std::int64_t>(column_first.size()) - 1; }
+};
+
+/// Numbers the vertices that are solved for.
+struct Unknowns {
+  std::vector<Index> vertex;   ///< the vertex of each unknown, in increasing order
+  std::vector<Index> unknown;  ///< #V, the unknown of each vertex, or -1 where it is held fixed
+
+  Unknowns() = default;
+  explicit Unknowns(const std::vector<std::uint8_t>& fixed);
+  Index size() const { return static_cast<Index>(vertex.size()); }
+};
+
+/// Assembles S for one set of stencils and unknowns.
+class HessianAssembler {
+ public:
+  HessianAssembler(const Rows& stencils, const Unknowns& unknowns);
+
+  /// The pattern with zero values.
+  const SymmetricMatrix& pattern() const { return pattern_; }
+
+  /// Refills the values of `S`, which has this pattern: positive semi-definite, and zero on
+  /// constants where no vertex is fixed.
+  void assemble(const StencilWeights& weights, SymmetricMatrix& S) const;
+
+ private:
+  Rows stencils_;
+  Unknowns unknowns_;
+  Rows places_;  // #V rows of positions in the stencils' values
+  std::vector<Index> stencil_of_place_;
+  SymmetricMatrix pattern_;
+};
+
+}  // namespace ibmfair
