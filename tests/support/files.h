@@ -1,0 +1,29 @@
+// Files that tests read and write.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace ibmfair::test {
+
+/// The bytes of a file; throws std::runtime_error if it cannot be read.
+std::string read_bytes(const std::string& path);
+
+/// Makes or replaces a file; throws std::runtime_error if it cannot be written.
+void write_bytes(const std::string& path, std::string_view bytes);
+
+/// The full path of `name` (as `models/bunny.obj`) in the optional collection of real meshes beside
+/// the project, `../shared/meshes`; nothing where it is absent. Tests on it skip then:
+///     const auto path = shared_mesh("models/bunny.obj");
+///     if (!path) GTEST_SKIP() << "no ../shared/meshes";
+std::optional<std::string> shared_mesh(const std::string& name);
+
+/// All files below a folder of that collection, sorted by name; empty where it is absent.
+std::vector<std::string> shared_meshes(const std::string& folder);
+
+/// The full path of a file in the project, as `data/README.md`.
+std::string project_file(const std::string& name);
+
+}  // namespace ibmfair::test

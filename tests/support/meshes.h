@@ -1,0 +1,52 @@
+// The classes of meshes over which tests sweep their laws. All are small (below 3000 faces), made
+// here and not by the code under test.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "ibmfair/mesh/mesh.h"
+
+namespace ibmfair::test {
+
+struct NamedMesh {
+  std::string name;
+  Mesh mesh;
+};
+
+/// Closed, oriented outward, without defects: tetrahedron, octahedron, a cube of quadrilaterals, a
+/// bumpy sphere, a torus, and two spheres of different sizes apart from each other.
+std::vector<NamedMesh> closed_meshes();
+
+/// With boundary, without defects: one triangle, a square of quadrilaterals, a bumpy sheet, an
+/// annulus (two loops), an open cylinder, and a sheet beside a sphere.
+std::vector<NamedMesh> open_meshes();
+
+/// Closed and open ones together.
+std::vector<NamedMesh> good_meshes();
+
+/// Surfaces without a coherent orientation: a Moebius strip and a Klein bottle.
+std::vector<NamedMesh> nonorientable_meshes();
+
+/// Each with one kind of defect in an otherwise good surface; the name is the defect: `bow tie`,
+/// `non-manifold edge`, `zero area`, `repeated corner`, `duplicate face`, `isolated vertex`.
+std::vector<NamedMesh> defective_meshes();
+
+/// All of the above.
+std::vector<NamedMesh> all_meshes();
+
+/// Every mesh scaled by 1e-8, as it is, scaled by 1e8, and moved 1e5 of its sizes from the origin;
+/// names say which.
+std::vector<NamedMesh> at_all_scales(const std::vector<NamedMesh>& meshes);
+
+/// A sheet of columns x rows quadrilaterals over the unit square, each cut in two, without bumps.
+Mesh flat_sheet(Index columns, Index rows);
+
+/// The mesh with face orientations turned at random (fixed by `seed`): nothing that does not speak
+/// of orientation may change.
+Mesh with_mixed_orientation(const Mesh& mesh, unsigned seed = 1);
+
+/// X -> scale * R * X + offset with a fixed rotation R about a skew axis.
+Mesh moved(const Mesh& mesh, double scale, const Vec3& offset, double angle = 0.7);
+
+}  // namespace ibmfair::test

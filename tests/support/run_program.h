@@ -1,0 +1,35 @@
+// Runs the real program as its users do: arguments and bytes in, exit code and bytes out.
+#pragma once
+
+#include <chrono>
+#include <string>
+#include <vector>
+
+namespace ibmfair::test {
+
+enum class StandardOutput {
+  captured,
+  closed,       ///< as `>&-` in a shell
+  broken_pipe,  ///< a pipe that nobody reads, as `| true`
+  full          ///< /dev/full: every write fails for want of space
+};
+
+struct RunOptions {
+  std::string input = {};  ///< bytes on standard input
+  StandardOutput output = StandardOutput::captured;
+  std::string directory = {};                 ///< working directory; empty: the test's own
+  std::vector<std::string> environment = {};  ///< `NAME=value`, on top of the test's own
+  std::chrono::seconds limit{120};            ///< the program is killed after this long
+};
+
+struct RunResult {
+  int exit_code = -1;  ///< negative: ended by that signal
+  std::string out;
+  std::string err;
+};
+
+/// Runs the program with these arguments, no shell in between. Throws std::runtime_error if it
+/// cannot be started or does not end within the limit.
+RunResult run_program(const std::vector<std::string>& arguments, const RunOptions& options = {});
+
+}  // namespace ibmfair::test
