@@ -1,1 +1,5 @@
-int main() { return 0; }
+#include "commands/program.h"
+
+int main(int argc, char** argv) {
+  return ibmfair::commands::run_program(argc, argv);
+}

@@ -1,0 +1,43 @@
+// What the program says to a person: always on standard error, standard output is for data.
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+
+namespace ibmfair::commands {
+
+class Console {
+ public:
+  enum class Level : std::uint8_t {
+    quiet,   ///< errors only
+    normal,  ///< warnings and notes, too
+    verbose  ///< details, too
+  };
+
+  /// Colours are used only on a terminal, and never where NO_COLOR is set or TERM is "dumb".
+  Console();
+
+  void set_level(Level level) { level_ = level; }
+  Level level() const { return level_; }
+
+  /// Whether standard error is a terminal: progress is shown only there.
+  bool on_terminal() const { return terminal_; }
+
+  void error(std::string_view text) const;    ///< `ibmfair: error: text`
+  void warning(std::string_view text) const;  ///< `ibmfair: warning: text`
+  void note(std::string_view text) const;     ///< `ibmfair: text`
+  void detail(std::string_view text) const;   ///< the same, with -v only
+
+ private:
+  void say(std::string_view label, std::string_view colour, std::string_view text) const;
+
+  Level level_ = Level::normal;
+  bool terminal_;
+  bool coloured_;
+};
+
+/// Writes data to standard output. Throws CannotWrite, also where standard output is closed or its
+/// reader is gone.
+void write_standard_output(std::string_view bytes);
+
+}  // namespace ibmfair::commands

@@ -1,0 +1,28 @@
+// What the program tells its caller, and the one place where failures are mapped to it.
+#pragma once
+
+#include <string>
+
+namespace ibmfair::commands {
+
+enum class ExitCode {
+  done = 0,
+  not_reached = 1,  ///< ran, but did not reach what was asked
+  usage = 2,        ///< an option or argument that cannot be used
+  bad_file = 3,     ///< an input that cannot be read or is malformed
+  bad_mesh = 4,     ///< geometry that cannot be processed
+  out_of_memory = 5,
+  cannot_write = 6,
+  internal_error = 70,  ///< a mistake in the program itself
+  interrupted = 130
+};
+
+struct Failure {
+  ExitCode code;
+  std::string message;
+};
+
+/// The exit code and message of the exception being handled; call it in a catch block only.
+Failure describe_current_exception();
+
+}  // namespace ibmfair::commands

@@ -1,0 +1,79 @@
+#include "commands/numeric_options.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "ibmfair/base/errors.h"
+#include "ibmfair/io/numbers.h"
+
+namespace ibmfair::commands {
+
+namespace {
+
+std::string describe(const Range& range) {
+  const bool below = std::isfinite(range.largest);
+  if (std::isfinite(range.smallest) && below) {
+    return fmt::format("{} {} and at most {}", range.above_smallest ? "above" : "at least",
+                       range.smallest, range.largest);
+  }
+  return below ? fmt::format("at most {}", range.largest)
+               : fmt::format("{} {}", range.above_smallest ? "above" : "at least", range.smallest);
+}
+
+}  // namespace
+
+double parse_real_option(std::string_view name, std::string_view text, const Range& range) {
+  double value = 0.0;
+  const char* end = text.data() + text.size();
+  if (parse_real(text.data(), end, value) != end) {
+    throw BadOption(fmt::format("{}: '{}' is not a finite number", name, text));
+  }
+  const bool inside = (range.above_smallest ? value > range.smallest : value >= range.smallest) &&
+                      value <= range.largest;
+  if (!inside) {
+    throw BadOption(
+        fmt::format("{}: {} is out of range, it must be {}", name, text, describe(range)));
+  }
+  return value;
+}
+
+std::int64_t parse_integer_option(std::string_view name, std::string_view text,
+                                  std::int64_t smallest, std::int64_t largest) {
+  std::int64_t value = 0;
+  const char* end = text.data() + text.size();
+  if (parse_integer(text.data(), end, value) != end) {
+    throw BadOption(fmt::format("{}: '{}' is not a whole number", name, text));
+  }
+  if (value < smallest || value > largest) {
+    throw BadOption(fmt::format("{}: {} is out of range, it must be at least {} and at most {}",
+                                name, text, smallest, largest));
+  }
+  return value;
+}
+
+std::vector<double> parse_reals_option(std::string_view name, std::string_view text,
+                                       std::size_t count, const Range& range) {
+  std::vector<double> values;
+  std::string_view rest = text;
+  while (true) {
+    const std::size_t comma = rest.find(',');
+    values.push_back(parse_real_option(name, rest.substr(0, comma), range));
+    if (comma == std::string_view::npos) {
+      break;
+    }
+    rest.remove_prefix(comma + 1);
+  }
+  if (values.size() != count) {
+    throw BadOption(fmt::format("{}: '{}' holds {} numbers, {} separated by commas are needed",
+                                name, text, values.size(), count));
+  }
+  return values;
+}
+
+CLI::Option* add_parsed_option(CLI::App& app, const std::string& name, const std::string& type,
+                               const std::string& help,
+                               std::function<void(const std::string&)> set) {
+  return app.add_option_function<std::string>(name, set, help)->type_name(type);
+}
+
+}  // namespace ibmfair::commands

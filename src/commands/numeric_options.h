@@ -1,0 +1,65 @@
+// Options that take numbers. Every one is checked to its last character and against its range, and
+// messages name the option.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace CLI {
+class App;
+class Option;
+}  // namespace CLI
+
+namespace ibmfair::commands {
+
+/// The numbers an option takes; infinities and NaN never belong to it.
+struct Range {
+  double smallest = -std::numeric_limits<double>::infinity();
+  double largest = std::numeric_limits<double>::infinity();
+  bool above_smallest = false;  ///< `smallest` itself does not belong to it
+};
+
+constexpr Range any_real{};
+constexpr Range positive{0.0, std::numeric_limits<double>::infinity(), true};
+constexpr Range not_negative{0.0};
+
+/// The finite number that `text` is as a whole. Throws BadOption that starts with `name`.
+double parse_real_option(std::string_view name, std::string_view text, const Range& range);
+
+/// The same for an integer between `smallest` and `largest`.
+std::int64_t parse_integer_option(std::string_view name, std::string_view text,
+                                  std::int64_t smallest, std::int64_t largest);
+
+/// The same for `count` numbers separated by commas.
+std::vector<double> parse_reals_option(std::string_view name, std::string_view text,
+                                       std::size_t count, const Range& range);
+
+/// Declares an option whose text goes to `set`, which throws BadOption where it does not like it.
+CLI::Option* add_parsed_option(CLI::App& app, const std::string& name, const std::string& type,
+                               const std::string& help,
+                               std::function<void(const std::string&)> set);
+
+/// Declares an option for a number; Target is a number or std::optional of one.
+template <class Target>
+CLI::Option* add_real(CLI::App& app, const std::string& name, Target& target, Range range,
+                      const std::string& help) {
+  return add_parsed_option(app, name, "NUMBER", help, [&target, name, range](const auto& text) {
+    target = parse_real_option(name, text, range);
+  });
+}
+
+/// Declares an option for an integer that `Integer`, the type of `smallest`, can hold.
+template <class Target, class Integer>
+CLI::Option* add_integer(CLI::App& app, const std::string& name, Target& target, Integer smallest,
+                         Integer largest, const std::string& help) {
+  return add_parsed_option(
+      app, name, "N", help, [&target, name, smallest, largest](const auto& text) {
+        target = static_cast<Integer>(parse_integer_option(name, text, smallest, largest));
+      });
+}
+
+}  // namespace ibmfair::commands

@@ -1,0 +1,88 @@
+#include "commands/shared_options.h"
+
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+
+#include "ibmfair/base/errors.h"
+#include "ibmfair/base/version.h"
+#include "ibmfair/io/atomic_file.h"
+
+namespace ibmfair::commands {
+
+namespace {
+
+constexpr int report_version = 1;
+
+std::string text_of(const nlohmann::ordered_json& report) {
+  // File names need not be UTF-8; JSON must be.
+  return report.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace
+
+void add_input_options(CLI::App& app, InputOptions& options) {
+  app.add_option("--input-format", options.read.format,
+                 "format of the input, where its name does not tell (as for -)")
+      ->type_name("NAME");
+  app.add_flag("--weld", options.read.weld, "merge vertices at exactly the same place");
+}
+
+MeshFile read_input(const std::string& path, const InputOptions& options, Console& console) {
+  MeshFile file = read_mesh(path, options.read);
+  for (const std::string& note : file.notes()) {
+    console.note(note);
+  }
+  return file;
+}
+
+void add_output_options(CLI::App& app, OutputOptions& options) {
+  app.add_option("OUT", options.path, "mesh file to write; - is standard output")->required();
+  app.add_option("--format", options.write.format,
+                 "format of the output, where its name does not tell (as for -)")
+      ->type_name("NAME");
+}
+
+void add_overwrite_option(CLI::App& app, bool& overwrite) {
+  app.add_flag("--overwrite", overwrite, "replace files that exist");
+}
+
+void add_strict_option(CLI::App& app, bool& strict) {
+  app.add_flag("--strict", strict, "fail (exit code 4) where the mesh has defects");
+}
+
+void add_report_options(CLI::App& app, ReportOptions& options) {
+  app.add_flag("--json", options.json, "write the figures as JSON to standard output");
+  app.add_option("--report", options.path, "write the figures as JSON to this file, too")
+      ->type_name("FILE");
+}
+
+nlohmann::ordered_json start_report(const std::string& command) {
+  return {{"version", report_version}, {"program", "ibmfair " + version()}, {"command", command}};
+}
+
+void check_report(const ReportOptions& options, const std::string& mesh_path, bool overwrite) {
+  if (mesh_path == "-" && (options.json || options.path == "-")) {
+    throw BadOption("standard output cannot take both the mesh and the report; use --report FILE");
+  }
+  if (!options.path.empty() && options.path == mesh_path) {
+    throw BadOption("--report: '" + options.path + "' is the output already");
+  }
+  if (!options.path.empty()) {
+    require_writable(options.path, overwrite);
+  }
+}
+
+void deliver_report(const ReportOptions& options, bool overwrite,
+                    const nlohmann::ordered_json& report) {
+  const std::string text = text_of(report);
+  if (!options.path.empty()) {
+    AtomicFile file(options.path, overwrite);
+    file.write(text);
+    file.commit();
+  }
+  if (options.json) {
+    write_standard_output(text);
+  }
+}
+
+}  // namespace ibmfair::commands

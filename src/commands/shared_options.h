@@ -1,0 +1,64 @@
+// Groups of options that several commands have, and what they mean for every one of them.
+#pragma once
+
+#include <string>
+
+#include <nlohmann/json_fwd.hpp>
+
+#include "commands/console.h"
+#include "ibmfair/io/mesh_file.h"
+
+namespace CLI {
+class App;
+}
+
+namespace ibmfair::commands {
+
+/// How input files are read.
+struct InputOptions {
+  ReadOptions read;
+};
+
+/// --input-format, --weld.
+void add_input_options(CLI::App& app, InputOptions& options);
+
+/// Reads a mesh file ("-": standard input) and passes on what the reader has to say.
+MeshFile read_input(const std::string& path, const InputOptions& options, Console& console);
+
+/// Where a mesh is written and how.
+struct OutputOptions {
+  std::string path;
+  WriteOptions write;
+};
+
+/// The positional OUT and --format. Whether files may be replaced is add_overwrite_option's.
+void add_output_options(CLI::App& app, OutputOptions& options);
+
+/// --overwrite, for everything that the command writes.
+void add_overwrite_option(CLI::App& app, bool& overwrite);
+
+/// --strict.
+void add_strict_option(CLI::App& app, bool& strict);
+
+/// Where a command's figures go.
+struct ReportOptions {
+  bool json = false;  ///< on standard output
+  std::string path;   ///< of a JSON file; empty: none
+};
+
+/// --json, --report.
+void add_report_options(CLI::App& app, ReportOptions& options);
+
+/// The start of every report: its version, which changes when the meaning of a field does, the
+/// program's version, and the command.
+nlohmann::ordered_json start_report(const std::string& command);
+
+/// Throws BadOption where the report and the mesh would both go to standard output, and
+/// CannotWrite where the report's file exists and must not be replaced.
+void check_report(const ReportOptions& options, const std::string& mesh_path, bool overwrite);
+
+/// Writes the report where the options want it, each to where it was asked for.
+void deliver_report(const ReportOptions& options, bool overwrite,
+                    const nlohmann::ordered_json& report);
+
+}  // namespace ibmfair::commands

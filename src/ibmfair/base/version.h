@@ -1,0 +1,21 @@
+// Versions: of the library, and of what it is built on.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace ibmfair {
+
+/// The library's own version, as "0.1.0".
+std::string version();
+
+struct Component {
+  std::string name;
+  std::string version;
+};
+
+/// What the running program computes with, as found at run time where the component tells: Eigen,
+/// SuiteSparse, CHOLMOD, OpenBLAS.
+std::vector<Component> component_versions();
+
+}  // namespace ibmfair
