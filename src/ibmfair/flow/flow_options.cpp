@@ -1,0 +1,28 @@
+#include "ibmfair/flow/flow_options.h"
+
+#include <cmath>
+
+#include "ibmfair/base/errors.h"
+#include "ibmfair/energy/bending_energy.h"
+
+namespace ibmfair {
+namespace {
+
+void require(bool holds, const char* message) {
+  if (!holds) {
+    throw BadOption(message);
+  }
+}
+
+}  // namespace
+
+void FlowOptions::validate() const {
+  bending_model(laplacian);
+  require(steps >= 1, "the number of steps must be at least 1");
+  require(total_time > 0 && std::isfinite(total_time),
+          "the flow's time must be positive and finite");
+  require(newton_iterations >= 1, "the number of Newton iterations must be at least 1");
+  require(max_move > 0, "the largest move must be positive");
+}
+
+}  // namespace ibmfair

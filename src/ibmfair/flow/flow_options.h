@@ -1,0 +1,74 @@
+// What a user of the flow sets, and what the flow reports.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "ibmfair/base/types.h"
+#include "ibmfair/solve/cholesky.h"
+
+namespace ibmfair {
+
+/// The inner product of the gradient flow: lumped vertex mass (results independent of the
+/// sampling, time has unit length^4) or identity ([W07]; time has unit length^2).
+enum class Metric : std::uint8_t { mass, identity };
+
+struct FlowOptions {
+  std::string laplacian = "crouzeix-raviart";  ///< a name from bending_models()
+  bool mass = true;                            ///< with the mass matrix in the energy
+  Metric metric = Metric::mass;
+  int steps = 16;             ///< the total time is split evenly over them; at least 1
+  double total_time = 0;      ///< in the flow's unit; positive
+  int newton_iterations = 1;  ///< per step; 1 is the semi-implicit scheme
+  bool guarded = true;        ///< false: the scheme of [W07] as published
+  bool relax = true;          ///< a sweep of tangential relaxation after each guarded step
+  double max_move = std::numeric_limits<double>::infinity();  ///< from the start, length
+  Ordering ordering = Ordering::automatic;
+
+  /// Throws BadOption where a value cannot be used.
+  void validate() const;
+};
+
+/// One accepted step.
+struct StepRecord {
+  int step = 0;                ///< counted from 1
+  double time = 0;             ///< reached, in the flow's unit
+  double time_step = 0;        ///< of this step
+  double energy = 0;           ///< after the step
+  double gradient_norm = 0;    ///< before the step: sqrt(<g, D^-1 g>), the speed of the flow
+  double largest_move = 0;     ///< of a vertex in this step, length
+  double decrease_ratio = 0;   ///< actual decrease over the predicted one, before relaxation
+  bool refactored = false;     ///< the Jacobian was factored for this step
+  std::int64_t held_back = 0;  ///< vertices whose move was shortened or withheld
+};
+
+enum class FlowStatus : std::uint8_t {
+  completed,    ///< the total time was reached
+  interrupted,  ///< the observer asked to stop
+  stalled,      ///< no step, however small, lowers the energy any more; time was left
+  diverged,     ///< unguarded only: the energy is no longer finite; X is the last finite state
+};
+
+/// Seconds of wall time spent in each part.
+struct FlowSeconds {
+  double assemble = 0, analyse = 0, factor = 0, gradient = 0, solve = 0, guard = 0, relax = 0;
+};
+
+struct FlowReport {
+  FlowStatus status = FlowStatus::completed;
+  double energy_before = 0, energy_after = 0;  ///< over the stencils that touch a free vertex
+  double time_reached = 0;
+  std::int64_t unknowns = 0;
+  int solves = 0, factorizations = 0, rejected = 0, shortened_relaxations = 0;
+  FactorForecast forecast;
+  FlowSeconds seconds;
+  std::vector<StepRecord> steps;
+};
+
+/// Called after each step; returning false ends the flow there.
+using StepObserver = std::function<bool(const StepRecord&)>;
+
+}  // namespace ibmfair

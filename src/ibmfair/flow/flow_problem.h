@@ -1,0 +1,65 @@
+// What the plain and the guarded flow share: the state, its energy and gradient, and the Newton
+// step at a frozen Jacobian.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "ibmfair/energy/bending_energy.h"
+#include "ibmfair/energy/hessian.h"
+#include "ibmfair/flow/flow_options.h"
+#include "ibmfair/flow/jacobian.h"
+#include "ibmfair/mesh/topology.h"
+
+namespace ibmfair {
+
+class FlowProblem {
+ public:
+  /// Everything referred to must outlive the problem. The flow starts at `X`.
+  FlowProblem(const Points& X, const Topology& topology, const std::vector<std::uint8_t>& held,
+              const FlowOptions& options);
+
+  const Topology& topology;
+  const FlowOptions& options;
+  const Unknowns unknowns;
+  FlowReport report;
+  Points X;  ///< #V x 3, the state
+
+  /// E_b over the stencils that touch an unknown, at the state and at another place.
+  double energy() const { return energy_; }
+  double energy_at(const Points& Y);
+
+  /// Evaluates the energy and its gradient at the state.
+  void update_gradient();
+
+  /// The gradient at the state (by `update_gradient`), one row per unknown.
+  const Points& gradient() const { return g_; }
+
+  /// The gradient at another place, one row per unknown.
+  Points gradient_at(const Points& Y);
+
+  /// The step of backward Euler from the state with the Jacobian's own time step, by
+  /// `options.newton_iterations` inexact Newton iterations: one row per unknown, length.
+  Points newton_step();
+
+  /// Y = the state moved by `move` (one row per unknown), no vertex further from the start than
+  /// `options.max_move`. Held vertices keep their bits.
+  void displace(const Points& move, Points& Y) const;
+
+  /// The rate of the flow, sqrt(<g, D^-1 g>).
+  double gradient_norm() const;
+
+  Jacobian& jacobian() { return *jacobian_; }
+  const Jacobian& jacobian() const { return *jacobian_; }
+
+ private:
+  Points start_;
+  std::unique_ptr<BendingEnergy> bending_;
+  std::unique_ptr<Jacobian> jacobian_;
+  double energy_ = 0;
+  Points G_;  // #V x 3, reused
+  Points g_;
+};
+
+}  // namespace ibmfair

@@ -1,0 +1,31 @@
+// Hinges that are folded over, and a watch that no new one appears.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "ibmfair/energy/hessian.h"
+#include "ibmfair/mesh/topology.h"
+
+namespace ibmfair {
+
+/// A hinge with a smaller dihedral angle than this (radians; 10 degrees) counts as folded over.
+inline constexpr double fold_angle = 0.17453292519943295;
+
+/// Watches the hinges that a set of unknown vertices can move.
+class FoldWatch {
+ public:
+  /// Hinges folded at `X` are known from then on and never reported.
+  FoldWatch(const Points& X, const Topology& topology, const Unknowns& unknowns);
+
+  /// The vertices (sorted, each once) of hinges folded at `X` that were not folded at the start.
+  std::vector<Index> new_folds(const Points& X);
+
+ private:
+  std::vector<std::array<Index, 4>> hinges_;
+  std::vector<std::uint8_t> known_;
+  std::vector<std::uint8_t> folded_;  // of the last look
+};
+
+}  // namespace ibmfair

@@ -1,0 +1,301 @@
+#include "ibmfair/flow/guarded_flow.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "ibmfair/base/errors.h"
+#include "ibmfair/base/stopwatch.h"
+#include "ibmfair/flow/folds.h"
+#include "ibmfair/flow/tangential_relaxation.h"
+#include "ibmfair/mesh/geometry.h"
+
+namespace ibmfair {
+namespace {
+
+// The settings of the guard, chosen over noisy spheres, tori and scans (tools/guard_table): what
+// matters most is `largest_strain`, without which noise turns into volume.
+constexpr double least_decrease = 0.1;         // of the predicted decrease, to accept a step
+constexpr double stale_decrease = 0.1;         // at or below, the Jacobian has gone stale
+constexpr double good_decrease = 0.5;          // above, a time step that was cut may grow again
+constexpr double largest_strain = 0.2;         // root mean square over the edges, in one step
+constexpr double cut = 1.0 / 16;               // of the time step, where a step strains or fails
+constexpr double growth = 2, fast_growth = 4;  // of the time step; fast below half the strain
+constexpr double heavier = 16, lighter = 4;    // factors of local damping
+constexpr double culprit_share = 0.05;         // of the largest uphill slope, to be damped
+constexpr double local_share = 0.02;          // of the vertices: more culprits are no local trouble
+constexpr int backtracks = 2;                 // halvings of a step before it is given up
+constexpr int fold_passes = 6;                // rounds of withholding moves that would fold
+constexpr double smallest_time_step = 1e-12;  // of the target, before giving up
+
+class GuardedFlow {
+ public:
+  GuardedFlow(FlowProblem& problem, const StepObserver& observer)
+      : p_(problem),
+        observer_(observer),
+        folds_(problem.X, problem.topology, problem.unknowns),
+        relaxation_(problem.topology, problem.unknowns),
+        h_target_(problem.options.total_time / problem.options.steps),
+        h_(h_target_),
+        left_(problem.options.total_time) {}
+
+  void run() {
+    // Each step either takes time off or makes the next one easier; the bound is for meshes on
+    // which that goes on for longer than anyone would wait.
+    const int most_solves = 200 + 20 * p_.options.steps;
+    while (left_ > 1e-9 * p_.options.total_time) {
+      if (h_ < smallest_time_step * h_target_ || p_.report.solves >= most_solves) {
+        p_.report.status = FlowStatus::stalled;
+        return;
+      }
+      if (!take_step()) {
+        return;
+      }
+    }
+  }
+
+ private:
+  /// One attempt at a step; false when the observer asks to stop.
+  bool take_step() {
+    p_.update_gradient();
+    const bool fresh = stale_;
+    if (fresh && !renew_jacobian()) {
+      return true;
+    }
+    Points step = p_.newton_step();
+    StepRecord record;
+    record.refactored = fresh;
+    record.gradient_norm = p_.gradient_norm();
+    record.held_back = (p_.jacobian().damping().array() > 1).count();
+    fraction_ = std::min(1.0, left_ / p_.jacobian().time_step());
+    if (strain(step) > largest_strain) {
+      cut_time_step();
+      return true;
+    }
+    record.held_back += shorten_long_moves(step);
+    if (!search(step, record)) {
+      recover(step, fresh);
+      return true;
+    }
+    accept(record);
+    relax();
+    adapt(record);
+    record.energy = p_.report.energy_after;
+    p_.report.steps.push_back(record);
+    const bool go_on = !observer_ || observer_(record);
+    if (!go_on) {
+      p_.report.status = FlowStatus::interrupted;
+    }
+    return go_on;
+  }
+
+  /// Factors at the state; a matrix that rounding made indefinite is met with a smaller step.
+  bool renew_jacobian() {
+    const Stopwatch watch(p_.report.seconds.guard);
+    edge_length_ = local_edge_length(p_.X, p_.topology);
+    if (!keep_damping_) {
+      p_.jacobian().damping() = (p_.jacobian().damping() / lighter).cwiseMax(1.0);
+    }
+    keep_damping_ = false;
+    try {
+      p_.jacobian().refactor(p_.X, h_);
+    } catch (const FactorizationFailed&) {
+      if (h_ * cut < smallest_time_step * h_target_) {
+        throw;
+      }
+      cut_time_step();
+      return false;
+    }
+    stale_ = false;
+    return true;
+  }
+
+  void cut_time_step() {
+    h_ *= cut;
+    stale_ = true;
+    ++p_.report.rejected;
+  }
+
+  /// How much the step stretches and turns edges, relative to their length: root mean square.
+  /// Neighbours that move together do not count, so a large smooth move is not held up.
+  double strain(const Points& step) {
+    const Stopwatch watch(p_.report.seconds.guard);
+    const auto& unknown = p_.unknowns.unknown;
+    double sum = 0;
+    std::int64_t count = 0;
+    for (const auto edge : p_.topology.E.rowwise()) {
+      const Index a = unknown[edge[0]], b = unknown[edge[1]];
+      if (a >= 0 || b >= 0) {
+        const Vec3 move_a = a >= 0 ? Vec3(step.row(a)) : Vec3(Vec3::Zero());
+        const Vec3 move_b = b >= 0 ? Vec3(step.row(b)) : Vec3(Vec3::Zero());
+        const double length_a = edge_length_[edge[0]], length_b = edge_length_[edge[1]];
+        sum += 2 * (move_a - move_b).squaredNorm() / (length_a * length_a + length_b * length_b);
+        ++count;
+      }
+    }
+    strain_ = count > 0 ? fraction_ * std::sqrt(sum / static_cast<double>(count)) : 0;
+    return strain_;
+  }
+
+  /// No vertex moves by more than its mean edge length in one step. Returns how many would have.
+  std::int64_t shorten_long_moves(Points& step) const {
+    std::int64_t shortened = 0;
+    for (Index u = 0; u < p_.unknowns.size(); ++u) {
+      const double limit = edge_length_[p_.unknowns.vertex[u]];
+      const double length = step.row(u).norm();
+      if (length > limit) {
+        step.row(u) *= limit / length;
+        ++shortened;
+      }
+    }
+    return shortened;
+  }
+
+  /// Displaces into Y_, withholding the moves of vertices whose hinges would fold over; false where
+  /// folds remain.
+  bool displace_without_folds(Points& move, std::int64_t& withheld) {
+    for (int pass = 0; pass < fold_passes; ++pass) {
+      p_.displace(move, Y_);
+      const std::vector<Index> folding = folds_.new_folds(Y_);
+      if (folding.empty()) {
+        return true;
+      }
+      for (const Index v : folding) {
+        if (const Index u = p_.unknowns.unknown[v]; u >= 0) {
+          move.row(u).setZero();
+          ++withheld;
+        }
+      }
+    }
+    return false;
+  }
+
+  /// Looks for a fraction of the step that lowers the energy enough; leaves it in Y_.
+  bool search(const Points& step, StepRecord& record) {
+    const Stopwatch watch(p_.report.seconds.guard);
+    for (int i = 0; i <= backtracks; ++i, fraction_ /= 2) {
+      move_ = fraction_ * step;
+      std::int64_t withheld = 0;
+      if (displace_without_folds(move_, withheld)) {
+        trial_energy_ = p_.energy_at(Y_);
+        // The Gauss-Newton model predicts at least half of the linear decrease, and no more than
+        // all of it.
+        const double slope = -p_.gradient().cwiseProduct(move_).sum();
+        record.decrease_ratio = (p_.energy() - trial_energy_) / predicted_decrease(slope);
+        if (slope > 0 && record.decrease_ratio >= least_decrease) {
+          record.held_back += withheld;
+          return true;
+        }
+      }
+      ++p_.report.rejected;
+    }
+    return false;
+  }
+
+  /// -<g,s> - 1/2 s^T S s for the move s, from -<g,s> and J: for s = a d with J d = -h g it is
+  /// (a - a^2/2) <-g,d> + a^2/2 <d,Dd>/h.
+  double predicted_decrease(double slope) const {
+    const double metric_part =
+        (p_.jacobian().metric().asDiagonal() * move_).cwiseProduct(move_).sum() /
+        p_.jacobian().time_step();
+    return (1 - fraction_ / 2) * slope + metric_part / 2;
+  }
+
+  /// A step failed. A stale Jacobian is renewed; with a fresh one, vertices at which the trial runs
+  /// uphill get a heavier metric, so that one bad spot does not hold up the whole mesh.
+  void recover(const Points& step, bool fresh) {
+    stale_ = true;
+    if (!fresh) {
+      return;
+    }
+    p_.displace(move_, Y_);
+    const Eigen::VectorXd slope = p_.gradient_at(Y_).cwiseProduct(step).rowwise().sum();
+    const double steepest =
+        slope.unaryExpr([](double s) { return std::isfinite(s) ? s : 0; }).maxCoeff();
+    std::vector<std::uint8_t> culprits(static_cast<std::size_t>(p_.topology.vertex_count), 0);
+    std::int64_t count = 0;
+    for (Index u = 0; u < p_.unknowns.size(); ++u) {
+      if (!(slope[u] <= culprit_share * steepest)) {  // not a number is a culprit, too
+        culprits[p_.unknowns.vertex[u]] = 1;
+        ++count;
+      }
+    }
+    culprits = grow_one_ring(p_.topology, culprits);
+    for (Index u = 0; u < p_.unknowns.size(); ++u) {
+      p_.jacobian().damping()[u] *= culprits[p_.unknowns.vertex[u]] ? heavier : 1;
+    }
+    keep_damping_ = true;
+    if (count == 0 || static_cast<double>(count) > local_share * p_.unknowns.size()) {
+      h_ *= cut;
+    }
+  }
+
+  void accept(StepRecord& record) {
+    energy_before_step_ = p_.energy();
+    record.step = static_cast<int>(p_.report.steps.size()) + 1;
+    record.time_step = fraction_ * p_.jacobian().time_step();
+    record.largest_move = move_.rowwise().norm().maxCoeff();
+    left_ = std::max(0.0, left_ - record.time_step);
+    record.time = p_.report.time_reached = p_.options.total_time - left_;
+    p_.report.energy_after = trial_energy_;
+    p_.X.swap(Y_);
+  }
+
+  /// One sweep of tangential relaxation, shortened until the energy stays below that before the
+  /// step.
+  void relax() {
+    if (!p_.options.relax) {
+      return;
+    }
+    const Stopwatch watch(p_.report.seconds.relax);
+    Points move;
+    relaxation_.moves(p_.X, move);
+    for (int i = 0; i <= backtracks; ++i, move /= 2) {
+      std::int64_t withheld = 0;
+      if (displace_without_folds(move, withheld)) {
+        const double energy = p_.energy_at(Y_);
+        if (energy <= energy_before_step_) {
+          p_.report.energy_after = energy;
+          p_.X.swap(Y_);
+          return;
+        }
+      }
+      ++p_.report.shortened_relaxations;
+    }
+  }
+
+  /// Chooses the next time step, and whether the Jacobian has to be renewed.
+  void adapt(const StepRecord& record) {
+    const bool shortened = record.time_step < p_.jacobian().time_step() && left_ > 0;
+    if (record.decrease_ratio <= stale_decrease || shortened) {
+      stale_ = true;
+      h_ *= record.refactored ? 0.5 : 1;
+    } else if (record.decrease_ratio > good_decrease && h_ < h_target_) {
+      h_ = std::min(h_target_, h_ * (strain_ < largest_strain / 2 ? fast_growth : growth));
+      stale_ = true;
+    }
+  }
+
+  FlowProblem& p_;
+  const StepObserver& observer_;
+  FoldWatch folds_;
+  TangentialRelaxation relaxation_;
+  const double h_target_;
+  double h_;                   // the time step to use next
+  double left_;                // of the total time
+  bool stale_ = true;          // the Jacobian is to be renewed before the next step
+  bool keep_damping_ = false;  // the next renewal does not lighten the damping
+  PerVertex edge_length_;
+  double fraction_ = 1;  // of the Newton step that is tried
+  double strain_ = 0;
+  double trial_energy_ = 0, energy_before_step_ = 0;
+  Points move_;  // the move that is tried, one row per unknown
+  Points Y_;     // where it leads
+};
+
+}  // namespace
+
+void run_guarded(FlowProblem& problem, const StepObserver& observer) {
+  GuardedFlow(problem, observer).run();
+}
+
+}  // namespace ibmfair

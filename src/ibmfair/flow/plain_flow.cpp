@@ -1,0 +1,40 @@
+#include "ibmfair/flow/plain_flow.h"
+
+#include <cmath>
+
+namespace ibmfair {
+
+void run_plain(FlowProblem& problem, const StepObserver& observer) {
+  FlowReport& report = problem.report;
+  const double h = problem.options.total_time / problem.options.steps;
+  problem.jacobian().refactor(problem.X, h);
+  Points Y;
+  for (int k = 1; k <= problem.options.steps; ++k) {
+    problem.update_gradient();
+    const Points step = problem.newton_step();
+    problem.displace(step, Y);
+    const double energy = problem.energy_at(Y);
+    if (!std::isfinite(energy) || !Y.allFinite()) {
+      report.status = FlowStatus::diverged;
+      return;
+    }
+    problem.X.swap(Y);
+    report.energy_after = energy;
+    report.time_reached = k * h;
+    StepRecord record;
+    record.step = k;
+    record.time = k * h;
+    record.time_step = h;
+    record.energy = energy;
+    record.gradient_norm = problem.gradient_norm();
+    record.largest_move = step.rowwise().norm().maxCoeff();
+    record.refactored = k == 1;
+    report.steps.push_back(record);
+    if (observer && !observer(record)) {
+      report.status = FlowStatus::interrupted;
+      return;
+    }
+  }
+}
+
+}  // namespace ibmfair
