@@ -1,0 +1,40 @@
+// Numbers as bytes of either byte order.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstring>
+#include <string_view>
+
+#include "ibmfair/io/atomic_file.h"
+
+namespace ibmfair {
+
+/// The T stored at `p`, with its bytes in reverse order if `swapped`.
+template <class T>
+T load(const char* p, bool swapped) {
+  char bytes[sizeof(T)];
+  for (std::size_t i = 0; i < sizeof(T); ++i)
+    bytes[i] = p[swapped ? sizeof(T) - 1 - i : i];
+  T value;
+  std::memcpy(&value, bytes, sizeof(T));
+  return value;
+}
+
+/// The bytes of `value`, in reverse order if `swapped`; valid as long as `buffer` is.
+template <class T, std::size_t size>
+std::string_view bytes_of(T value, bool swapped, char (&buffer)[size]) {
+  static_assert(sizeof(T) <= size);
+  std::memcpy(buffer, &value, sizeof(T));
+  if (swapped) std::reverse(buffer, buffer + sizeof(T));
+  return {buffer, sizeof(T)};
+}
+
+/// Writes the bytes of `value`, in reverse order if `swapped`.
+template <class T>
+void store(AtomicFile& out, T value, bool swapped) {
+  char buffer[sizeof(T)];
+  out.write(bytes_of(value, swapped, buffer));
+}
+
+}  // namespace ibmfair

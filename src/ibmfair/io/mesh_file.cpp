@@ -1,0 +1,139 @@
+#include "ibmfair/io/mesh_file.h"
+
+#include <optional>
+#include <tuple>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "ibmfair/base/errors.h"
+#include "ibmfair/io/formats.h"
+#include "ibmfair/io/source_bytes.h"
+#include "ibmfair/io/weld.h"
+
+namespace ibmfair {
+
+struct MeshFile::Contents {
+  std::shared_ptr<const SourceBytes> bytes;
+  const Format* format = nullptr;
+  std::string extension;
+  ParsedMesh parsed;
+  std::optional<Weld> weld;  // where vertices were merged
+
+  /// The mesh in the file's own numbering, which attributes and masks refer to.
+  Mesh unwelded() const { return format->read(*bytes, extension).mesh; }
+
+  MeshAttributes file_attributes() const {
+    if (parsed.attributes) return *parsed.attributes;
+    return format->read_attributes(*bytes, weld ? unwelded() : parsed.mesh);
+  }
+};
+
+namespace {
+
+/// The format that the options, the path or the content names, and the extension to tell it apart.
+std::pair<const Format*, std::string> choose_format(const SourceBytes& bytes,
+                                                    const std::string& wanted) {
+  if (!wanted.empty()) {
+    const Format* format = find_format(wanted);
+    if (format == nullptr) throw BadOption(fmt::format("unknown mesh format '{}'", wanted));
+    const std::string extension = path_extension(bytes.path());
+    return {format, find_format(extension) == format ? extension : wanted};
+  }
+  const std::string extension = path_extension(bytes.path());
+  if (const Format* format = find_format(extension)) return {format, extension};
+  for (const Format& format : formats()) {
+    if (format.recognises != nullptr && format.recognises(bytes.view())) {
+      return {&format, std::string(format.name)};
+    }
+  }
+  if (bytes.size() == 0) fail_in_file(bytes, "the file is empty");
+  fail_in_file(bytes, "cannot tell the mesh format; name it with --format");
+}
+
+/// Merges coincident vertices; leaves `result` empty where there are none.
+void weld_vertices(ParsedMesh& parsed, std::optional<Weld>& result) {
+  Weld weld = find_coincident_vertices(parsed.mesh.X);
+  const std::size_t merged = weld.vertex.size() - weld.first.size();
+  if (merged == 0) return;
+  apply(weld, parsed.mesh);
+  parsed.notes.push_back(
+      fmt::format("merged {} vertices that lay exactly on others; vertices are "
+                  "numbered in the order in which their places are first met",
+                  merged));
+  result = std::move(weld);
+}
+
+}  // namespace
+
+const Mesh& MeshFile::mesh() const {
+  return contents_->parsed.mesh;
+}
+const Format& MeshFile::format() const {
+  return *contents_->format;
+}
+const std::string& MeshFile::name() const {
+  return contents_->bytes->name();
+}
+bool MeshFile::has_texture_coordinates() const {
+  return contents_->parsed.has_texture_coordinates;
+}
+bool MeshFile::has_normals() const {
+  return contents_->parsed.has_normals;
+}
+bool MeshFile::welded() const {
+  return contents_->weld.has_value();
+}
+const std::vector<std::string>& MeshFile::notes() const {
+  return contents_->parsed.notes;
+}
+const SourceBytes& MeshFile::bytes() const {
+  return *contents_->bytes;
+}
+
+std::vector<std::uint8_t> MeshFile::vertex_mask(const std::string& name) const {
+  if (format().vertex_mask == nullptr) {
+    throw BadOption(
+        fmt::format("{}: {} files have no groups or vertex properties to select '{}' by",
+                    this->name(), format().title, name));
+  }
+  if (!welded()) return format().vertex_mask(bytes(), mesh(), name);
+  const std::vector<std::uint8_t> own = format().vertex_mask(bytes(), contents_->unwelded(), name);
+  std::vector<std::uint8_t> mask(static_cast<std::size_t>(mesh().X.rows()), 0);
+  for (std::size_t v = 0; v < own.size(); ++v) {
+    if (own[v] != 0) mask[static_cast<std::size_t>(contents_->weld->vertex[v])] = 1;
+  }
+  return mask;
+}
+
+MeshAttributes MeshFile::attributes() const {
+  MeshAttributes attributes = contents_->file_attributes();
+  if (!welded()) return attributes;
+  if (!attributes.colours.empty()) {
+    std::vector<std::array<double, 4>> colours;
+    colours.reserve(contents_->weld->first.size());
+    for (const Index v : contents_->weld->first) {
+      colours.push_back(attributes.colours[static_cast<std::size_t>(v)]);
+    }
+    attributes.colours = std::move(colours);
+  }
+  return attributes;
+}
+
+MeshFile read_mesh(const std::string& path, const ReadOptions& options) {
+  auto contents = std::make_shared<MeshFile::Contents>();
+  contents->bytes = SourceBytes::read(path);
+  std::tie(contents->format, contents->extension) = choose_format(*contents->bytes, options.format);
+  ParsedMesh& parsed = contents->parsed;
+  parsed = contents->format->read(*contents->bytes, contents->extension);
+  if (parsed.mesh.X.rows() == 0) fail_in_file(*contents->bytes, "the mesh has no vertices");
+  if (parsed.mesh.faces.size() == 0) fail_in_file(*contents->bytes, "the mesh has no faces");
+  if (options.weld || contents->format->always_weld) {
+    weld_vertices(parsed, contents->weld);
+  }
+  MeshFile file;
+  file.contents_ = std::move(contents);
+  return file;
+}
+
+}  // namespace ibmfair

@@ -1,0 +1,53 @@
+// Numbers in text: exact both ways, independent of the locale, never allocating.
+#pragma once
+
+#include <charconv>
+#include <cmath>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <system_error>
+
+namespace ibmfair {
+
+namespace detail {
+/// The slow path of parse_real: a number too small for a double becomes zero, everything else that
+/// std::from_chars refuses or that is not finite returns nullptr.
+const char* parse_unusual_real(const char* p, const char* end, double& value);
+}  // namespace detail
+
+/// Reads the finite number that starts at `p` ("+1", ".5" and "1e-400", which is 0, included) and
+/// returns where it ends, or nullptr where there is none.
+inline const char* parse_real(const char* p, const char* end, double& value) {
+  const auto [after, error] = std::from_chars(p, end, value);
+  if (error == std::errc() && std::isfinite(value)) return after;
+  return detail::parse_unusual_real(p, end, value);
+}
+
+/// Reads the integer that starts at `p`, with or without a sign, and returns where it ends, or
+/// nullptr where there is none. Beyond 64 bits the value is the nearest one that 64 bits hold.
+const char* parse_integer(const char* p, const char* end, std::int64_t& value);
+
+/// Why parse_real refused the number at `p`: a message for the user.
+std::string_view describe_bad_real(const char* p, const char* end);
+
+/// Space for the longest shortest form of a double, "-2.2250738585072014e-308".
+constexpr std::size_t real_text_capacity = 32;
+
+/// The shortest text that reads back to the same number; valid as long as `buffer` is.
+inline std::string_view real_text(double value, char (&buffer)[real_text_capacity]) {
+  const auto result = std::to_chars(buffer, buffer + real_text_capacity, value);
+  return {buffer, static_cast<std::size_t>(result.ptr - buffer)};
+}
+inline std::string_view real_text(float value, char (&buffer)[real_text_capacity]) {
+  const auto result = std::to_chars(buffer, buffer + real_text_capacity, value);
+  return {buffer, static_cast<std::size_t>(result.ptr - buffer)};
+}
+
+/// Appends the shortest text of `value`.
+void append_real(std::string& text, double value);
+
+/// Appends a decimal integer.
+void append_integer(std::string& text, std::int64_t value);
+
+}  // namespace ibmfair

@@ -1,0 +1,151 @@
+// Reads the positions and faces of an OBJ text.
+#include <algorithm>
+#include <limits>
+
+#include <fmt/format.h>
+
+#include "ibmfair/base/errors.h"
+#include "ibmfair/io/obj.h"
+#include "ibmfair/io/obj_scanner.h"
+
+namespace ibmfair::obj {
+namespace {
+
+constexpr std::int64_t largest_index = std::numeric_limits<Index>::max();
+
+/// One pass over the text. Faces may precede their vertices, so that only at the end it is known
+/// how many there are: an index beyond is found by its maximum and located by a second pass.
+class Reader {
+ public:
+  Reader(const SourceBytes& source, std::int64_t vertex_limit)
+      : source_(source), scan_(source), vertex_limit_(vertex_limit) {}
+
+  void run() {
+    while (scan_.next_statement()) {
+      const std::string_view keyword = scan_.keyword();
+      if (keyword == "v") {
+        read_vertex();
+      } else if (keyword == "f") {
+        read_face();
+      } else if (keyword == "vt") {
+        ++texture_count_;
+      } else if (keyword == "vn") {
+        ++normal_count_;
+      }
+    }
+  }
+
+  std::int64_t vertex_count() const { return static_cast<std::int64_t>(coordinates_.size() / 3); }
+  std::int64_t largest_vertex() const { return largest_vertex_; }
+
+  ParsedMesh result() {
+    ParsedMesh parsed;
+    parsed.mesh.X =
+        Eigen::Map<const Points>(coordinates_.data(), static_cast<Eigen::Index>(vertex_count()), 3);
+    parsed.mesh.faces = std::move(faces_);
+    parsed.has_texture_coordinates = texture_count_ > 0;
+    parsed.has_normals = normal_count_ > 0;
+    return parsed;
+  }
+
+ private:
+  void read_vertex() {
+    const double x = scan_.real();
+    const double y = scan_.real();
+    const double z = scan_.real();
+    coordinates_.push_back(x);
+    coordinates_.push_back(y);
+    coordinates_.push_back(z);
+    if (vertex_count() > largest_index) scan_.fail(scan_.statement_start(), "too many vertices");
+    if (!scan_.at_statement_end()) read_more_of_vertex();
+  }
+
+  /// A weight, which must be 1, or a colour, which may be anything.
+  void read_more_of_vertex() {
+    const char* start = scan_.position();
+    scan_.skip_number();
+    if (!scan_.at_statement_end()) {
+      while (!scan_.at_statement_end())
+        scan_.skip_number();
+      return;
+    }
+    double weight = 0.0;
+    const char* after = parse_real(start, source_.end(), weight);
+    if (after == nullptr || weight != 1.0) {
+      scan_.fail(start, "rational vertices (a weight other than 1) are not supported");
+    }
+  }
+
+  void read_face() {
+    const auto first = static_cast<std::int64_t>(faces_.corner.size());
+    while (!scan_.at_statement_end()) {
+      const char* start = scan_.position();
+      const std::int64_t vertex = resolve(scan_.corner().vertex, start);
+      if (vertex > largest_vertex_) largest_vertex_ = vertex;
+      faces_.corner.push_back(static_cast<Index>(vertex));
+    }
+    const auto last = static_cast<std::int64_t>(faces_.corner.size());
+    if (last - first < 3) {
+      scan_.fail(scan_.statement_start(), "a face needs at least three corners");
+    }
+    if (last > largest_index) scan_.fail(scan_.statement_start(), "too many face corners");
+    faces_.first.push_back(last);
+  }
+
+  std::int64_t resolve(std::int64_t raw, const char* where) const {
+    if (raw == 0) scan_.fail(where, "vertices are counted from 1");
+    const std::int64_t vertex = raw > 0 ? raw - 1 : vertex_count() + raw;
+    if (vertex < 0) scan_.fail(where, "there are not that many vertices before this face");
+    if (vertex >= vertex_limit_) {
+      scan_.fail(where, fmt::format("there is no such vertex (the file has {})", vertex_limit_));
+    }
+    return vertex;
+  }
+
+  const SourceBytes& source_;
+  ObjScanner scan_;
+  std::int64_t vertex_limit_;
+  std::int64_t texture_count_ = 0;
+  std::int64_t normal_count_ = 0;
+  std::int64_t largest_vertex_ = -1;
+  std::vector<double> coordinates_;
+  Polygons faces_;
+};
+
+void require_text(const SourceBytes& source) {
+  const std::string_view bytes = source.view();
+  if (bytes.starts_with("\xFF\xFE") || bytes.starts_with("\xFE\xFF")) {
+    fail_in_file(source, "the text is UTF-16; save it as UTF-8");
+  }
+  const std::size_t nul = bytes.substr(0, 1024).find('\0');
+  if (nul != std::string_view::npos) {
+    fail_in_file(source, fmt::format("not an OBJ text (byte {} is zero)", nul));
+  }
+}
+
+}  // namespace
+
+bool recognises(std::string_view bytes) {
+  for (std::size_t at = 0; at < bytes.size();) {
+    const std::size_t stop = std::min(bytes.find_first_of("\r\n", at), bytes.size());
+    const std::string_view line = bytes.substr(at, stop - at);
+    for (const std::string_view start : {"v ", "mtllib ", "o ", "g ", "usemtl ", "vn ", "vt "}) {
+      if (line.starts_with(start)) return true;
+    }
+    if (!line.empty() && line.front() != '#') return false;
+    at = stop + 1;
+  }
+  return false;
+}
+
+ParsedMesh read(const SourceBytes& source, std::string_view /*extension*/) {
+  require_text(source);
+  Reader reader(source, largest_index);
+  reader.run();
+  if (reader.largest_vertex() >= reader.vertex_count()) {
+    Reader(source, reader.vertex_count()).run();
+  }
+  return reader.result();
+}
+
+}  // namespace ibmfair::obj

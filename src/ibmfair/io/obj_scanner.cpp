@@ -1,0 +1,107 @@
+#include "ibmfair/io/obj_scanner.h"
+
+#include <charconv>
+#include <system_error>
+
+namespace ibmfair::obj {
+
+ObjScanner::ObjScanner(const SourceBytes& source)
+    : source_(source), p_(source.begin()), end_(source.end()) {
+  if (source.view().starts_with("\xEF\xBB\xBF")) p_ += 3;
+}
+
+bool ObjScanner::next_statement() {
+  if (!keyword_.empty()) skip_line();
+  while (true) {
+    skip_blanks();
+    if (p_ == end_) return false;
+    if (*p_ == '#') {
+      // A comment ends with its line, whatever it ends in: `# C:\meshes\` continues nothing.
+      while (p_ != end_ && *p_ != '\n' && *p_ != '\r')
+        ++p_;
+    }
+    if (p_ == end_) return false;
+    if (*p_ != '\n' && *p_ != '\r') break;
+    ++p_;
+  }
+  const char* start = p_++;
+  while (!is_delimiter(p_))
+    ++p_;
+  keyword_ = {start, static_cast<std::size_t>(p_ - start)};
+  return true;
+}
+
+void ObjScanner::skip_line() {
+  while (p_ != end_ && *p_ != '\n' && *p_ != '\r') {
+    if (*p_ == '\\') {
+      const char* before = p_;
+      skip_continuations();
+      if (p_ == before) ++p_;
+    } else if (*p_ == '#' && is_blank(p_[-1])) {
+      while (p_ != end_ && *p_ != '\n' && *p_ != '\r')
+        ++p_;
+    } else {
+      ++p_;
+    }
+  }
+}
+
+void ObjScanner::skip_continuations() {
+  while (p_ != end_ && *p_ == '\\' && p_ + 1 != end_ && (p_[1] == '\n' || p_[1] == '\r')) {
+    const bool pair = p_[1] == '\r' && p_ + 2 != end_ && p_[2] == '\n';
+    p_ += pair ? 3 : 2;
+    while (p_ != end_ && is_blank(*p_))
+      ++p_;
+  }
+}
+
+const char* ObjScanner::after_statement() {
+  skip_line();
+  const char* p = p_;
+  if (p != end_ && *p == '\r') ++p;
+  if (p != end_ && *p == '\n') ++p;
+  return p;
+}
+
+void ObjScanner::corner_references(const char* start, RawCorner& corner) {
+  ++p_;
+  const bool has_texture = index(corner.texture);
+  if (has_texture && corner.texture == 0) fail(start, "texture coordinates are counted from 1");
+  if (p_ == end_ || *p_ != '/') return;
+  ++p_;
+  const bool has_normal = index(corner.normal);
+  if (has_normal && corner.normal == 0) fail(start, "normals are counted from 1");
+}
+
+std::string_view ObjScanner::word() {
+  if (at_statement_end()) return {};
+  const char* start = p_;
+  while (p_ != end_ && !is_blank(*p_) && *p_ != '\n' && *p_ != '\r')
+    ++p_;
+  return {start, static_cast<std::size_t>(p_ - start)};
+}
+
+std::string_view ObjScanner::rest() {
+  skip_blanks();
+  const char* start = p_;
+  skip_line();
+  const char* stop = p_;
+  while (stop != start && is_blank(stop[-1]))
+    --stop;
+  return {start, static_cast<std::size_t>(stop - start)};
+}
+
+void ObjScanner::skip_number() {
+  skip_blanks();
+  const char* start = p_ != end_ && *p_ == '+' ? p_ + 1 : p_;
+  double value = 0.0;
+  const auto [after, error] = std::from_chars(start, end_, value);
+  if (error == std::errc::invalid_argument || !is_delimiter(after)) fail(p_, "not a number");
+  p_ = after;
+}
+
+void ObjScanner::fail_at_real() const {
+  fail(p_, describe_bad_real(p_, end_));
+}
+
+}  // namespace ibmfair::obj

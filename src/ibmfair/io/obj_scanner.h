@@ -1,0 +1,119 @@
+// Walks an OBJ text statement by statement, without copying and without counting lines.
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+
+#include "ibmfair/io/numbers.h"
+#include "ibmfair/io/source_bytes.h"
+
+namespace ibmfair::obj {
+
+/// A face corner as written: 1-based, or negative and counted from the end; 0 where left out.
+struct RawCorner {
+  std::int64_t vertex = 0;
+  std::int64_t texture = 0;
+  std::int64_t normal = 0;
+};
+
+/// A statement is a keyword and its arguments up to the end of the line; a backslash before the end
+/// of the line continues it, `#` starts a comment. Lines end with LF, CRLF or CR.
+class ObjScanner {
+ public:
+  /// Starts before the first statement, after a UTF-8 byte-order mark if there is one.
+  explicit ObjScanner(const SourceBytes& source);
+
+  /// Goes to the next statement; false at the end of the text.
+  bool next_statement();
+
+  std::string_view keyword() const { return keyword_; }
+
+  /// Where the next argument starts, or where the statement's arguments end.
+  const char* position() {
+    skip_blanks();
+    return p_;
+  }
+
+  /// Where the argument read last ends.
+  const char* position_after() const { return p_; }
+
+  bool at_statement_end() {
+    skip_blanks();
+    return p_ == end_ || *p_ == '\n' || *p_ == '\r' || *p_ == '#';
+  }
+
+  /// Reads a finite number; throws BadFile.
+  double real() {
+    skip_blanks();
+    double value = 0.0;
+    const char* after = parse_real(p_, end_, value);
+    if (after == nullptr || !is_delimiter(after)) fail_at_real();
+    p_ = after;
+    return value;
+  }
+
+  /// Passes over a number of any value, "nan" included; throws BadFile for anything else.
+  void skip_number();
+
+  /// Reads `v`, `v/t`, `v//n` or `v/t/n`; throws BadFile where it is none of these.
+  RawCorner corner() {
+    skip_blanks();
+    RawCorner corner;
+    const char* start = p_;
+    if (!index(corner.vertex)) fail(start, "not a vertex number");
+    if (p_ != end_ && *p_ == '/') corner_references(start, corner);
+    if (!is_delimiter(p_)) fail(start, "not a vertex number");
+    return corner;
+  }
+
+  /// The next argument as text; empty at the end of the statement.
+  std::string_view word();
+
+  /// All that is left of the statement, without surrounding blanks.
+  std::string_view rest();
+
+  /// Where the statement begins, and where the line after it begins.
+  const char* statement_start() const { return keyword_.data(); }
+  const char* after_statement();
+
+  [[noreturn]] void fail(const char* where, std::string_view message) const {
+    fail_in_text(source_, where, message);
+  }
+
+ private:
+  static bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\v' || c == '\f'; }
+  bool is_delimiter(const char* p) const {
+    return p == end_ || is_blank(*p) || *p == '\n' || *p == '\r' || *p == '#' || *p == '\\';
+  }
+  void skip_blanks() {
+    while (p_ != end_ && is_blank(*p_))
+      ++p_;
+    if (p_ != end_ && *p_ == '\\') skip_continuations();
+  }
+  /// Short decimal indices, which is nearly all of them, without the detour over parse_integer.
+  bool index(std::int64_t& value) {
+    const char* p = p_;
+    std::int64_t result = 0;
+    while (p != end_ && *p >= '0' && *p <= '9' && p - p_ < 10)
+      result = 10 * result + (*p++ - '0');
+    if (p != p_ && p - p_ < 10) {
+      value = result;
+      p_ = p;
+      return true;
+    }
+    const char* after = parse_integer(p_, end_, value);
+    if (after != nullptr) p_ = after;
+    return after != nullptr;
+  }
+  void corner_references(const char* start, RawCorner& corner);
+  void skip_continuations();
+  void skip_line();
+  [[noreturn]] void fail_at_real() const;
+
+  const SourceBytes& source_;
+  const char* p_;
+  const char* end_;
+  std::string_view keyword_;
+};
+
+}  // namespace ibmfair::obj

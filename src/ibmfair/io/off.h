@@ -1,0 +1,56 @@
+// OFF with its prefixes (ST, C, N), in text and in both binary dialects: the functions of its row
+// in the format table.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "ibmfair/io/formats.h"
+
+namespace ibmfair::off {
+
+/// What the header and the first rows say about a file.
+struct Layout {
+  bool texture = false;     ///< ST: two texture coordinates a vertex
+  bool colour = false;      ///< C: a colour a vertex
+  bool normal = false;      ///< N: a normal a vertex
+  int colour_channels = 0;  ///< 3 or 4 in a file with vertex colours
+
+  std::int64_t vertex_count = 0;
+  std::int64_t face_count = 0;
+  const char* body = nullptr;  ///< after the counts
+
+  bool binary = false;
+  bool swapped = false;        ///< a binary file of the opposite byte order
+  bool colour_counts = false;  ///< a binary file whose faces end with a number of colours and those
+
+  /// In text: a face's row ends with its line and may have a colour before that. Not so in files
+  /// that put several faces, or everything, on one line.
+  bool faces_end_lines = true;
+
+  /// Numbers that follow x, y, z in a vertex row.
+  int extra_columns() const {
+    return (normal ? 3 : 0) + (colour ? colour_channels : 0) + (texture ? 2 : 0);
+  }
+};
+
+/// Reads the header; for a text file colour_channels is set and faces_end_lines is a first guess.
+/// Throws BadFile, also where the file is too short for the counts it claims.
+Layout read_layout(const SourceBytes& source);
+
+/// Reads a binary body, finding out its byte order and dialect. Throws BadFile.
+Mesh read_binary_body(const SourceBytes& source, Layout& layout);
+
+/// Replaces the positions of a binary file. Returns notes.
+std::vector<std::string> patch_binary(const PatchRequest& request, const Layout& layout,
+                                      AtomicFile& out);
+
+bool recognises(std::string_view bytes);
+ParsedMesh read(const SourceBytes& source, std::string_view extension);
+MeshAttributes read_attributes(const SourceBytes& source, const Mesh& mesh);
+std::vector<std::string> patch(const PatchRequest& request, AtomicFile& out);
+std::vector<std::string> generate(const GenerateRequest& request, AtomicFile& out);
+
+}  // namespace ibmfair::off

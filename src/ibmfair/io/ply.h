@@ -1,0 +1,45 @@
+// PLY, ascii and binary of both byte orders: the functions of its row in the format table. Vertex
+// positions and faces (or triangle strips) are modelled; every other element and property is
+// carried along by the patching writer.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "ibmfair/io/formats.h"
+#include "ibmfair/io/ply_header.h"
+
+namespace ibmfair::ply {
+
+/// The parts of a header that make a mesh.
+struct Layout {
+  Header header;
+  std::size_t vertex = 0;                     ///< the element `vertex`
+  std::size_t face = 0;                       ///< the element `face` or `tristrips`
+  std::array<int, 3> position{};              ///< the properties x, y, z
+  std::array<int, 3> normal{-1, -1, -1};      ///< nx, ny, nz; -1 where there are none
+  std::array<int, 2> texture{-1, -1};         ///< s, t (or u, v); -1 where there are none
+  std::array<int, 4> colour{-1, -1, -1, -1};  ///< red, green, blue, alpha; -1 where there is none
+  int indices = -1;                           ///< the list of a face's vertices
+  int face_texture = -1;                      ///< the list `texcoord`, two values a corner
+  bool strips = false;                        ///< triangle strips with -1 between them
+
+  const Element& vertices() const { return header.elements[vertex]; }
+  const Element& faces() const { return header.elements[face]; }
+};
+
+/// Reads the header and finds the mesh in it. Throws BadFile where there is none.
+Layout read_layout(const SourceBytes& source);
+
+bool recognises(std::string_view bytes);
+ParsedMesh read(const SourceBytes& source, std::string_view extension);
+MeshAttributes read_attributes(const SourceBytes& source, const Mesh& mesh);
+std::vector<std::uint8_t> vertex_mask(const SourceBytes& source, const Mesh& mesh,
+                                      std::string_view name);
+std::vector<std::string> patch(const PatchRequest& request, AtomicFile& out);
+std::vector<std::string> generate(const GenerateRequest& request, AtomicFile& out);
+
+}  // namespace ibmfair::ply

@@ -1,0 +1,181 @@
+// What a PLY file holds besides positions and faces: texture coordinates, colours, properties.
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "ibmfair/base/errors.h"
+#include "ibmfair/io/ply.h"
+#include "ibmfair/io/ply_body.h"
+
+namespace ibmfair::ply {
+namespace {
+
+/// Calls f with a body of the file's encoding.
+template <class F>
+void with_body(const SourceBytes& source, const Layout& layout, F&& f) {
+  if (layout.header.encoding == Encoding::ascii) {
+    f(AsciiBody(source, layout.header));
+  } else {
+    f(BinaryBody(source, layout.header));
+  }
+}
+
+template <class Body>
+void skip_elements_before(const Layout& layout, std::size_t element, Body& body) {
+  for (std::size_t e = 0; e < element; ++e)
+    body.skip_rows(layout.header.elements[e]);
+  body.start_element(layout.header.elements[element]);
+}
+
+/// Reads scalar vertex properties as numbers: one row of `values` a vertex, a column a property.
+std::vector<double> read_columns(const SourceBytes& source, const Layout& layout,
+                                 const std::vector<int>& columns) {
+  const Element& vertex = layout.vertices();
+  std::vector<double> values(columns.size() * static_cast<std::size_t>(vertex.count));
+  with_body(source, layout, [&](auto body) {
+    skip_elements_before(layout, layout.vertex, body);
+    for (std::int64_t row = 0; row < vertex.count; ++row) {
+      body.start_row(row);
+      for (std::size_t i = 0; i < vertex.properties.size(); ++i) {
+        const auto column = std::find(columns.begin(), columns.end(), static_cast<int>(i));
+        if (column == columns.end()) {
+          body.skip(vertex.properties[i]);
+        } else {
+          const auto at = static_cast<std::size_t>(row) * columns.size() +
+                          static_cast<std::size_t>(column - columns.begin());
+          values[at] = body.any_real(vertex.properties[i].type);
+        }
+      }
+      body.end_row();
+    }
+  });
+  return values;
+}
+
+void read_colours(const SourceBytes& source, const Layout& layout, MeshAttributes& attributes) {
+  attributes.opacity = layout.colour[3] >= 0;
+  const std::size_t channels = attributes.opacity ? 4 : 3;
+  const std::vector<int> columns(layout.colour.begin(), layout.colour.begin() + channels);
+  const std::vector<double> values = read_columns(source, layout, columns);
+  // Integers count up to the largest of their type, reals to 1.
+  std::array<double, 4> full{1, 1, 1, 1};
+  for (std::size_t c = 0; c < channels; ++c) {
+    const Type type = layout.vertices().properties[static_cast<std::size_t>(columns[c])].type;
+    if (!is_real(type)) full[c] = size_of(type) == 1 ? 255.0 : 65535.0;
+    if (size_of(type) == 1) attributes.byte_colours = true;
+  }
+  attributes.colours.assign(values.size() / channels, {0, 0, 0, 1});
+  for (std::size_t v = 0; v < attributes.colours.size(); ++v) {
+    for (std::size_t c = 0; c < channels; ++c) {
+      attributes.colours[v][c] = values[v * channels + c] / full[c];
+    }
+  }
+}
+
+void read_vertex_texture(const SourceBytes& source, const Layout& layout, const Mesh& mesh,
+                         MeshAttributes& attributes) {
+  const std::vector<double> values =
+      read_columns(source, layout, {layout.texture[0], layout.texture[1]});
+  for (std::size_t i = 0; i + 1 < values.size(); i += 2) {
+    attributes.texture_coordinates.push_back({values[i], values[i + 1]});
+  }
+  attributes.corner_texture = mesh.faces.corner;
+}
+
+/// Two values a corner in the faces' list `texcoord`; a list of another length leaves its face
+/// without.
+void read_face_texture(const SourceBytes& source, const Layout& layout, const Mesh& mesh,
+                       MeshAttributes& attributes) {
+  const Element& face = layout.faces();
+  attributes.corner_texture.assign(mesh.faces.corner.size(), -1);
+  with_body(source, layout, [&](auto body) {
+    skip_elements_before(layout, layout.face, body);
+    for (std::int64_t row = 0; row < face.count; ++row) {
+      body.start_row(row);
+      const auto f = static_cast<std::size_t>(row);
+      const std::int64_t corners = mesh.faces.first[f + 1] - mesh.faces.first[f];
+      for (std::size_t i = 0; i < face.properties.size(); ++i) {
+        const Property& property = face.properties[i];
+        if (static_cast<int>(i) != layout.face_texture) {
+          body.skip(property);
+          continue;
+        }
+        const std::int64_t count = body.count(property);
+        std::vector<double> values(static_cast<std::size_t>(count));
+        for (double& value : values)
+          value = body.any_real(property.type);
+        if (count != 2 * corners) continue;
+        for (std::int64_t c = 0; c < corners; ++c) {
+          const auto at = static_cast<std::size_t>(c);
+          attributes.corner_texture[static_cast<std::size_t>(mesh.faces.first[f]) + at] =
+              static_cast<Index>(attributes.texture_coordinates.size());
+          attributes.texture_coordinates.push_back({values[2 * at], values[2 * at + 1]});
+        }
+      }
+      body.end_row();
+    }
+  });
+}
+
+bool contains(std::span<const int> list, std::size_t i) {
+  return std::find(list.begin(), list.end(), static_cast<int>(i)) != list.end();
+}
+
+void list_uncarried(const Layout& layout, MeshAttributes& attributes) {
+  const std::vector<Element>& elements = layout.header.elements;
+  for (std::size_t e = 0; e < elements.size(); ++e) {
+    if (e != layout.vertex && e != layout.face) {
+      attributes.uncarried.push_back(fmt::format("element '{}'", elements[e].name));
+      continue;
+    }
+    for (std::size_t i = 0; i < elements[e].properties.size(); ++i) {
+      const bool known =
+          e == layout.vertex
+              ? contains(layout.position, i) || contains(layout.normal, i) ||
+                    contains(layout.texture, i) || contains(layout.colour, i)
+              : static_cast<int>(i) == layout.indices || static_cast<int>(i) == layout.face_texture;
+      if (known) continue;
+      attributes.uncarried.push_back(
+          fmt::format("{} property '{}'", elements[e].name, elements[e].properties[i].name));
+    }
+  }
+  if (!layout.header.comments.empty()) attributes.uncarried.emplace_back("comments");
+}
+
+}  // namespace
+
+MeshAttributes read_attributes(const SourceBytes& source, const Mesh& mesh) {
+  const Layout layout = read_layout(source);
+  MeshAttributes attributes;
+  attributes.normals = layout.normal[0] >= 0;
+  if (layout.colour[0] >= 0) read_colours(source, layout, attributes);
+  if (layout.face_texture >= 0) {
+    read_face_texture(source, layout, mesh, attributes);
+  } else if (layout.texture[0] >= 0) {
+    read_vertex_texture(source, layout, mesh, attributes);
+  }
+  list_uncarried(layout, attributes);
+  return attributes;
+}
+
+std::vector<std::uint8_t> vertex_mask(const SourceBytes& source, const Mesh& /*mesh*/,
+                                      std::string_view name) {
+  const Layout layout = read_layout(source);
+  const Element& vertex = layout.vertices();
+  const int column = vertex.find(source, name);
+  if (column < 0 || vertex.properties[static_cast<std::size_t>(column)].is_list) {
+    std::vector<std::string> names;
+    for (const Property& property : vertex.properties) {
+      if (!property.is_list) names.push_back(property.name);
+    }
+    throw BadOption(fmt::format("{}: no vertex property is called '{}'; there are: {}",
+                                source.name(), name, fmt::join(names, ", ")));
+  }
+  std::vector<std::uint8_t> mask;
+  for (const double value : read_columns(source, layout, {column}))
+    mask.push_back(value != 0.0);
+  return mask;
+}
+
+}  // namespace ibmfair::ply

@@ -1,0 +1,136 @@
+// Walks the rows of a PLY body value by value. The ascii and the binary body have the same members,
+// so that what reads one reads the other.
+#pragma once
+
+#include <bit>
+#include <cstdint>
+#include <type_traits>
+#include <vector>
+
+#include "ibmfair/base/types.h"
+#include "ibmfair/io/binary_bytes.h"
+#include "ibmfair/io/ply_header.h"
+#include "ibmfair/io/token_cursor.h"
+
+namespace ibmfair::ply {
+
+/// Calls f(std::type_identity<T>) with the C++ type T of `type`.
+template <class F>
+decltype(auto) with_type(Type type, F&& f) {
+  switch (type) {
+    case Type::int8:
+      return f(std::type_identity<std::int8_t>());
+    case Type::uint8:
+      return f(std::type_identity<std::uint8_t>());
+    case Type::int16:
+      return f(std::type_identity<std::int16_t>());
+    case Type::uint16:
+      return f(std::type_identity<std::uint16_t>());
+    case Type::int32:
+      return f(std::type_identity<std::int32_t>());
+    case Type::uint32:
+      return f(std::type_identity<std::uint32_t>());
+    case Type::float32:
+      return f(std::type_identity<float>());
+    default:
+      return f(std::type_identity<double>());
+  }
+}
+
+/// Whether numbers of this encoding have the opposite byte order of this machine's.
+inline bool is_swapped(Encoding encoding) {
+  const bool big = std::endian::native == std::endian::big;
+  return encoding != Encoding::ascii && (encoding == Encoding::big_endian) != big;
+}
+
+/// What both bodies do: say where they are.
+class BodyBase {
+ public:
+  void start_element(const Element& element) { element_ = &element; }
+  void start_row(std::int64_t row) { row_ = row; }
+
+ protected:
+  const Element* element_ = nullptr;
+  std::int64_t row_ = 0;
+};
+
+/// The rows of a binary body. Every member throws BadFile where the file ends early or a value
+/// cannot be what it is read as.
+class BinaryBody : public BodyBase {
+ public:
+  BinaryBody(const SourceBytes& source, const Header& header)
+      : source_(source),
+        p_(header.body),
+        end_(source.end()),
+        swapped_(is_swapped(header.encoding)) {}
+
+  /// Where the next value starts, and where the last one ended.
+  const char* position() const { return p_; }
+  const char* after_value() const { return p_; }
+
+  /// A scalar as a finite number.
+  double real(Type type);
+  /// A scalar, nan and infinities included.
+  double any_real(Type type);
+  /// A list's count, never more than the file has room for.
+  std::int64_t count(const Property& list);
+  /// Appends `count` vertex numbers, each from `smallest` up to below `limit`.
+  void indices(Type type, std::int64_t count, std::int64_t smallest, std::int64_t limit,
+               std::vector<Index>& out);
+  void skip(const Property& property);
+  void skip_rows(const Element& element);
+  void end_row() {}
+
+  [[noreturn]] void fail(std::string_view message) const {
+    fail_in_binary(source_, element_->name, row_, p_, message);
+  }
+
+ private:
+  void require(std::int64_t bytes) const {
+    if (end_ - p_ < bytes) fail("the file ends here");
+  }
+
+  const SourceBytes& source_;
+  const char* p_;
+  const char* end_;
+  bool swapped_;
+};
+
+/// The rows of an ascii body: each starts on a line of its own, blank lines do not count.
+class AsciiBody : public BodyBase {
+ public:
+  AsciiBody(const SourceBytes& source, const Header& header)
+      : cursor_(source, header.body, false) {}
+
+  /// Where the next value starts, and where the last one ended.
+  const char* position() {
+    cursor_.skip_to_token();
+    return cursor_.position();
+  }
+  const char* after_value() const { return cursor_.position(); }
+
+  /// A scalar as a finite number.
+  double real(Type /*type*/) { return cursor_.real(); }
+  /// A scalar, whatever it says; nan where that is no finite number.
+  double any_real(Type type);
+  std::int64_t count(const Property& list);
+  void indices(Type type, std::int64_t count, std::int64_t smallest, std::int64_t limit,
+               std::vector<Index>& out);
+  void skip(const Property& property);
+  void skip_rows(const Element& element);
+  void end_row() {
+    if (!cursor_.at_line_end()) {
+      cursor_.fail(cursor_.position(), "the row has more values than the header declares");
+    }
+  }
+
+  [[noreturn]] void fail(std::string_view message) {
+    cursor_.skip_to_token();
+    cursor_.fail(cursor_.position(), message);
+  }
+
+ private:
+  TokenCursor cursor_;
+};
+
+}  // namespace ibmfair::ply

@@ -1,0 +1,123 @@
+#include "ibmfair/io/source_bytes.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "ibmfair/base/errors.h"
+
+namespace ibmfair {
+namespace {
+
+constexpr std::size_t longest_quote = 40;
+
+/// A descriptor that is closed when it goes out of scope, except standard input.
+struct Descriptor {
+  int fd;
+  explicit Descriptor(int fd) : fd(fd) {}
+  Descriptor(const Descriptor&) = delete;
+  Descriptor& operator=(const Descriptor&) = delete;
+  ~Descriptor() {
+    if (fd > STDIN_FILENO) close(fd);
+  }
+};
+
+[[noreturn]] void fail_to_read(const std::string& name, int error) {
+  throw BadFile(fmt::format("{}: cannot be read: {}", name, std::strerror(error)));
+}
+
+/// Bytes to expect: a file's size plus one, so that its end is met without growing the buffer.
+std::size_t first_capacity(int fd, const std::string& name) {
+  struct stat status {};
+  if (fstat(fd, &status) != 0) fail_to_read(name, errno);
+  if (S_ISDIR(status.st_mode)) fail_to_read(name, EISDIR);
+  const bool sized = S_ISREG(status.st_mode) && status.st_size > 0;
+  return sized ? static_cast<std::size_t>(status.st_size) + 1 : std::size_t{1} << 16;
+}
+
+/// The word at `where`, shortened and with anything unprintable replaced.
+std::string quote(const SourceBytes& source, const char* where) {
+  std::string text;
+  for (const char* p = where; p != source.end() && text.size() < longest_quote; ++p) {
+    const auto c = static_cast<unsigned char>(*p);
+    if (c == ' ' || (c >= '\t' && c <= '\r')) break;
+    text += c < ' ' || c == 0x7f ? '?' : *p;
+  }
+  return text;
+}
+
+}  // namespace
+
+std::shared_ptr<const SourceBytes> SourceBytes::read(const std::string& path) {
+  std::shared_ptr<SourceBytes> source(new SourceBytes);
+  const bool standard_input = path == "-";
+  source->name_ = standard_input ? "standard input" : path;
+  if (!standard_input) source->path_ = path;
+
+  const Descriptor file(standard_input ? STDIN_FILENO : open(path.c_str(), O_RDONLY | O_CLOEXEC));
+  if (file.fd < 0) fail_to_read(source->name_, errno);
+  std::size_t capacity = first_capacity(file.fd, source->name_);
+  auto bytes = std::make_unique_for_overwrite<char[]>(capacity);
+  std::size_t size = 0;
+  while (true) {
+    if (size == capacity) {
+      auto larger = std::make_unique_for_overwrite<char[]>(2 * capacity);
+      std::copy_n(bytes.get(), size, larger.get());
+      bytes = std::move(larger);
+      capacity *= 2;
+    }
+    const ssize_t count = ::read(file.fd, bytes.get() + size, capacity - size);
+    if (count < 0 && errno == EINTR) continue;
+    if (count < 0) fail_to_read(source->name_, errno);
+    if (count == 0) break;
+    size += static_cast<std::size_t>(count);
+  }
+  source->bytes_ = std::move(bytes);
+  source->size_ = size;
+  return source;
+}
+
+std::shared_ptr<const SourceBytes> SourceBytes::from_memory(std::string name,
+                                                            std::string_view bytes) {
+  std::shared_ptr<SourceBytes> source(new SourceBytes);
+  source->name_ = std::move(name);
+  source->bytes_ = std::make_unique_for_overwrite<char[]>(bytes.size());
+  std::copy(bytes.begin(), bytes.end(), source->bytes_.get());
+  source->size_ = bytes.size();
+  return source;
+}
+
+void fail_in_text(const SourceBytes& source, const char* where, std::string_view message) {
+  std::int64_t line = 1;
+  const char* line_start = source.begin();
+  for (const char* p = source.begin(); p != where; ++p) {
+    const bool ends = *p == '\n' || (*p == '\r' && (p + 1 == source.end() || p[1] != '\n'));
+    if (ends) {
+      ++line;
+      line_start = p + 1;
+    }
+  }
+  const std::string text = quote(source, where);
+  const std::string found = !text.empty()           ? fmt::format(" in '{}'", text)
+                            : where == source.end() ? " at the end of the file"
+                                                    : " at the end of the line";
+  throw BadFile(
+      fmt::format("{}:{}:{}: {}{}", source.name(), line, where - line_start + 1, message, found));
+}
+
+void fail_in_binary(const SourceBytes& source, std::string_view element, std::int64_t row,
+                    const char* where, std::string_view message) {
+  throw BadFile(fmt::format("{}: {} {} (byte {}): {}", source.name(), element, row,
+                            where - source.begin(), message));
+}
+
+void fail_in_file(const SourceBytes& source, std::string_view message) {
+  throw BadFile(fmt::format("{}: {}", source.name(), message));
+}
+
+}  // namespace ibmfair

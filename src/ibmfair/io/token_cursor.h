@@ -1,0 +1,96 @@
+// Walks a text of numbers separated by blanks and ends of lines: the body of OFF and ascii PLY.
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+
+#include "ibmfair/io/numbers.h"
+#include "ibmfair/io/source_bytes.h"
+
+namespace ibmfair {
+
+/// Every number must be followed by a blank, the end of its line, or a comment where the text has
+/// comments (`#` up to the end of the line, even glued to a number).
+class TokenCursor {
+ public:
+  TokenCursor(const SourceBytes& source, const char* start, bool comments)
+      : source_(source), p_(start), end_(source.end()), comments_(comments) {}
+
+  /// Goes to the next token on this or a later line; false at the end of the text.
+  bool skip_to_token() {
+    while (p_ != end_) {
+      if (is_blank(*p_) || is_line_end(*p_)) {
+        ++p_;
+      } else if (comments_ && *p_ == '#') {
+        skip_comment();
+      } else {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  /// Whether nothing more (than a comment) follows on this line.
+  bool at_line_end() {
+    while (p_ != end_ && is_blank(*p_))
+      ++p_;
+    return p_ == end_ || is_line_end(*p_) || (comments_ && *p_ == '#');
+  }
+
+  /// Where the cursor stands; after skip_to_token() the start of a token.
+  const char* position() const { return p_; }
+
+  /// Reads a finite number; throws BadFile.
+  double real() {
+    double value = 0.0;
+    if (!skip_to_token()) fail(p_, "the file ends before its last row does");
+    const char* after = parse_real(p_, end_, value);
+    if (after == nullptr || !is_delimiter(after)) fail(p_, describe_bad_real(p_, end_));
+    p_ = after;
+    return value;
+  }
+
+  /// Reads an integer; throws BadFile.
+  std::int64_t integer() {
+    std::int64_t value = 0;
+    if (!skip_to_token()) fail(p_, "the file ends before its last row does");
+    const char* after = parse_integer(p_, end_, value);
+    if (after == nullptr || !is_delimiter(after)) fail(p_, "not an integer");
+    p_ = after;
+    return value;
+  }
+
+  /// Passes over a token, whatever it says, and returns it.
+  std::string_view token() {
+    if (!skip_to_token()) fail(p_, "the file ends before its last row does");
+    const char* start = p_;
+    while (!is_delimiter(p_))
+      ++p_;
+    return {start, static_cast<std::size_t>(p_ - start)};
+  }
+
+  /// Bytes between the cursor and the end of the text.
+  std::int64_t remaining() const { return end_ - p_; }
+
+  [[noreturn]] void fail(const char* where, std::string_view message) const {
+    fail_in_text(source_, where, message);
+  }
+
+ private:
+  static bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\v' || c == '\f'; }
+  static bool is_line_end(char c) { return c == '\n' || c == '\r'; }
+  bool is_delimiter(const char* p) const {
+    return p == end_ || is_blank(*p) || is_line_end(*p) || (comments_ && *p == '#');
+  }
+  void skip_comment() {
+    while (p_ != end_ && !is_line_end(*p_))
+      ++p_;
+  }
+
+  const SourceBytes& source_;
+  const char* p_;
+  const char* end_;
+  bool comments_;
+};
+
+}  // namespace ibmfair

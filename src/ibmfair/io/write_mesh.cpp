@@ -1,0 +1,98 @@
+// Decides between patching the source's own bytes and generating a new file.
+#include <fmt/format.h>
+
+#include "ibmfair/base/errors.h"
+#include "ibmfair/io/atomic_file.h"
+#include "ibmfair/io/formats.h"
+#include "ibmfair/io/mesh_file.h"
+#include "ibmfair/io/source_bytes.h"
+
+namespace ibmfair {
+namespace {
+
+const Format& choose_format(const std::string& path, const WriteOptions& options,
+                            const Format* source) {
+  const std::string extension = path_extension(path);
+  const std::string& wanted = options.format.empty() ? extension : options.format;
+  const Format* format = wanted.empty() ? source : find_format(wanted);
+  if (format == nullptr && wanted.empty()) {
+    throw BadOption(fmt::format("{}: name the output's format with --format (one of: {})",
+                                path == "-" ? "standard output" : path, writable_formats()));
+  }
+  if (format == nullptr && options.format.empty() && source != nullptr &&
+      source->generate != nullptr) {
+    return *source;  // an extension that means nothing, as in "mesh.obj.new"
+  }
+  if (format == nullptr || format->generate == nullptr) {
+    throw BadOption(fmt::format("{}: '{}' is not a mesh format that can be written (one of: {})",
+                                path == "-" ? "standard output" : path, wanted,
+                                writable_formats()));
+  }
+  return *format;
+}
+
+void require_finite(const Points& X) {
+  for (Eigen::Index v = 0; v < X.rows(); ++v) {
+    if (!X.row(v).allFinite()) {
+      throw BadMesh(
+          fmt::format("vertex {} has a coordinate that is not finite; nothing is written", v));
+    }
+  }
+}
+
+std::vector<std::uint8_t> find_moved(const Points& before, const Points& after) {
+  std::vector<std::uint8_t> moved(static_cast<std::size_t>(before.rows()));
+  for (Eigen::Index v = 0; v < before.rows(); ++v) {
+    moved[static_cast<std::size_t>(v)] = before.row(v) != after.row(v) ? 1 : 0;
+  }
+  return moved;
+}
+
+WriteReport finish(WriteReport report, AtomicFile& out) {
+  out.commit();
+  report.bytes = out.bytes();
+  return report;
+}
+
+}  // namespace
+
+WriteReport write_mesh(const MeshFile& source, const Points& X, const std::string& path,
+                       const WriteOptions& options) {
+  const Mesh& mesh = source.mesh();
+  if (X.rows() != mesh.X.rows()) {
+    throw BadMesh(fmt::format("{} positions for the {} vertices of {}", X.rows(), mesh.X.rows(),
+                              source.name()));
+  }
+  require_finite(X);
+  const Format& format = choose_format(path, options, &source.format());
+  const std::vector<std::uint8_t> moved = find_moved(mesh.X, X);
+
+  WriteReport report;
+  for (const std::uint8_t flag : moved)
+    report.moved_vertices += flag;
+  report.patched = &format == &source.format() && !source.welded();
+  AtomicFile out(path, options.overwrite);
+  if (!report.patched) {
+    const Mesh target{X, mesh.faces};
+    const SourceBytes* flavour = &format == &source.format() ? &source.bytes() : nullptr;
+    report.notes = format.generate({target, source.attributes(), flavour}, out);
+  } else if (report.moved_vertices > 0) {
+    report.notes = format.patch({source.bytes(), mesh, X, moved, options.ply_real}, out);
+  } else {
+    out.write(source.bytes().view());
+  }
+  return finish(std::move(report), out);
+}
+
+WriteReport write_mesh(const Mesh& mesh, const std::string& path, const WriteOptions& options) {
+  require_finite(mesh.X);
+  const Format& format = choose_format(path, options, nullptr);
+  AtomicFile out(path, options.overwrite);
+  WriteReport report;
+  report.moved_vertices = mesh.X.rows();
+  const MeshAttributes none;
+  report.notes = format.generate({mesh, none, nullptr}, out);
+  return finish(std::move(report), out);
+}
+
+}  // namespace ibmfair
