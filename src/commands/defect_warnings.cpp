@@ -1,0 +1,82 @@
+#include "commands/defect_warnings.h"
+
+#include <algorithm>
+#include <array>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "ibmfair/base/errors.h"
+
+namespace ibmfair::commands {
+namespace {
+
+using nlohmann::ordered_json;
+
+struct Kind {
+  const char* what;   // for a person
+  const char* field;  // of the report
+  const std::vector<Index> Defects::*list;
+};
+
+constexpr std::array<Kind, 5> kinds{{
+    {"triangles with a repeated corner", "repeated_corner_triangles", &Defects::repeated_corner},
+    {"triangles without area", "zero_area_triangles", &Defects::zero_area},
+    {"triangles over the same vertices as another", "duplicate_triangles", &Defects::duplicate},
+    {"edges of three or more triangles", "non_manifold_edges", &Defects::non_manifold_edges},
+    {"bow-tie vertices", "bow_tie_vertices", &Defects::bow_tie_vertices},
+}};
+
+/// An edge is named by its two vertices, everything else by its number.
+std::string name(const Topology& topology, const Kind& kind, Index i) {
+  return kind.list == &Defects::non_manifold_edges
+             ? fmt::format("{}-{}", topology.E(i, 0), topology.E(i, 1))
+             : fmt::format("{}", i);
+}
+
+std::string describe(const Topology& topology, const Kind& kind) {
+  constexpr std::size_t most = 5;
+  const auto& list = topology.defects.*kind.list;
+  std::string text = fmt::format("{} {} (", list.size(), kind.what);
+  for (std::size_t i = 0; i < std::min(most, list.size()); ++i) {
+    text += (i > 0 ? ", " : "") + name(topology, kind, list[i]);
+  }
+  return text + (list.size() > most ? ", ...)" : ")");
+}
+
+}  // namespace
+
+void warn_of_defects(const Topology& topology, bool strict, const Console& console) {
+  std::string all;
+  for (const Kind& kind : kinds) {
+    if (!(topology.defects.*kind.list).empty()) {
+      const std::string text = describe(topology, kind);
+      all += (all.empty() ? "" : "; ") + text;
+      if (!strict) {
+        console.warning(text + ": left out of the energy, their vertices are held");
+      }
+    }
+  }
+  if (strict && !all.empty()) {
+    throw BadMesh("the mesh has defects: " + all);
+  }
+}
+
+ordered_json defects_json(const Topology& topology) {
+  ordered_json json;
+  for (const Kind& kind : kinds) {
+    ordered_json& list = json[kind.field] = ordered_json::array();
+    for (const Index i : topology.defects.*kind.list) {
+      if (kind.list == &Defects::non_manifold_edges) {
+        list.push_back({topology.E(i, 0), topology.E(i, 1)});
+      } else {
+        list.push_back(i);
+      }
+    }
+  }
+  return json;
+}
+
+}  // namespace ibmfair::commands

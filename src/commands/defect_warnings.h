@@ -1,0 +1,18 @@
+// What a person is told about places where the mesh is not a surface.
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+
+#include "commands/console.h"
+#include "ibmfair/mesh/topology.h"
+
+namespace ibmfair::commands {
+
+/// One warning for each kind of defect: how many, and the first few by number (counted from 0).
+/// With `strict`, throws BadMesh with the same text instead.
+void warn_of_defects(const Topology& topology, bool strict, const Console& console);
+
+/// All defects by number, for a report.
+nlohmann::ordered_json defects_json(const Topology& topology);
+
+}  // namespace ibmfair::commands

@@ -1,0 +1,33 @@
+#include "commands/length.h"
+
+#include "ibmfair/mesh/geometry.h"
+
+namespace ibmfair::commands {
+
+double Length::on(const Points& X, const Topology& topology) const {
+  switch (unit) {
+    case Unit::edges:
+      return value * mean_edge_length(X, topology.E);
+    case Unit::diagonal:
+      return value / 100 * bounding_box_size(X).norm();
+    case Unit::absolute:
+      break;
+  }
+  return value;
+}
+
+Length parse_length_option(std::string_view name, std::string_view text, Length::Unit unit) {
+  std::string_view number = text;
+  if (!number.empty()) {
+    const char last = number.back();
+    if (last == 'e' || last == '%' || last == 'u') {
+      unit = last == 'e'   ? Length::Unit::edges
+             : last == '%' ? Length::Unit::diagonal
+                           : Length::Unit::absolute;
+      number.remove_suffix(1);
+    }
+  }
+  return {parse_real_option(name, number, positive), unit};
+}
+
+}  // namespace ibmfair::commands

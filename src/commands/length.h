@@ -1,0 +1,38 @@
+// Lengths as users give them: in the mesh's own units, or relative to the mesh.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+#include "commands/numeric_options.h"
+#include "ibmfair/base/types.h"
+#include "ibmfair/mesh/topology.h"
+
+namespace ibmfair::commands {
+
+/// A length with its unit: `e` mean edge lengths, `%` of the bounding box's diagonal, `u` the units
+/// of the mesh's coordinates.
+struct Length {
+  enum class Unit : std::uint8_t { edges, diagonal, absolute };
+  double value = 0;
+  Unit unit = Unit::edges;
+
+  /// In the units of the coordinates.
+  double on(const Points& X, const Topology& topology) const;
+};
+
+/// A positive number followed by `e`, `%`, `u` or nothing, which means `unit`. Throws BadOption
+/// that starts with `name`.
+Length parse_length_option(std::string_view name, std::string_view text, Length::Unit unit);
+
+/// Declares an option for a length; Target is Length or std::optional<Length>.
+template <class Target>
+CLI::Option* add_length(CLI::App& app, const std::string& name, Target& target, Length::Unit unit,
+                        const std::string& help) {
+  return add_parsed_option(app, name, "LENGTH", help, [&target, name, unit](const auto& text) {
+    target = parse_length_option(name, text, unit);
+  });
+}
+
+}  // namespace ibmfair::commands

@@ -1,0 +1,284 @@
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <optional>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "commands/command.h"
+#include "commands/defect_warnings.h"
+#include "commands/length.h"
+#include "commands/progress_bar.h"
+#include "commands/shared_options.h"
+#include "commands/smooth_report.h"
+#include "commands/vertex_list.h"
+#include "ibmfair/base/errors.h"
+#include "ibmfair/base/stopwatch.h"
+#include "ibmfair/energy/bending_energy.h"
+#include "ibmfair/flow/held_vertices.h"
+#include "ibmfair/flow/time_scale.h"
+#include "ibmfair/flow/willmore_flow.h"
+#include "ibmfair/io/atomic_file.h"
+#include "ibmfair/mesh/geometry.h"
+#include "ibmfair/picture/png.h"
+#include "ibmfair/picture/render.h"
+
+namespace ibmfair::commands {
+namespace {
+
+struct SmoothArguments {
+  std::string input;
+  InputOptions reading;
+  OutputOptions output;
+  ReportOptions report;
+  bool strict = false;
+  std::string picture;
+
+  FlowOptions flow;
+  std::optional<double> time_step;
+  std::optional<Length> cutoff;
+  std::optional<Length> max_move;
+  bool plain = false, no_mass = false;
+  std::string metric = "mass", boundary = "fixed", tangential;
+  std::string fix_file, mask;
+};
+
+/// Without --cutoff and --time-step, this many steps make this cut-off, and more smooth more.
+constexpr int default_steps = 16;
+constexpr double default_cutoff_edges = 8;
+
+/// The total time in the flow's unit. Its step is --time-step, or what spreads --cutoff evenly.
+double total_time(const SmoothArguments& arguments, const Points& X, const Topology& topology) {
+  if (arguments.time_step) {
+    return *arguments.time_step * arguments.flow.steps;
+  }
+  const Length cutoff = arguments.cutoff.value_or(Length{default_cutoff_edges});
+  const double parts = arguments.cutoff ? arguments.flow.steps : default_steps;
+  const double time = time_for_cutoff(cutoff.on(X, topology));
+  return time_in_flow_units(time, X, topology, arguments.flow) / parts * arguments.flow.steps;
+}
+
+/// The cut-off that the total time corresponds to: the inverse of time_for_cutoff.
+double cutoff_of(double time, const Points& X, const Topology& topology,
+                 const FlowOptions& options) {
+  const double unit = time_in_flow_units(1, X, topology, options);
+  return std::pow(time / unit, 0.25) / std::pow(time_for_cutoff(1), 0.25);
+}
+
+BoundaryCondition boundary_condition(const std::string& name) {
+  return name == "fixed"      ? BoundaryCondition::fixed
+         : name == "position" ? BoundaryCondition::position
+                              : BoundaryCondition::free;
+}
+
+std::vector<std::uint8_t> held(const SmoothArguments& arguments, const MeshFile& file,
+                               const Topology& topology) {
+  auto result = held_vertices(topology, boundary_condition(arguments.boundary));
+  if (!arguments.fix_file.empty()) {
+    for (const Index v : read_vertex_list(arguments.fix_file, topology.vertex_count)) {
+      result[v] = 1;
+    }
+  }
+  if (!arguments.mask.empty()) {
+    const std::vector<std::uint8_t> chosen = file.vertex_mask(arguments.mask);
+    for (std::size_t v = 0; v < chosen.size(); ++v) {
+      result[v] |= chosen[v] ? 0 : 1;
+    }
+  }
+  return result;
+}
+
+/// Sliding vertices within the surface would drag a texture over it.
+bool relaxes(const SmoothArguments& arguments, const MeshFile& file, const Console& console) {
+  if (arguments.tangential.empty() && file.has_texture_coordinates() && !arguments.plain) {
+    console.note("the mesh has texture coordinates: no tangential relaxation (--tangential relax)");
+    return false;
+  }
+  return arguments.tangential != "none";
+}
+
+void measure_moves(const Points& before, const Points& after, SmoothFigures& figures) {
+  if (before.rows() > 0) {
+    const Eigen::VectorXd squared = (after - before).rowwise().squaredNorm();
+    figures.largest_move = std::sqrt(squared.maxCoeff());
+    figures.rms_move = std::sqrt(squared.mean());
+  }
+}
+
+void run_flow(const SmoothArguments& arguments, FlowOptions options, const MeshFile& file,
+              const Topology& topology, Points& X, SmoothFigures& figures, Console& console) {
+  options.total_time = total_time(arguments, X, topology);
+  figures.cutoff = cutoff_of(options.total_time, X, topology, options);
+  if (arguments.max_move) {
+    options.max_move = arguments.max_move->on(X, topology);
+  }
+  const auto held_vertices = held(arguments, file, topology);
+  ProgressBar bar(console, options.total_time);
+  figures.flow = willmore_flow(X, topology, held_vertices, options, [&](const StepRecord& step) {
+    bar.update(step);
+    return true;
+  });
+  if (figures.flow.unknowns == 0) {
+    console.warning("no vertex is free to move: the mesh is written as it was read");
+  }
+}
+
+void draw(const SmoothArguments& arguments, const Topology& topology, const Points& before,
+          const Points& after) {
+  if (!arguments.picture.empty()) {
+    AtomicFile file(arguments.picture, arguments.output.write.overwrite);
+    file.write(encode_png(render_before_after(topology.F, before, after)));
+    file.commit();
+  }
+}
+
+ExitCode conclude(FlowStatus status, const Console& console) {
+  switch (status) {
+    case FlowStatus::completed:
+      return ExitCode::done;
+    case FlowStatus::interrupted:
+      return ExitCode::interrupted;
+    case FlowStatus::stalled:
+      console.warning("the flow stalled before its time was up; the state it reached was written");
+      return ExitCode::not_reached;
+    case FlowStatus::diverged:
+      console.warning(
+          "the flow diverged; the last finite state was written (smaller steps, or no --plain)");
+      return ExitCode::not_reached;
+  }
+  return ExitCode::internal_error;
+}
+
+ExitCode run_smooth(const SmoothArguments& arguments, Console& console) {
+  const bool overwrite = arguments.output.write.overwrite;
+  require_writable(arguments.output.path, overwrite);
+  check_report(arguments.report, arguments.output.path, overwrite);
+  if (!arguments.picture.empty()) {
+    require_writable(arguments.picture, overwrite);
+  }
+  SmoothFigures figures;
+  std::optional<MeshFile> file;
+  {
+    const Stopwatch watch(figures.seconds_read);
+    file = read_input(arguments.input, arguments.reading, console);
+  }
+  const Points before = file->mesh().X;
+  Topology topology;
+  {
+    const Stopwatch watch(figures.seconds_topology);
+    topology = build_topology(before, triangulate(file->mesh()).F);
+  }
+  warn_of_defects(topology, arguments.strict, console);
+
+  FlowOptions options = arguments.flow;
+  options.mass = !arguments.no_mass;
+  options.metric = arguments.metric == "mass" ? Metric::mass : Metric::identity;
+  options.guarded = !arguments.plain;
+  options.relax = relaxes(arguments, *file, console);
+  SmoothArguments resolved = arguments;
+  resolved.flow = options;
+  figures.mean_edge_length = mean_edge_length(before, topology.E);
+  figures.before = mesh_figures(before, topology, options);
+  Points after = before;
+  if (options.steps > 0) {
+    run_flow(resolved, options, *file, topology, after, figures, console);
+  }
+  figures.after = mesh_figures(after, topology, options);
+  measure_moves(before, after, figures);
+
+  WriteReport written;
+  {
+    const Stopwatch watch(figures.seconds_write);
+    written = write_mesh(*file, after, arguments.output.path, arguments.output.write);
+  }
+  for (const std::string& note : written.notes) {
+    console.note(note);
+  }
+  draw(arguments, topology, before, after);
+  nlohmann::ordered_json report = start_report("smooth");
+  report["input"] = arguments.input;
+  report["output"] = arguments.output.path;
+  add_smooth_figures(report, figures, topology, options);
+  report["defects"] = defects_json(topology);
+  report["moved_vertices"] = written.moved_vertices;
+  deliver_report(arguments.report, overwrite, report);
+  console.note(fmt::format("{} -> {}, {} of {} vertices moved\n{}", arguments.input,
+                           arguments.output.path, written.moved_vertices, before.rows(),
+                           smooth_table(figures, topology)));
+  return conclude(figures.flow.status, console);
+}
+
+std::vector<std::string> laplacian_names() {
+  std::vector<std::string> names;
+  for (const BendingModel& model : bending_models()) {
+    names.emplace_back(model.name);
+  }
+  return names;
+}
+
+void add_flow_options(CLI::App& app, SmoothArguments& a) {
+  constexpr int most = 1'000'000;
+  add_integer(app, "--steps", a.flow.steps, 0, most,
+              "time steps (default 16; 0 writes the mesh as it was read)");
+  auto* cutoff =
+      add_length(app, "--cutoff", a.cutoff, Length::Unit::edges,
+                 "smooth ripples up to about this wavelength, in all steps together: in "
+                 "mean edge lengths, or with % of the bounding box's diagonal, or with u "
+                 "in the mesh's units (default: 8 for 16 steps, more with more steps)");
+  add_real(app, "--time-step", a.time_step, positive,
+           "time of one step instead: length^4 (--metric mass) or length^2 (identity)")
+      ->excludes(cutoff);
+  app.add_option("--laplacian", a.flow.laplacian, "member of the family of energies")
+      ->check(CLI::IsMember(laplacian_names()))
+      ->capture_default_str();
+  app.add_flag("--no-mass", a.no_mass, "leave the mass matrix out of the energy");
+  app.add_option("--metric", a.metric, "of the flow: mass (independent of sampling) or identity")
+      ->check(CLI::IsMember({"mass", "identity"}))
+      ->capture_default_str();
+  add_integer(app, "--newton-iterations", a.flow.newton_iterations, 1, 1000,
+              "inexact Newton iterations per step (default 1)");
+  app.add_option("--tangential", a.tangential,
+                 "relax or none: even out vertices within the surface after each step (default "
+                 "relax; none where the mesh has texture coordinates)")
+      ->check(CLI::IsMember({"relax", "none"}));
+  app.add_flag("--plain", a.plain, "the published scheme: no guard, no relaxation");
+}
+
+void add_constraint_options(CLI::App& app, SmoothArguments& a) {
+  app.add_option("--boundary", a.boundary,
+                 "open boundaries: fixed (two rings of vertices), position (one) or free")
+      ->check(CLI::IsMember({"fixed", "position", "free"}))
+      ->capture_default_str();
+  app.add_option("--fix", a.fix_file, "hold the vertices listed in this file, counted from 0")
+      ->type_name("FILE");
+  app.add_option("--mask", a.mask,
+                 "move only the vertices of this OBJ group, object or material, or those whose PLY "
+                 "property of this name is not zero")
+      ->type_name("NAME");
+  add_length(
+      app, "--max-move", a.max_move, Length::Unit::absolute,
+      "move no vertex further than this from where it was: in the mesh's units, or with e in "
+      "mean edge lengths, or with % of the bounding box's diagonal");
+}
+
+}  // namespace
+
+Runner declare_smooth(CLI::App& app) {
+  auto arguments = std::make_shared<SmoothArguments>();
+  app.add_option("IN", arguments->input, "mesh file to read; - is standard input")->required();
+  add_output_options(app, arguments->output);
+  add_flow_options(app, *arguments);
+  add_constraint_options(app, *arguments);
+  add_input_options(app, arguments->reading);
+  add_strict_option(app, arguments->strict);
+  add_report_options(app, arguments->report);
+  app.add_option("--picture", arguments->picture,
+                 "draw the mesh before and after into this PNG file")
+      ->type_name("FILE");
+  add_overwrite_option(app, arguments->output.write.overwrite);
+  return [arguments](Console& console) { return run_smooth(*arguments, console); };
+}
+
+}  // namespace ibmfair::commands

@@ -1,0 +1,40 @@
+// What `smooth` tells of a run: as a table for people, as JSON for programs.
+#pragma once
+
+#include <string>
+
+#include <nlohmann/json.hpp>
+
+#include "ibmfair/flow/flow_options.h"
+#include "ibmfair/mesh/topology.h"
+
+namespace ibmfair::commands {
+
+/// Figures of one state of the mesh.
+struct MeshFigures {
+  double energy = 0;  ///< E_b of the whole mesh under the run's Laplacian
+  double area = 0, volume = 0;
+  double smallest_angle = 0;  ///< degrees
+  std::int64_t folds = 0;     ///< hinges sharper than fold_angle
+};
+
+struct SmoothFigures {
+  MeshFigures before, after;
+  double largest_move = 0, rms_move = 0;  ///< of all vertices, length
+  double mean_edge_length = 0;            ///< before
+  double cutoff = 0;                      ///< length that the total time corresponds to
+  double seconds_read = 0, seconds_topology = 0, seconds_write = 0;
+  FlowReport flow;
+};
+
+/// E_b, area, volume and quality of `X`.
+MeshFigures mesh_figures(const Points& X, const Topology& topology, const FlowOptions& options);
+
+/// Aligned lines, ending in a line feed.
+std::string smooth_table(const SmoothFigures& figures, const Topology& topology);
+
+/// The fields of the report that the run fills; see the README for the schema.
+void add_smooth_figures(nlohmann::ordered_json& report, const SmoothFigures& figures,
+                        const Topology& topology, const FlowOptions& options);
+
+}  // namespace ibmfair::commands

@@ -1,0 +1,15 @@
+// Files that list vertices.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "ibmfair/base/types.h"
+
+namespace ibmfair::commands {
+
+/// Reads vertex numbers, counted from 0, separated by white space or commas; `#` starts a comment.
+/// Throws BadFile that names line and text where a number is malformed or not below `vertex_count`.
+std::vector<Index> read_vertex_list(const std::string& path, Index vertex_count);
+
+}  // namespace ibmfair::commands
