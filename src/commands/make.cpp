@@ -1,0 +1,117 @@
+#include <cstdint>
+#include <limits>
+#include <memory>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "commands/command.h"
+#include "commands/numeric_options.h"
+#include "commands/shared_options.h"
+#include "commands/suggest.h"
+#include "ibmfair/base/errors.h"
+#include "ibmfair/io/atomic_file.h"
+#include "ibmfair/mesh/geometry.h"
+#include "ibmfair/mesh/topology.h"
+#include "ibmfair/shapes/noise.h"
+#include "ibmfair/shapes/shapes.h"
+
+namespace ibmfair::commands {
+
+namespace {
+
+struct MakeArguments {
+  std::string shape;
+  ShapeSettings settings;
+  double noise = 0.0;
+  std::uint64_t seed = 1;
+  double scale = 1.0;
+  std::vector<double> move{0.0, 0.0, 0.0};
+  OutputOptions output;
+};
+
+std::vector<std::string> shape_names() {
+  std::vector<std::string> names;
+  for (const Shape& shape : shapes()) {
+    names.emplace_back(shape.name);
+  }
+  return names;
+}
+
+std::string shape_list() {
+  std::string text = "Shapes:\n";
+  for (const Shape& shape : shapes()) {
+    text += fmt::format("  {:<14}{}\n", shape.name, shape.summary);
+  }
+  return text;
+}
+
+void require_known(const std::string& shape) {
+  const std::vector<std::string> names = shape_names();
+  if (std::find(names.begin(), names.end(), shape) == names.end()) {
+    throw BadOption(fmt::format("unknown shape '{}'{} (there are {})", shape,
+                                suggestion(shape, names), fmt::join(names, ", ")));
+  }
+}
+
+double mean_edge_length(const Mesh& mesh) {
+  const Topology topology = build_topology(static_cast<Index>(mesh.X.rows()), triangulate(mesh).F);
+  return ibmfair::mean_edge_length(mesh.X, topology.E);
+}
+
+ExitCode run_make(const MakeArguments& arguments, Console& console) {
+  require_known(arguments.shape);
+  require_writable(arguments.output.path, arguments.output.write.overwrite);
+  Mesh mesh = make_shape(arguments.shape, arguments.settings);
+  mesh.X *= arguments.scale;
+  if (arguments.noise > 0.0) {
+    add_noise(mesh.X, arguments.noise * mean_edge_length(mesh), arguments.seed);
+  }
+  mesh.X.rowwise() += Eigen::RowVector3d::Map(arguments.move.data());
+
+  const WriteReport written = write_mesh(mesh, arguments.output.path, arguments.output.write);
+  for (const std::string& note : written.notes) {
+    console.note(note);
+  }
+  console.detail(fmt::format("{}: {} vertices, {} faces", arguments.output.path, mesh.X.rows(),
+                             mesh.faces.size()));
+  return ExitCode::done;
+}
+
+void add_shape_settings(CLI::App& app, ShapeSettings& settings) {
+  constexpr Index most = std::numeric_limits<Index>::max();
+  add_integer(app, "--subdivide", settings.subdivide, 0, 64,
+              "split every triangle into four, N times (polyhedra; default 0)");
+  add_integer(app, "--refine-face", settings.refine_face, Index{0}, most,
+              "split the triangles of the polyhedron's face N once more");
+  add_real(app, "--ratio", settings.ratio, positive, "proportion of the shape, see below");
+  add_integer(app, "--rows", settings.rows, Index{1}, most,
+              "rows of vertices (default: so that triangles are near equilateral)");
+  add_integer(app, "--columns", settings.columns, Index{1}, most,
+              "vertices in a row (default likewise; with neither, the smaller of the two is 32)");
+  app.add_flag("--straight", settings.straight,
+               "do not shift every other row by half a cell: right-angled triangles");
+}
+
+}  // namespace
+
+Runner declare_make(CLI::App& app) {
+  auto arguments = std::make_shared<MakeArguments>();
+  app.add_option("SHAPE", arguments->shape, "what to make, see below")->required();
+  add_output_options(app, arguments->output);
+  add_shape_settings(app, arguments->settings);
+  add_real(app, "--noise", arguments->noise, not_negative,
+           "normal noise of this standard deviation per coordinate, in mean edge lengths");
+  add_integer(app, "--seed", arguments->seed, std::uint64_t{0}, std::uint64_t{1} << 62U,
+              "of the noise (default 1)");
+  add_real(app, "--scale", arguments->scale, positive, "multiply all coordinates (default 1)");
+  add_parsed_option(app, "--move", "X,Y,Z", "then move the shape",
+                    [arguments = arguments.get()](const std::string& text) {
+                      arguments->move = parse_reals_option("--move", text, 3, any_real);
+                    });
+  add_overwrite_option(app, arguments->output.write.overwrite);
+  app.footer(shape_list());
+  return [arguments](Console& console) { return run_make(*arguments, console); };
+}
+
+}  // namespace ibmfair::commands

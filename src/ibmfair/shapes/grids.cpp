@@ -1,0 +1,180 @@
+#include "ibmfair/shapes/grids.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <string_view>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "ibmfair/base/errors.h"
+
+namespace ibmfair {
+
+namespace {
+
+constexpr double two_pi = 2.0 * std::numbers::pi;
+constexpr Index default_size = 32;
+
+struct Counts {
+  Index rows;
+  Index columns;
+};
+
+/// What a shape asks of its grid.
+struct Layout {
+  double length;        // of the whole of all rows' distances, in lengths of a row
+  bool closed_rows;     // the last row is a neighbour of the first one
+  bool closed_columns;  // the same along a row
+  Index smallest_rows;
+  Index smallest_columns;
+};
+
+void require(std::string_view what, Index count, Index smallest, bool even) {
+  if (count < smallest || (even && count % 2 != 0)) {
+    throw BadOption(fmt::format("{}: {} does not fit, it must be at least {}{}", what, count,
+                                smallest, even ? " and even, or else straight" : ""));
+  }
+}
+
+Index rounded(double value, Index smallest) {
+  require_shape_size(value);
+  return std::max(smallest, static_cast<Index>(std::lround(value)));
+}
+
+Counts complete(const GridSize& size, const Layout& layout) {
+  const double rows_per_column = layout.length * (size.straight ? 1.0 : 2.0 / std::sqrt(3.0));
+  const Index more_rows = layout.closed_rows ? 0 : 1;
+  const Index more_columns = layout.closed_columns ? 0 : 1;
+  const bool even = layout.closed_rows && !size.straight;
+
+  // The number to start from: the one given, else that of the shorter direction.
+  const bool by_rows = size.rows && !size.columns;
+  const bool by_default_rows = !size.rows && !size.columns && rows_per_column < 1.0;
+  Counts counts{size.rows.value_or(default_size), size.columns.value_or(default_size)};
+  if (by_rows || by_default_rows) {
+    counts.columns = rounded((counts.rows - more_rows) / rows_per_column + more_columns,
+                             layout.smallest_columns);
+  } else if (!size.rows) {
+    counts.rows = rounded((counts.columns - more_columns) * rows_per_column + more_rows,
+                          layout.smallest_rows);
+    counts.rows += even ? counts.rows % 2 : 0;
+  }
+  require("rows", counts.rows, layout.smallest_rows, even);
+  require("columns", counts.columns, layout.smallest_columns, false);
+  require_shape_size(2.0 * counts.rows * counts.columns);
+  return counts;
+}
+
+void require_ratio(double ratio, double smallest) {
+  constexpr double largest = 1e6;
+  if (!(ratio > smallest && ratio <= largest)) {
+    throw BadOption(fmt::format("ratio: {} is out of range, it must be above {} and at most {}",
+                                ratio, smallest, largest));
+  }
+}
+
+// The triangles between rows that close upon themselves; their normals point along
+// (direction along a row) x (direction to the next row).
+Triangles ring_triangles(const Counts& counts, bool closed, bool straight) {
+  const Index strips = closed ? counts.rows : counts.rows - 1;
+  Triangles F(2 * static_cast<Eigen::Index>(strips) * counts.columns, 3);
+  Eigen::Index f = 0;
+  for (Index i = 0; i < strips; ++i) {
+    const Index lower = i * counts.columns;
+    const Index upper = (i + 1) % counts.rows * counts.columns;
+    const bool lower_shifted = !straight && i % 2 == 1;
+    for (Index j = 0; j < counts.columns; ++j) {
+      const Index next = (j + 1) % counts.columns;
+      // Where the lower row is the shifted one, its vertex j lies between j and j + 1 of the upper.
+      if (lower_shifted) {
+        F.row(f++) << lower + j, upper + next, upper + j;
+        F.row(f++) << lower + j, lower + next, upper + next;
+      } else {
+        F.row(f++) << lower + j, lower + next, upper + j;
+        F.row(f++) << lower + next, upper + next, upper + j;
+      }
+    }
+  }
+  return F;
+}
+
+double shift(Index row, bool straight) {
+  return !straight && row % 2 == 1 ? 0.5 : 0.0;
+}
+
+}  // namespace
+
+TriangleMesh make_torus(double ratio, const GridSize& size) {
+  require_ratio(ratio, 1.0);
+  const Counts counts = complete(size, {1.0 / ratio, true, true, size.straight ? 3 : 4, 3});
+
+  TriangleMesh mesh{Points(static_cast<Eigen::Index>(counts.rows) * counts.columns, 3),
+                    ring_triangles(counts, true, size.straight)};
+  const double r = 1.0 / ratio;
+  for (Index i = 0; i < counts.rows; ++i) {
+    const double v = two_pi * i / counts.rows;
+    const double around = 1.0 + r * std::cos(v);
+    const double z = r * std::sin(v);
+    for (Index j = 0; j < counts.columns; ++j) {
+      const double u = two_pi * (j + shift(i, size.straight)) / counts.columns;
+      mesh.X.row(static_cast<Eigen::Index>(i) * counts.columns + j) << around * std::cos(u),
+          around * std::sin(u), z;
+    }
+  }
+  return mesh;
+}
+
+TriangleMesh make_cylinder(double height, const GridSize& size) {
+  require_ratio(height, 0.0);
+  const Counts counts = complete(size, {height / two_pi, false, true, 2, 3});
+
+  TriangleMesh mesh{Points(static_cast<Eigen::Index>(counts.rows) * counts.columns, 3),
+                    ring_triangles(counts, false, size.straight)};
+  for (Index i = 0; i < counts.rows; ++i) {
+    const double z = height * (static_cast<double>(i) / (counts.rows - 1) - 0.5);
+    for (Index j = 0; j < counts.columns; ++j) {
+      const double u = two_pi * (j + shift(i, size.straight)) / counts.columns;
+      mesh.X.row(static_cast<Eigen::Index>(i) * counts.columns + j) << std::cos(u), std::sin(u), z;
+    }
+  }
+  return mesh;
+}
+
+TriangleMesh make_plane(double height, const GridSize& size) {
+  require_ratio(height, 0.0);
+  const Counts counts = complete(size, {height, false, false, 2, 2});
+
+  // A shifted row has one vertex more than the others, and its first and last cells are half ones.
+  const auto shifted = [&](Index row) { return shift(row, size.straight) > 0.0; };
+  std::vector<Index> first{0};
+  for (Index i = 0; i < counts.rows; ++i) {
+    first.push_back(first.back() + counts.columns + (shifted(i) ? 1 : 0));
+  }
+  TriangleMesh mesh{Points(first.back(), 3), Triangles(2 * Eigen::Index{first.back()}, 3)};
+  Eigen::Index f = 0;
+  for (Index i = 0; i < counts.rows; ++i) {
+    const Index lower = first[i];
+    const Index upper = first[i + 1];
+    const double y = height * i / (counts.rows - 1);
+    for (Index j = 0; lower + j < upper; ++j) {
+      const double x = (j - shift(i, size.straight)) / (counts.columns - 1);
+      mesh.X.row(lower + j) << std::clamp(x, 0.0, 1.0), y, 0.0;
+    }
+    if (i + 1 < counts.rows) {
+      // Triangles stand on the edges of the lower row and hang from those of the upper one.
+      const Index apex = shifted(i + 1) ? 1 : 0;
+      for (Index j = 0; lower + j + 1 < upper; ++j) {
+        mesh.F.row(f++) << lower + j, lower + j + 1, upper + j + apex;
+      }
+      for (Index j = 0; upper + j + 1 < first[i + 2]; ++j) {
+        mesh.F.row(f++) << lower + j + 1 - apex, upper + j + 1, upper + j;
+      }
+    }
+  }
+  mesh.F.conservativeResize(f, 3);
+  return mesh;
+}
+
+}  // namespace ibmfair

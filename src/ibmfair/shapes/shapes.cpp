@@ -1,0 +1,92 @@
+#include "ibmfair/shapes/shapes.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "ibmfair/base/errors.h"
+#include "ibmfair/shapes/grids.h"
+#include "ibmfair/shapes/polyhedra.h"
+
+namespace ibmfair {
+
+namespace {
+
+constexpr std::array<std::string_view, 2> split{"subdivide", "refine-face"};
+constexpr std::array<std::string_view, 4> grid{"ratio", "rows", "columns", "straight"};
+
+template <TriangleMesh (*make)(const Subdivision&)>
+Mesh polyhedron(const ShapeSettings& settings) {
+  TriangleMesh mesh = make({settings.subdivide.value_or(0), settings.refine_face});
+  return mesh_from_triangles(std::move(mesh.X), mesh.F);
+}
+
+Mesh rows_of(TriangleMesh (*make)(double, const GridSize&), double default_ratio,
+             const ShapeSettings& settings) {
+  TriangleMesh mesh = make(settings.ratio.value_or(default_ratio),
+                           {settings.rows, settings.columns, settings.straight});
+  return mesh_from_triangles(std::move(mesh.X), mesh.F);
+}
+
+Mesh torus(const ShapeSettings& settings) {
+  return rows_of(make_torus, std::sqrt(2.0), settings);
+}
+Mesh cylinder(const ShapeSettings& settings) {
+  return rows_of(make_cylinder, 2.0, settings);
+}
+Mesh plane(const ShapeSettings& settings) {
+  return rows_of(make_plane, 1.0, settings);
+}
+
+void require_applicable(const Shape& shape, const ShapeSettings& settings) {
+  const std::array<std::pair<std::string_view, bool>, 6> given{{
+      {"subdivide", settings.subdivide.has_value()},
+      {"refine-face", settings.refine_face.has_value()},
+      {"ratio", settings.ratio.has_value()},
+      {"rows", settings.rows.has_value()},
+      {"columns", settings.columns.has_value()},
+      {"straight", settings.straight},
+  }};
+  for (const auto& [name, is_given] : given) {
+    if (is_given &&
+        std::find(shape.settings.begin(), shape.settings.end(), name) == shape.settings.end()) {
+      throw BadOption(fmt::format("the shape '{}' has no '{}', only {}", shape.name, name,
+                                  fmt::join(shape.settings, ", ")));
+    }
+  }
+}
+
+}  // namespace
+
+std::span<const Shape> shapes() {
+  static constexpr std::array table{
+      Shape{"icosahedron", "flat faces, vertices of the icosahedron on the unit sphere", split,
+            polyhedron<make_icosahedron>},
+      Shape{"icosphere", "all vertices on the unit sphere", split, polyhedron<make_icosphere>},
+      Shape{"cube", "flat faces, side 2", split, polyhedron<make_cube>},
+      Shape{"hexagon", "flat and six-sided, radius 1", split, polyhedron<make_hexagon>},
+      Shape{"torus", "about the z axis, radii 1 and 1/RATIO (sqrt 2)", grid, torus},
+      Shape{"cylinder", "open, about the z axis, radius 1, height RATIO (2)", grid, cylinder},
+      Shape{"plane", "flat, width 1, height RATIO (1)", grid, plane},
+  };
+  return table;
+}
+
+Mesh make_shape(std::string_view name, const ShapeSettings& settings) {
+  for (const Shape& shape : shapes()) {
+    if (shape.name == name) {
+      require_applicable(shape, settings);
+      return shape.make(settings);
+    }
+  }
+  std::string names;
+  for (const Shape& shape : shapes()) {
+    names.append(names.empty() ? "" : ", ").append(shape.name);
+  }
+  throw BadOption(fmt::format("unknown shape '{}': there are {}", name, names));
+}
+
+}  // namespace ibmfair
