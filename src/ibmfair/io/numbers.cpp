@@ -48,7 +48,7 @@ const char* detail::parse_unusual_real(const char* p, const char* end, double& v
   return error == std::errc() && std::isfinite(value) ? after : nullptr;
 }
 
-const char* parse_integer(const char* p, const char* end, std::int64_t& value) {
+const char* detail::parse_unusual_integer(const char* p, const char* end, std::int64_t& value) {
   const bool negative = p != end && *p == '-';
   if (p != end && (*p == '-' || *p == '+')) ++p;
   if (p == end || !is_digit(*p)) return nullptr;

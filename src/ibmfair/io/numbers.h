@@ -3,6 +3,7 @@
 
 #include <charconv>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -14,6 +15,9 @@ namespace detail {
 /// The slow path of parse_real: a number too small for a double becomes zero, everything else that
 /// std::from_chars refuses or that is not finite returns nullptr.
 const char* parse_unusual_real(const char* p, const char* end, double& value);
+
+/// The slow path of parse_integer: signs, and more digits than 64 bits may hold.
+const char* parse_unusual_integer(const char* p, const char* end, std::int64_t& value);
 }  // namespace detail
 
 /// Reads the finite number that starts at `p` ("+1", ".5" and "1e-400", which is 0, included) and
@@ -26,7 +30,20 @@ inline const char* parse_real(const char* p, const char* end, double& value) {
 
 /// Reads the integer that starts at `p`, with or without a sign, and returns where it ends, or
 /// nullptr where there is none. Beyond 64 bits the value is the nearest one that 64 bits hold.
-const char* parse_integer(const char* p, const char* end, std::int64_t& value);
+inline const char* parse_integer(const char* p, const char* end, std::int64_t& value) {
+  constexpr std::ptrdiff_t most_safe_digits = 18;
+  const char* start = p;
+  std::int64_t result = 0;
+  // An unsigned comparison catches both sides of '0' .. '9'.
+  for (unsigned digit; p != end && (digit = static_cast<unsigned char>(*p) - unsigned{'0'}) < 10;
+       ++p) {
+    if (p - start == most_safe_digits) return detail::parse_unusual_integer(start, end, value);
+    result = 10 * result + digit;
+  }
+  if (p == start) return detail::parse_unusual_integer(start, end, value);
+  value = result;
+  return p;
+}
 
 /// Why parse_real refused the number at `p`: a message for the user.
 std::string_view describe_bad_real(const char* p, const char* end);

@@ -18,7 +18,9 @@ constexpr std::int64_t largest_index = std::numeric_limits<Index>::max();
 class Reader {
  public:
   Reader(const SourceBytes& source, std::int64_t vertex_limit)
-      : source_(source), scan_(source), vertex_limit_(vertex_limit) {}
+      : source_(source), scan_(source), vertex_limit_(vertex_limit) {
+    reserve();
+  }
 
   void run() {
     while (scan_.next_statement()) {
@@ -35,13 +37,13 @@ class Reader {
     }
   }
 
-  std::int64_t vertex_count() const { return static_cast<std::int64_t>(coordinates_.size() / 3); }
+  std::int64_t vertex_count() const { return vertex_count_; }
   std::int64_t largest_vertex() const { return largest_vertex_; }
 
   ParsedMesh result() {
     ParsedMesh parsed;
-    parsed.mesh.X =
-        Eigen::Map<const Points>(coordinates_.data(), static_cast<Eigen::Index>(vertex_count()), 3);
+    X_.conservativeResize(vertex_count_, 3);
+    parsed.mesh.X = std::move(X_);
     parsed.mesh.faces = std::move(faces_);
     parsed.has_texture_coordinates = texture_count_ > 0;
     parsed.has_normals = normal_count_ > 0;
@@ -49,14 +51,23 @@ class Reader {
   }
 
  private:
+  /// Room for as much as a file of this size usually holds: memory that is not touched costs
+  /// nothing, growing and copying costs a third of the time.
+  void reserve() {
+    constexpr std::size_t bytes_per_statement = 24;
+    const std::size_t statements = source_.size() / bytes_per_statement + 1;
+    X_.resize(static_cast<Eigen::Index>(statements), 3);
+    faces_.first.reserve(statements);
+    faces_.corner.reserve(2 * statements);
+  }
+
   void read_vertex() {
-    const double x = scan_.real();
-    const double y = scan_.real();
-    const double z = scan_.real();
-    coordinates_.push_back(x);
-    coordinates_.push_back(y);
-    coordinates_.push_back(z);
-    if (vertex_count() > largest_index) scan_.fail(scan_.statement_start(), "too many vertices");
+    if (vertex_count_ == X_.rows()) X_.conservativeResize(2 * vertex_count_, 3);
+    double* x = X_.row(vertex_count_).data();
+    for (int c = 0; c < 3; ++c)
+      x[c] = scan_.real();
+    ++vertex_count_;
+    if (vertex_count_ > largest_index) scan_.fail(scan_.statement_start(), "too many vertices");
     if (!scan_.at_statement_end()) read_more_of_vertex();
   }
 
@@ -108,7 +119,8 @@ class Reader {
   std::int64_t texture_count_ = 0;
   std::int64_t normal_count_ = 0;
   std::int64_t largest_vertex_ = -1;
-  std::vector<double> coordinates_;
+  std::int64_t vertex_count_ = 0;
+  Points X_;  // with room for more than vertex_count_
   Polygons faces_;
 };
 

@@ -90,17 +90,7 @@ class ObjScanner {
       ++p_;
     if (p_ != end_ && *p_ == '\\') skip_continuations();
   }
-  /// Short decimal indices, which is nearly all of them, without the detour over parse_integer.
   bool index(std::int64_t& value) {
-    const char* p = p_;
-    std::int64_t result = 0;
-    while (p != end_ && *p >= '0' && *p <= '9' && p - p_ < 10)
-      result = 10 * result + (*p++ - '0');
-    if (p != p_ && p - p_ < 10) {
-      value = result;
-      p_ = p;
-      return true;
-    }
     const char* after = parse_integer(p_, end_, value);
     if (after != nullptr) p_ = after;
     return after != nullptr;

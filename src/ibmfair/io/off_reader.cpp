@@ -50,6 +50,7 @@ void read_corners(const Layout& layout, TokenCursor& cursor, Polygons& faces) {
 bool read_faces(const Layout& layout, TokenCursor cursor, Polygons& faces) {
   bool coloured = false;
   faces.first.reserve(static_cast<std::size_t>(layout.face_count) + 1);
+  faces.corner.reserve(3 * static_cast<std::size_t>(layout.face_count));
   for (std::int64_t f = 0; f < layout.face_count; ++f) {
     read_corners(layout, cursor, faces);
     if (!layout.faces_end_lines) continue;

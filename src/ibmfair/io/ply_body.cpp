@@ -37,8 +37,8 @@ std::int64_t BinaryBody::count(const Property& list) {
   });
   if (count < 0) fail("a list with a negative count");
   p_ += size_of(list.count_type);
-  // Dividing cannot overflow, whatever the count says.
-  if (count > (end_ - p_) / size_of(list.type)) {
+  // A count has 32 bits at most, so that the product cannot overflow.
+  if (count * size_of(list.type) > end_ - p_) {
     fail(fmt::format("a list of {} values, but the file ends before it does", count));
   }
   return count;
@@ -48,11 +48,10 @@ void BinaryBody::indices(Type type, std::int64_t count, std::int64_t smallest, s
                          std::vector<Index>& out) {
   with_type(type, [&](auto of) {
     using T = typename decltype(of)::type;
-    for (std::int64_t i = 0; i < count; ++i) {
+    for (const char* last = p_ + count * sizeof(T); p_ != last; p_ += sizeof(T)) {
       const auto index = static_cast<std::int64_t>(load<T>(p_, swapped_));
       if (index < smallest || index >= limit) fail(out_of_range(index, limit));
       out.push_back(static_cast<Index>(index));
-      p_ += sizeof(T);
     }
   });
 }

@@ -188,25 +188,6 @@ void require_room(const SourceBytes& source, const Header& header) {
 
 }  // namespace
 
-int size_of(Type type) {
-  switch (type) {
-    case Type::int8:
-    case Type::uint8:
-      return 1;
-    case Type::int16:
-    case Type::uint16:
-      return 2;
-    case Type::float64:
-      return 8;
-    default:
-      return 4;
-  }
-}
-
-bool is_real(Type type) {
-  return type == Type::float32 || type == Type::float64;
-}
-
 bool Element::has_lists() const {
   return std::any_of(properties.begin(), properties.end(),
                      [](const Property& property) { return property.is_list; });

@@ -1,6 +1,8 @@
 // The header of a PLY file: which elements follow, and how their properties are stored.
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -13,8 +15,14 @@ namespace ibmfair::ply {
 enum class Type : std::uint8_t { int8, uint8, int16, uint16, int32, uint32, float32, float64 };
 
 /// Bytes of one value of a type: 1, 2, 4 or 8.
-int size_of(Type type);
-bool is_real(Type type);
+constexpr int size_of(Type type) {
+  constexpr std::array<int, 8> sizes{1, 1, 2, 2, 4, 4, 4, 8};
+  return sizes[static_cast<std::size_t>(type)];
+}
+
+constexpr bool is_real(Type type) {
+  return type == Type::float32 || type == Type::float64;
+}
 
 /// A scalar, or a list: a count followed by that many values.
 struct Property {

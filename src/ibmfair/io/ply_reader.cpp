@@ -105,6 +105,7 @@ void read_faces(const Layout& layout, Body& body, Polygons& faces) {
   const std::int64_t vertex_count = layout.vertices().count;
   body.start_element(face);
   faces.first.reserve(static_cast<std::size_t>(face.count) + 1);
+  faces.corner.reserve(3 * static_cast<std::size_t>(face.count));
   for (std::int64_t row = 0; row < face.count; ++row) {
     body.start_row(row);
     for (std::size_t i = 0; i < face.properties.size(); ++i) {
