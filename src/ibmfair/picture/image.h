@@ -1,0 +1,42 @@
+// A picture in memory, and pictures put beside each other.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace ibmfair {
+
+/// A colour as screens take it: sRGB, 8 bits a channel.
+struct Rgb {
+  std::uint8_t red = 0;
+  std::uint8_t green = 0;
+  std::uint8_t blue = 0;
+
+  friend bool operator==(const Rgb&, const Rgb&) = default;
+};
+
+/// width x height pixels, row by row from the top left.
+struct Image {
+  int width = 0;
+  int height = 0;
+  std::vector<Rgb> pixels;
+
+  Image() = default;
+  Image(int width, int height, Rgb fill = {});
+
+  Rgb& at(int column, int row) { return pixels[offset(column, row)]; }
+  const Rgb& at(int column, int row) const { return pixels[offset(column, row)]; }
+
+ private:
+  std::size_t offset(int column, int row) const {
+    return static_cast<std::size_t>(row) * static_cast<std::size_t>(width) +
+           static_cast<std::size_t>(column);
+  }
+};
+
+/// The images from left to right, `gap` pixels of `background` between them (gap >= 0), aligned at
+/// their top; what is below a shorter one is background too.
+Image side_by_side(std::span<const Image> images, int gap = 0, Rgb background = {255, 255, 255});
+
+}  // namespace ibmfair

@@ -1,0 +1,15 @@
+// Pictures as PNG files.
+#pragma once
+
+#include <string>
+
+#include "ibmfair/picture/image.h"
+
+namespace ibmfair {
+
+/// The bytes of a PNG file with the pixels of `image`, 8 bits a channel, marked as sRGB. The same
+/// image always gives the same bytes.
+/// @throws BadOption for an image without pixels, OutOfMemory when libpng cannot encode it.
+std::string encode_png(const Image& image);
+
+}  // namespace ibmfair

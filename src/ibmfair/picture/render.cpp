@@ -1,0 +1,139 @@
+#include "ibmfair/picture/render.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "ibmfair/base/errors.h"
+#include "ibmfair/picture/visibility.h"
+
+namespace ibmfair {
+namespace {
+
+constexpr Rgb line_colour{40, 40, 48};
+constexpr double line_width = 0.8;     // pixels
+constexpr double hiding_depth = 0.02;  // of the shorter side; a smaller jump in depth is relief
+
+/// The corners of the triangles that can be drawn, one a row: what a picture has to hold.
+Points drawn_corners(const Points& X, const Triangles& F) {
+  Points corners(3 * F.rows(), 3);
+  Eigen::Index count = 0;
+  for (const auto& triangle : F.rowwise()) {
+    if (X(triangle, Eigen::all).allFinite()) {
+      corners.middleRows<3>(count) = X(triangle, Eigen::all);
+      count += 3;
+    }
+  }
+  corners.conservativeResize(count, 3);
+  return corners;
+}
+
+/// Finds the pixels of the frontmost surface beside which there is nothing, or something far
+/// behind.
+class Silhouette {
+ public:
+  Silhouette(const Visibility& seen, int samples)
+      : seen_(seen),
+        reach_(std::max(1, static_cast<int>(std::lround(line_width * samples)))),
+        jump_(hiding_depth * std::min(seen.width, seen.height)) {}
+
+  bool passes(int column, int row) const {
+    return ends_between(column, row, reach_, 0) || ends_between(column, row, 0, reach_);
+  }
+
+ private:
+  bool ends_between(int column, int row, int right, int down) const {
+    const double here = nearness(column, row);
+    const double one = nearness(column - right, row - down);
+    const double other = nearness(column + right, row + down);
+    // A slope falls on one side as it rises on the other; only what breaks off counts.
+    return 2.0 * here - one - other > jump_ && here > std::min(one, other) + jump_;
+  }
+
+  double nearness(int column, int row) const {
+    const int x = std::clamp(column, 0, seen_.width - 1);
+    const int y = std::clamp(row, 0, seen_.height - 1);
+    return seen_.nearness[seen_.pixel(x, y)];
+  }
+
+  const Visibility& seen_;
+  int reach_;
+  double jump_;
+};
+
+/// Means over blocks of samples x samples.
+Image develop(const Visibility& seen, const std::vector<Light>& triangle_light,
+              const RenderOptions& options) {
+  const Silhouette silhouette(seen, options.samples);
+  const Light background = light_of(options.background);
+  const Light line = light_of(line_colour);
+  const auto sample = [&](int column, int row) {
+    const Index t = seen.triangle[seen.pixel(column, row)];
+    if (t == Visibility::nothing) {
+      return background;
+    }
+    const bool on_line = options.silhouettes && silhouette.passes(column, row);
+    return on_line ? line : triangle_light[static_cast<std::size_t>(t)];
+  };
+
+  Image image(options.width, options.height);
+  const int n = options.samples;
+  for (int row = 0; row < image.height; ++row) {
+    for (int column = 0; column < image.width; ++column) {
+      Light sum = Light::Zero();
+      for (int k = 0; k < n * n; ++k) {
+        sum += sample(n * column + k % n, n * row + k / n);
+      }
+      image.at(column, row) = colour_of(sum / static_cast<float>(n * n));
+    }
+  }
+  return image;
+}
+
+/// `in_view`: the points that the picture has to hold.
+Image take(const Points& X, const Triangles& F, const Points& in_view,
+           const RenderOptions& options) {
+  const int width = options.samples * options.width;
+  const int height = options.samples * options.height;
+  const Camera camera(options.view, width, height, in_view);
+  const Visibility seen = find_visible(X, F, camera, width, height);
+  return develop(seen, shade_triangles(X, F, camera, seen, options.paint), options);
+}
+
+void validate(const RenderOptions& options, const Triangles& F) {
+  options.validate();
+  const std::size_t colours = options.paint.triangle.size();
+  if (colours != 0 && colours != static_cast<std::size_t>(F.rows())) {
+    throw BadOption("a picture needs one colour per triangle, or none");
+  }
+}
+
+}  // namespace
+
+void RenderOptions::validate() const {
+  if (width < 1 || width > 8192 || height < 1 || height > 8192) {
+    throw BadOption("a picture's width and height must be between 1 and 8192 pixels");
+  }
+  if (samples < 1 || samples > 4) {
+    throw BadOption("a picture takes 1 to 4 samples per pixel and direction");
+  }
+  view.validate();
+}
+
+Image render(const Points& X, const Triangles& F, const RenderOptions& options) {
+  validate(options, F);
+  return take(X, F, drawn_corners(X, F), options);
+}
+
+Image render_before_after(const Triangles& F, const Points& before, const Points& after,
+                          const RenderOptions& options) {
+  validate(options, F);
+  const Points a = drawn_corners(before, F);
+  const Points b = drawn_corners(after, F);
+  Points both(a.rows() + b.rows(), 3);
+  both << a, b;
+  const std::array<Image, 2> images{take(before, F, both, options), take(after, F, both, options)};
+  return side_by_side(images, 0, options.background);
+}
+
+}  // namespace ibmfair

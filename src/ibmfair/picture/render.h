@@ -1,0 +1,37 @@
+// Pictures of meshes without a display or a graphics card: flat shading, because facets show
+// ripples and noise that smooth shading would hide.
+#pragma once
+
+#include "ibmfair/base/types.h"
+#include "ibmfair/picture/camera.h"
+#include "ibmfair/picture/image.h"
+#include "ibmfair/picture/shading.h"
+
+namespace ibmfair {
+
+struct RenderOptions {
+  int width = 800;   ///< pixels, 1 .. 8192
+  int height = 800;  ///< pixels, 1 .. 8192
+  int samples = 3;   ///< per pixel and direction, 1 .. 4, averaged in linear light
+  View view = {};
+  Paint paint = {};
+  Rgb background{255, 255, 255};
+  bool silhouettes = true;  ///< dark lines where the surface ends or one part hides another
+
+  /// @throws BadOption for a value out of range.
+  void validate() const;
+};
+
+/// A picture of the triangles `F` (#F x 3, any orientation) over `X` (#V x 3), seen from
+/// `options.view` and filling the picture. Triangles with a coordinate that is not finite are left
+/// out; no triangles give the plain background. The same input always gives the same pixels.
+/// @throws BadOption as RenderOptions::validate does, and when paint.triangle is of another size.
+Image render(const Points& X, const Triangles& F, const RenderOptions& options = {});
+
+/// Two pictures of the same triangles beside each other, taken by one camera that sees all of both:
+/// what is larger in the picture is larger. `options.width` is the width of each.
+/// @throws BadOption as `render` does.
+Image render_before_after(const Triangles& F, const Points& before, const Points& after,
+                          const RenderOptions& options = {});
+
+}  // namespace ibmfair
