@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "ibmfair/base/errors.h"
+#include "ibmfair/base/random_numbers.h"
 #include "ibmfair/mesh/geometry.h"
 #include "ibmfair/mesh/topology.h"
 #include "ibmfair/shapes/grids.h"

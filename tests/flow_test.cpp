@@ -1,0 +1,313 @@
+#include <cmath>
+#include <numbers>
+
+#include <gtest/gtest.h>
+#include <omp.h>
+
+#include "ibmfair/base/errors.h"
+#include "ibmfair/flow/folds.h"
+#include "ibmfair/flow/held_vertices.h"
+#include "ibmfair/flow/time_scale.h"
+#include "ibmfair/flow/willmore_flow.h"
+#include "ibmfair/shapes/shapes.h"
+#include "support/meshes.h"
+#include "support/states.h"
+
+namespace ibmfair::test {
+namespace {
+
+/// Options for a cut-off in mean edge lengths.
+FlowOptions options_for(const State& state, double cutoff, FlowOptions options = {}) {
+  const double time = time_for_cutoff(cutoff * mean_edge_length(state.X, state.topology.E));
+  options.total_time = time_in_flow_units(time, state.X, state.topology, options);
+  return options;
+}
+
+std::vector<std::uint8_t> hold(const State& state) {
+  return held_vertices(state.topology, BoundaryCondition::fixed);
+}
+
+Mesh shape(const char* name, int level) {
+  ShapeSettings settings;
+  settings.subdivide = level;
+  return make_shape(name, settings);
+}
+
+/// Relative standard deviation of the distances from the centroid.
+double radius_deviation(const Points& X) {
+  const Eigen::RowVector3d centre = X.colwise().mean();
+  const Eigen::VectorXd r = (X.rowwise() - centre).rowwise().norm();
+  return std::sqrt((r.array() - r.mean()).square().mean()) / r.mean();
+}
+
+TEST(Flow, GuardedEnergyNeverRisesAndNothingFoldsOnAnyMesh) {
+  for (const auto& [name, mesh] : at_all_scales(all_meshes())) {
+    State state(mesh);
+    state.X = shaken(state, 0.3);
+    state.topology = build_topology(state.X, state.topology.F);
+    if (state.topology.E.rows() == 0 || state.X.rows() > 1500) {
+      continue;
+    }
+    for (const char* laplacian : {"crouzeix-raviart", "lagrange"}) {
+      for (const double cutoff : {4.0, 40.0}) {
+        SCOPED_TRACE(name + ", " + laplacian);
+        FlowOptions options;
+        options.laplacian = laplacian;
+        options.steps = 4;
+        options = options_for(state, cutoff, options);
+        const auto held = hold(state);
+        FoldWatch folds(state.X, state.topology, Unknowns(held));
+        Points X = state.X;
+        const FlowReport report = willmore_flow(X, state.topology, held, options);
+        EXPECT_TRUE(X.allFinite());
+        EXPECT_TRUE(folds.new_folds(X).empty());
+        double energy = report.energy_before;
+        for (const StepRecord& step : report.steps) {
+          EXPECT_LE(step.energy, energy);
+          energy = step.energy;
+        }
+        EXPECT_LE(report.energy_after, report.energy_before);
+        if (report.status == FlowStatus::completed && report.unknowns > 0) {
+          EXPECT_NEAR(report.time_reached / options.total_time, 1, 1e-9);
+        }
+      }
+    }
+  }
+}
+
+TEST(Flow, HeldVerticesKeepTheirBits) {
+  for (const auto& [name, mesh] : all_meshes()) {
+    const State state(mesh);
+    std::vector<std::uint8_t> held = hold(state);
+    for (std::size_t v = 0; v < held.size(); v += 4) {
+      held[v] = 1;
+    }
+    for (const bool guarded : {true, false}) {
+      FlowOptions options;
+      options.steps = 2;
+      options.guarded = guarded;
+      options = options_for(state, 2, options);
+      if (options.total_time <= 0) {
+        continue;
+      }
+      Points X = state.X;
+      willmore_flow(X, state.topology, held, options);
+      for (std::size_t v = 0; v < held.size(); ++v) {
+        if (held[v]) {
+          EXPECT_EQ(X.row(v), state.X.row(v)) << name;
+        }
+      }
+    }
+  }
+}
+
+TEST(Flow, CleanInputTakesExactlyTheStepsAndOneFactorization) {
+  for (const auto& [name, mesh] : closed_meshes()) {
+    if (name.find("cube") != std::string::npos || name.find("hedron") != std::string::npos) {
+      continue;  // all corners: nothing about them is clean
+    }
+    const State state(mesh);
+    Points X = state.X;
+    const FlowReport report = willmore_flow(X, state.topology, hold(state), options_for(state, 4));
+    EXPECT_EQ(report.status, FlowStatus::completed) << name;
+    EXPECT_EQ(report.steps.size(), 16U) << name;
+    EXPECT_EQ(report.solves, 16) << name;
+    EXPECT_EQ(report.factorizations, 1) << name;
+  }
+}
+
+TEST(Flow, DoesNotDependOnTheNumberOfThreads) {
+  const State state(shape("icosphere", 4));
+  State noisy = state;
+  noisy.X = shaken(state, 0.3);
+  for (const char* laplacian : {"crouzeix-raviart", "lagrange"}) {
+    FlowOptions options;
+    options.laplacian = laplacian;
+    options = options_for(noisy, 8, options);
+    Points one = noisy.X, two = noisy.X;
+    const int threads = omp_get_max_threads();
+    omp_set_num_threads(1);
+    willmore_flow(one, noisy.topology, hold(noisy), options);
+    omp_set_num_threads(2);
+    willmore_flow(two, noisy.topology, hold(noisy), options);
+    omp_set_num_threads(threads);
+    EXPECT_EQ(one, two) << laplacian;
+  }
+}
+
+TEST(Flow, CommutesWithScalingAndRigidMotion) {
+  const State state(shape("icosphere", 3));
+  const Points noisy = shaken(state, 0.2);
+  for (const Metric metric : {Metric::mass, Metric::identity}) {
+    for (const bool mass : {true, false}) {
+      FlowOptions options;
+      options.metric = metric;
+      options.mass = mass;
+      options.steps = 4;
+      const auto flow = [&](const Mesh& mesh) {
+        const State moved_state(mesh);
+        Points X = moved_state.X;
+        willmore_flow(X, moved_state.topology, hold(moved_state),
+                      options_for(moved_state, 6, options));
+        return X;
+      };
+      const Mesh mesh = mesh_from_triangles(noisy, state.topology.F);
+      const Points expected =
+          moved(mesh_from_triangles(flow(mesh), state.topology.F), 1000, Vec3(10, 20, 30)).X;
+      const Points X = flow(moved(mesh, 1000, Vec3(10, 20, 30)));
+      EXPECT_LT((X - expected).cwiseAbs().maxCoeff(), 1e-7 * 1000);
+    }
+  }
+}
+
+TEST(Flow, RippleOfTheCutoffWavelengthDecaysByE) {
+  // du/dt = -Laplacian^2 u on a flat sheet: what the cut-off is defined by.
+  const Index columns = 96;
+  const State state(flat_sheet(columns, columns));
+  const double wavelength = 0.25, height = 1e-4;
+  Points X = state.X;
+  X.col(2) = height * (2 * std::numbers::pi / wavelength * X.col(0).array()).sin();
+  FlowOptions options;
+  options.laplacian = "lagrange";
+  options.relax = false;
+  options.steps = 64;
+  options.total_time = time_for_cutoff(wavelength);
+  willmore_flow(X, state.topology, hold(state), options);
+  // In the middle, a wavelength and more from the boundary that is held.
+  double largest = 0;
+  for (Eigen::Index v = 0; v < X.rows(); ++v) {
+    const bool inside = (X.row(v).head(2).array() - 0.5).abs().maxCoeff() < 0.13;
+    largest = inside ? std::max(largest, std::abs(X(v, 2))) : largest;
+  }
+  EXPECT_NEAR(largest / height, std::exp(-1), 0.03);
+}
+
+TEST(Flow, RoundSphereStaysAndFlatSheetStays) {
+  const State sphere(shape("icosphere", 4));
+  FlowOptions options;
+  options.laplacian = "lagrange";
+  Points X = sphere.X;
+  willmore_flow(X, sphere.topology, hold(sphere), options_for(sphere, 20, options));
+  EXPECT_LT(radius_deviation(X), 3e-4);
+  EXPECT_NEAR(X.rowwise().norm().mean(), 1, 2e-3);
+  const State sheet(flat_sheet(9, 7));
+  X = sheet.X;
+  willmore_flow(X, sheet.topology, hold(sheet), options_for(sheet, 20));
+  EXPECT_LT(X.col(2).cwiseAbs().maxCoeff(), 1e-13);
+}
+
+TEST(Flow, FlatIcosahedronBecomesASphere) {
+  const State state(shape("icosahedron", 3));
+  FlowOptions options;
+  options.laplacian = "lagrange";
+  options.steps = 8;
+  Points X = state.X;
+  const FlowReport report =
+      willmore_flow(X, state.topology, hold(state), options_for(state, 20, options));
+  EXPECT_LT(radius_deviation(X), 4e-4);
+  EXPECT_LE(report.solves, 12);
+}
+
+TEST(Flow, PublishedSchemeRisesWhereTheGuardedOneDoesNot) {
+  const State state(shape("icosahedron", 4));
+  FlowOptions options;
+  options.guarded = false;
+  options.metric = Metric::identity;
+  options.steps = 10;
+  options.total_time = 10 * 0.1;
+  Points X = state.X;
+  const FlowReport plain = willmore_flow(X, state.topology, hold(state), options);
+  EXPECT_EQ(plain.factorizations, 1);
+  EXPECT_EQ(plain.solves, 10);
+  EXPECT_NEAR(radius_deviation(X), 1.2e-3, 1e-4);
+  bool rose = false;
+  for (std::size_t k = 1; k < plain.steps.size(); ++k) {
+    rose = rose || plain.steps[k].energy > plain.steps[k - 1].energy;
+  }
+  EXPECT_TRUE(rose);
+}
+
+TEST(Flow, MoreNewtonIterationsSolveTheStepBetter) {
+  // One large step: the residual D d + h grad E(X + d) shrinks with the iterations.
+  const State state(shape("icosphere", 3));
+  const Points start = shaken(state, 0.05);
+  const auto residual = [&](int iterations) {
+    FlowOptions options;
+    options.laplacian = "lagrange";
+    options.guarded = false;
+    options.steps = 1;
+    options.newton_iterations = iterations;
+    options = options_for(state, 3, options);
+    Points X = start, G;
+    willmore_flow(X, state.topology, hold(state), options);
+    bending_model("lagrange").bind(state.topology, {})->energy_and_gradient(X, G);
+    const PerVertex D = lumped_vertex_mass(start, state.topology);
+    return (D.asDiagonal() * (X - start) + options.total_time * G).norm();
+  };
+  const double one = residual(1), three = residual(3), six = residual(6);
+  EXPECT_LT(three, 0.3 * one);
+  EXPECT_LT(six, 0.3 * three);
+}
+
+TEST(Flow, MaxMoveIsHeld) {
+  const State state(shape("icosahedron", 3));
+  for (const bool guarded : {true, false}) {
+    FlowOptions options;
+    options.guarded = guarded;
+    options.steps = 6;
+    options = options_for(state, guarded ? 20 : 8, options);
+    options.max_move = 0.01;
+    Points X = state.X;
+    willmore_flow(X, state.topology, hold(state), options);
+    const double largest = (X - state.X).rowwise().norm().maxCoeff();
+    EXPECT_LE(largest, 0.01);
+    EXPECT_GT(largest, 0.009);
+  }
+}
+
+TEST(Flow, ObserverCanStopIt) {
+  const State state(shape("icosphere", 2));
+  Points X = shaken(state, 0.1);
+  const FlowReport report = willmore_flow(X, state.topology, hold(state), options_for(state, 4),
+                                          [](const StepRecord& step) { return step.step < 3; });
+  EXPECT_EQ(report.status, FlowStatus::interrupted);
+  EXPECT_EQ(report.steps.size(), 3U);
+}
+
+TEST(Flow, RefusesWhatCannotBe) {
+  const State state(shape("icosphere", 1));
+  Points X = state.X;
+  const auto held = hold(state);
+  FlowOptions options = options_for(state, 4);
+  options.steps = 0;
+  EXPECT_THROW(willmore_flow(X, state.topology, held, options), BadOption);
+  options = options_for(state, 4);
+  options.total_time = std::nan("");
+  EXPECT_THROW(willmore_flow(X, state.topology, held, options), BadOption);
+  X(3, 1) = std::numeric_limits<double>::infinity();
+  EXPECT_THROW(willmore_flow(X, state.topology, held, options_for(state, 4)), BadMesh);
+}
+
+TEST(HeldVertices, KeepTwoRingsOneOrNone) {
+  const State state(flat_sheet(8, 8));
+  const auto count = [&](BoundaryCondition condition) {
+    const auto held = held_vertices(state.topology, condition);
+    return std::count(held.begin(), held.end(), 1);
+  };
+  EXPECT_EQ(count(BoundaryCondition::free), 0);
+  EXPECT_EQ(count(BoundaryCondition::position), 32);
+  EXPECT_EQ(count(BoundaryCondition::fixed), 32 + 24);
+}
+
+TEST(HeldVertices, IncludeEveryDefect) {
+  for (const auto& [name, mesh] : defective_meshes()) {
+    const State state(mesh);
+    const auto held = held_vertices(state.topology, BoundaryCondition::free);
+    for (std::size_t v = 0; v < held.size(); ++v) {
+      EXPECT_GE(held[v], state.topology.defective[v]) << name;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace ibmfair::test

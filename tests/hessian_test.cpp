@@ -1,0 +1,103 @@
+#include "ibmfair/energy/hessian.h"
+
+#include <Eigen/Eigenvalues>
+#include <gtest/gtest.h>
+
+#include "support/meshes.h"
+#include "support/states.h"
+
+namespace ibmfair::test {
+namespace {
+
+Eigen::MatrixXd dense(const SymmetricMatrix& S) {
+  Eigen::MatrixXd M = Eigen::MatrixXd::Zero(S.size(), S.size());
+  for (std::int64_t j = 0; j < S.size(); ++j) {
+    for (std::int64_t k = S.column_first[j]; k < S.column_first[j + 1]; ++k) {
+      M(S.row[k], j) = M(j, S.row[k]) = S.value[k];
+    }
+  }
+  return M;
+}
+
+SymmetricMatrix assemble(BendingEnergy& energy, const Points& X, const Unknowns& unknowns) {
+  const HessianAssembler assembler(energy.stencils(), unknowns);
+  SymmetricMatrix S = assembler.pattern();
+  StencilWeights weights;
+  energy.linearise(X, weights);
+  assembler.assemble(weights, S);
+  return S;
+}
+
+template <class Check>
+void for_every_hessian(const Check& check) {
+  for (const BendingModel& model : bending_models()) {
+    for (const bool mass : {true, false}) {
+      for (const auto& [name, mesh] : all_meshes()) {
+        const State state(mesh);
+        if (state.X.rows() > 800) {
+          continue;  // dense matrices are for small meshes
+        }
+        const auto energy = model.bind(state.topology, {mass, {}});
+        const Points X = shaken(state, 0.05);
+        const Unknowns all(std::vector<std::uint8_t>(X.rows(), 0));
+        SCOPED_TRACE(std::string(model.name) + (mass ? "" : " without mass") + ", " + name);
+        check(*energy, X, dense(assemble(*energy, X, all)));
+      }
+    }
+  }
+}
+
+TEST(Hessian, AnnihilatesConstants) {
+  for_every_hessian([](BendingEnergy&, const Points&, const Eigen::MatrixXd& S) {
+    EXPECT_LE(S.rowwise().sum().cwiseAbs().maxCoeff(), 1e-11 * S.cwiseAbs().maxCoeff());
+  });
+}
+
+TEST(Hessian, HalfTheQuadraticFormIsTheEnergyAtTheReference) {
+  for_every_hessian([](BendingEnergy& energy, const Points& X, const Eigen::MatrixXd& S) {
+    const double E = energy.energy(X);
+    EXPECT_NEAR((X.transpose() * S * X).trace() / 2, E, 1e-9 * E + 1e-14);
+  });
+}
+
+TEST(Hessian, IsPositiveSemiDefinite) {
+  for_every_hessian([](BendingEnergy&, const Points&, const Eigen::MatrixXd& S) {
+    if (S.rows() <= 200) {
+      const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(S, Eigen::EigenvaluesOnly);
+      EXPECT_GE(solver.eigenvalues()[0], -1e-10 * solver.eigenvalues().tail(1)[0]);
+    }
+  });
+}
+
+TEST(Hessian, OfTheUnknownsIsTheBlockOfTheWhole) {
+  for (const BendingModel& model : bending_models()) {
+    const State state(closed_meshes().front().mesh);
+    const auto energy = model.bind(state.topology, {});
+    std::vector<std::uint8_t> held(state.X.rows(), 0);
+    held[1] = held[2] = 1;
+    const Unknowns some(held), all(std::vector<std::uint8_t>(held.size(), 0));
+    const Eigen::MatrixXd whole = dense(assemble(*energy, state.X, all));
+    EXPECT_EQ(dense(assemble(*energy, state.X, some)),
+              Eigen::MatrixXd(whole(some.vertex, some.vertex)))
+        << model.name;
+  }
+}
+
+TEST(Hessian, RefillingDoesNotRememberTheOldValues) {
+  for (const BendingModel& model : bending_models()) {
+    const State state(closed_meshes()[3].mesh);
+    const auto energy = model.bind(state.topology, {});
+    const Unknowns all(std::vector<std::uint8_t>(state.X.rows(), 0));
+    const HessianAssembler assembler(energy->stencils(), all);
+    SymmetricMatrix S = assembler.pattern();
+    StencilWeights weights;
+    for (const double amount : {0.05, 0.0}) {
+      energy->linearise(shaken(state, amount), weights);
+      assembler.assemble(weights, S);
+    }
+    EXPECT_EQ(S.value, assemble(*energy, state.X, all).value) << model.name;
+  }
+}
+
+}  // namespace
+}  // namespace ibmfair::test

@@ -1,0 +1,41 @@
+// Meshes as the numerics see them.
+#pragma once
+
+#include <random>
+
+#include "ibmfair/mesh/geometry.h"
+#include "ibmfair/mesh/mesh.h"
+#include "ibmfair/mesh/topology.h"
+
+namespace ibmfair::test {
+
+/// A mesh cut into triangles, with its connectivity.
+struct State {
+  Points X;
+  Topology topology;
+
+  explicit State(const Mesh& mesh) : X(mesh.X), topology(build_topology(X, triangulate(mesh).F)) {}
+};
+
+/// The mesh with its faces cut: where a square may be cut either way, its corners' order decides.
+inline Mesh in_triangles(const Mesh& mesh) {
+  return mesh_from_triangles(mesh.X, triangulate(mesh).F);
+}
+
+/// A fixed random direction for every vertex, #V x 3, entries in [-1, 1].
+inline Points random_directions(Eigen::Index vertices, unsigned seed = 1) {
+  std::mt19937 generator(seed);
+  Points D(vertices, 3);
+  for (double& entry : D.reshaped<Eigen::RowMajor>()) {
+    entry = 2.0 * generator() / static_cast<double>(std::mt19937::max()) - 1.0;
+  }
+  return D;
+}
+
+/// `X` with every coordinate moved at random by up to `amount` mean edge lengths.
+inline Points shaken(const State& state, double amount, unsigned seed = 2) {
+  return state.X + amount * mean_edge_length(state.X, state.topology.E) *
+                       random_directions(state.X.rows(), seed);
+}
+
+}  // namespace ibmfair::test
