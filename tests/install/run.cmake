@@ -1,0 +1,38 @@
+# Installs the project from BUILD below WORK, builds a project that knows nothing but the installed
+# files, and runs it and the installed program.
+#   cmake -D BUILD=... -D WORK=... -D CXX=... -D CXX_FLAGS=... -P run.cmake
+function(run)
+  execute_process(COMMAND ${ARGV} RESULT_VARIABLE result OUTPUT_VARIABLE output
+                  ERROR_VARIABLE output)
+  if(NOT result EQUAL 0)
+    message(FATAL_ERROR "${ARGV}\nended with ${result}:\n${output}")
+  endif()
+  set(output "${output}" PARENT_SCOPE)
+endfunction()
+
+file(REMOVE_RECURSE ${WORK})
+run(${CMAKE_COMMAND} --install ${BUILD} --prefix ${WORK}/installed)
+run(${CMAKE_COMMAND} -S ${CMAKE_CURRENT_LIST_DIR} -B ${WORK}/build
+    -D CMAKE_PREFIX_PATH=${WORK}/installed -D CMAKE_BUILD_TYPE=Release
+    -D CMAKE_CXX_COMPILER=${CXX} -D CMAKE_CXX_FLAGS=${CXX_FLAGS}
+    -D CMAKE_FIND_USE_PACKAGE_REGISTRY=OFF)
+run(${CMAKE_COMMAND} --build ${WORK}/build)
+
+run(${WORK}/build/uses_ibmfair)
+if(NOT output MATCHES "energy 25\\.1")
+  message(FATAL_ERROR "8 pi expected, not\n${output}")
+endif()
+
+run(${WORK}/installed/bin/ibmfair --version)
+file(WRITE ${WORK}/one.stl "solid one
+facet normal 0 0 1
+outer loop
+vertex 0 0 0
+vertex 1 0 0
+vertex 0 1 0
+endloop
+endfacet
+endsolid one
+")
+# A file that only assimp reads: the installed program must find its module.
+run(${WORK}/installed/bin/ibmfair smooth ${WORK}/one.stl ${WORK}/one.obj --steps 0)
