@@ -12,6 +12,7 @@ namespace ibmfair::obj {
 namespace {
 
 constexpr std::int64_t largest_index = std::numeric_limits<Index>::max();
+constexpr std::int64_t unlimited = std::numeric_limits<std::int64_t>::max();
 
 /// One pass over the text. Faces may precede their vertices, so that only at the end it is known
 /// how many there are: an index beyond is found by its maximum and located by a second pass.
@@ -93,7 +94,7 @@ class Reader {
       const char* start = scan_.position();
       const std::int64_t vertex = resolve(scan_.corner().vertex, start);
       if (vertex > largest_vertex_) largest_vertex_ = vertex;
-      faces_.corner.push_back(static_cast<Index>(vertex));
+      faces_.corner.push_back(static_cast<Index>(std::min(vertex, largest_index)));
     }
     const auto last = static_cast<std::int64_t>(faces_.corner.size());
     if (last - first < 3) {
@@ -152,7 +153,7 @@ bool recognises(std::string_view bytes) {
 
 ParsedMesh read(const SourceBytes& source, std::string_view /*extension*/) {
   require_text(source);
-  Reader reader(source, largest_index);
+  Reader reader(source, unlimited);
   reader.run();
   if (reader.largest_vertex() >= reader.vertex_count()) {
     Reader(source, reader.vertex_count()).run();

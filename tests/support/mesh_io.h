@@ -1,0 +1,50 @@
+// Reading and writing small mesh files whose whole text stands in the test.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "ibmfair/io/mesh_file.h"
+#include "support/temporary_directory.h"
+
+namespace ibmfair::test {
+
+/// A directory for the files of one test.
+class MeshFiles {
+ public:
+  /// Writes the bytes as `name` and reads that as a mesh.
+  MeshFile read(std::string_view bytes, const std::string& name, const ReadOptions& options = {});
+
+  /// Writes the mesh with its vertices at X and returns the bytes. `report`, if given, receives the
+  /// writer's report.
+  std::string write(const MeshFile& file, const Points& X, const std::string& name,
+                    WriteOptions options = {}, WriteReport* report = nullptr);
+
+  /// The message of the BadFile that reading must throw, without the directory; empty (and a
+  /// failed expectation) where it throws none.
+  std::string read_error(std::string_view bytes, const std::string& name);
+
+  std::string path(const std::string& name) const { return directory_ / name; }
+  std::size_t entries() const { return directory_.entries(); }
+
+ private:
+  TemporaryDirectory directory_;
+};
+
+/// The law of every file that can be patched: written back with nothing moved it is the same bytes;
+/// with two thirds of its vertices moved and read again it has exactly those positions and the same
+/// faces; moved back after that it has the first positions again. Returns the file as first read.
+MeshFile expect_carried(std::string_view bytes, const std::string& name);
+
+/// Two thirds of the vertices moved by a few per cent of their coordinates.
+Points mostly_moved(const Points& X);
+
+/// The lines of a text that differ from those of another with as many lines; -1 alone where the
+/// numbers of lines differ.
+std::vector<int> different_lines(std::string_view a, std::string_view b);
+
+/// The bytes of a number as a binary file holds it.
+std::string to_bytes(double value, int size, bool big_endian, bool real);
+
+}  // namespace ibmfair::test
