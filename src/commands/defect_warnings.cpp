@@ -48,19 +48,29 @@ std::string describe(const Topology& topology, const Kind& kind) {
 
 }  // namespace
 
-void warn_of_defects(const Topology& topology, bool strict, const Console& console) {
-  std::string all;
+std::vector<std::string> defect_lines(const Topology& topology) {
+  std::vector<std::string> lines;
   for (const Kind& kind : kinds) {
     if (!(topology.defects.*kind.list).empty()) {
-      const std::string text = describe(topology, kind);
-      all += (all.empty() ? "" : "; ") + text;
-      if (!strict) {
-        console.warning(text + ": left out of the energy, their vertices are held");
-      }
+      lines.push_back(describe(topology, kind));
     }
   }
-  if (strict && !all.empty()) {
-    throw BadMesh("the mesh has defects: " + all);
+  return lines;
+}
+
+void require_no_defects(const Topology& topology) {
+  const std::vector<std::string> lines = defect_lines(topology);
+  if (!lines.empty()) {
+    throw BadMesh(fmt::format("the mesh has defects: {}", fmt::join(lines, "; ")));
+  }
+}
+
+void warn_of_defects(const Topology& topology, bool strict, const Console& console) {
+  if (strict) {
+    require_no_defects(topology);
+  }
+  for (const std::string& line : defect_lines(topology)) {
+    console.warning(line + ": left out of the energy, their vertices are held");
   }
 }
 

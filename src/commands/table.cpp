@@ -4,12 +4,18 @@
 
 namespace ibmfair::commands {
 
+Runner declare_compare(CLI::App& app);
+Runner declare_info(CLI::App& app);
 Runner declare_make(CLI::App& app);
 Runner declare_smooth(CLI::App& app);
 
 std::span<const Command> command_table() {
   static constexpr std::array table{
       Command{"smooth", "remove noise and ripples without shrinking", declare_smooth},
+      Command{"info", "tell what a mesh is: counts, topology, quality, energy, area, volume",
+              declare_info},
+      Command{"compare", "measure how far two meshes, or a mesh and an exact surface, are apart",
+              declare_compare},
       Command{"make", "make a shape with known exact values", declare_make},
   };
   return table;

@@ -63,6 +63,9 @@ class GuardedFlow {
       return true;
     }
     Points step = p_.newton_step();
+    slope_ = -p_.gradient().cwiseProduct(step).sum();
+    metric_part_ = (p_.jacobian().metric().asDiagonal() * step).cwiseProduct(step).sum() /
+                   p_.jacobian().time_step();
     StepRecord record;
     record.refactored = fresh;
     record.gradient_norm = p_.gradient_norm();
@@ -184,11 +187,8 @@ class GuardedFlow {
       std::int64_t withheld = 0;
       if (displace_without_folds(move_, withheld)) {
         trial_energy_ = p_.energy_at(Y_);
-        // The Gauss-Newton model predicts at least half of the linear decrease, and no more than
-        // all of it.
-        const double slope = -p_.gradient().cwiseProduct(move_).sum();
-        record.decrease_ratio = (p_.energy() - trial_energy_) / predicted_decrease(slope);
-        if (slope > 0 && record.decrease_ratio >= least_decrease) {
+        record.decrease_ratio = (p_.energy() - trial_energy_) / predicted_decrease();
+        if (record.decrease_ratio >= least_decrease) {
           record.held_back += withheld;
           return true;
         }
@@ -198,13 +198,12 @@ class GuardedFlow {
     return false;
   }
 
-  /// -<g,s> - 1/2 s^T S s for the move s, from -<g,s> and J: for s = a d with J d = -h g it is
-  /// (a - a^2/2) <-g,d> + a^2/2 <d,Dd>/h.
-  double predicted_decrease(double slope) const {
-    const double metric_part =
-        (p_.jacobian().metric().asDiagonal() * move_).cwiseProduct(move_).sum() /
-        p_.jacobian().time_step();
-    return (1 - fraction_ / 2) * slope + metric_part / 2;
+  /// What the Gauss-Newton model predicts for the fraction a of the step d, J d = -h g:
+  /// -a <g,d> - a^2/2 d^T S d = (a - a^2/2) <-g,d> + a^2/2 <d,Dd>/h > 0. A few bad triangles can
+  /// make the model promise more than all of the energy, which no step can keep.
+  double predicted_decrease() const {
+    const double a = fraction_;
+    return std::min((a - a * a / 2) * slope_ + a * a / 2 * metric_part_, p_.energy());
   }
 
   /// A step failed. A stale Jacobian is renewed; with a fresh one, vertices at which the trial runs
@@ -292,7 +291,8 @@ class GuardedFlow {
   bool stale_ = true;          // the Jacobian is to be renewed before the next step
   bool keep_damping_ = false;  // the next renewal does not lighten the damping
   PerVertex edge_length_;
-  double fraction_ = 1;  // of the Newton step that is tried
+  double fraction_ = 1;                 // of the Newton step that is tried
+  double slope_ = 0, metric_part_ = 0;  // of the whole step d: <-g,d> and <d,Dd>/h
   double roughness_ = 0;
   double trial_energy_ = 0, energy_before_step_ = 0;
   Points move_;  // the move that is tried, one row per unknown
