@@ -1,0 +1,258 @@
+#include <algorithm>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "commands/command.h"
+#include "commands/figure_list.h"
+#include "commands/numeric_options.h"
+#include "commands/shared_options.h"
+#include "ibmfair/base/errors.h"
+#include "ibmfair/measure/directed_distance.h"
+#include "ibmfair/measure/exact_surface.h"
+#include "ibmfair/measure/matching_meshes.h"
+#include "ibmfair/measure/mesh_summary.h"
+#include "ibmfair/measure/sphere_fit.h"
+#include "ibmfair/measure/surface_deviation.h"
+#include "ibmfair/measure/used_vertices.h"
+#include "ibmfair/mesh/geometry.h"
+
+namespace ibmfair::commands {
+
+namespace {
+
+using nlohmann::ordered_json;
+
+struct CompareArguments {
+  std::string a;
+  std::string b;
+  std::string sphere;  // "fit" or a radius
+  std::optional<std::vector<double>> torus;
+  std::vector<double> center{0.0, 0.0, 0.0};
+  std::optional<double> tolerance;
+  std::int64_t samples = default_samples;
+  InputOptions input;
+  ReportOptions report;
+  bool overwrite = false;
+};
+
+/// A mesh with what is needed of it more than once.
+struct Side {
+  Mesh mesh;
+  Triangles F;  // with the file's own orientation
+  MeshSummary summary;
+};
+
+/// What the command found out, in words and for machines.
+struct Outcome {
+  ordered_json json;
+  FigureList list;
+  double largest_distance = 0.0;
+};
+
+Side read_side(const std::string& path, const InputOptions& options, Console& console) {
+  Side side{read_input(path, options, console).mesh(), {}, {}};
+  side.F = triangulate(side.mesh).F;
+  side.summary = summarise(side.mesh, build_topology(side.mesh.X, side.F));
+  return side;
+}
+
+ordered_json statistics_json(const Statistics& s) {
+  return {{"mean", s.mean}, {"rms", s.rms}, {"max", s.max}};
+}
+
+ordered_json angles_json(const NormalAngles& angles) {
+  ordered_json json = statistics_json(angles.degrees);
+  json["flipped"] = angles.flipped;
+  json["left_out"] = angles.left_out;
+  return json;
+}
+
+std::string angles_text(const NormalAngles& angles, const std::string& where) {
+  std::string text = fmt::format(
+      "mean {:.4f} degrees, RMS {:.4f}, largest {:.4f}{}; {} beyond 90 degrees",
+      angles.degrees.mean, angles.degrees.rms, angles.degrees.max, where, angles.flipped);
+  if (angles.left_out > 0) {
+    text += fmt::format(", {} without a normal", angles.left_out);
+  }
+  return text;
+}
+
+std::string lengths_text(const Statistics& s, double unit) {
+  return fmt::format("RMS {:.6e}, mean {:.6e}, largest {:.6e}", s.rms / unit, s.mean / unit,
+                     s.max / unit);
+}
+
+void compare_matching(const Side& a, const Side& b, Outcome& outcome) {
+  const Statistics moved = vertex_differences(a.mesh.X, b.mesh.X);
+  const NormalAngles angles = face_normal_angles(a.mesh, b.mesh);
+  ordered_json& vertices = outcome.json["vertex_distance"] = statistics_json(moved);
+  vertices["vertex"] = moved.where;
+  vertices["mean_edge"] = a.summary.mean_edge;
+  ordered_json& faces = outcome.json["face_normal_degrees"] = angles_json(angles);
+  faces["face"] = angles.degrees.where;
+
+  outcome.list.add("vertex to vertex",
+                   fmt::format("{}, at vertex {}", lengths_text(moved, 1.0), moved.where));
+  if (a.summary.mean_edge > 0.0) {
+    outcome.list.add("  in mean edges of A", lengths_text(moved, a.summary.mean_edge));
+  }
+  outcome.list.add("normals, face to face",
+                   angles_text(angles, fmt::format(" at face {}", angles.degrees.where)));
+}
+
+void add_direction(const std::string& label, const std::string& field, const DirectedDistance& d,
+                   Outcome& outcome) {
+  outcome.json["surface_distance"][field] = {
+      {"mean", d.mean},
+      {"rms", d.rms},
+      {"max", d.max},
+      {"farthest", {d.farthest[0], d.farthest[1], d.farthest[2]}},
+      {"normal_degrees", angles_json(d.angles)}};
+  outcome.list.add(label, fmt::format("RMS {:.6e}, mean {:.6e}, largest {:.6e} at {} {} {}", d.rms,
+                                      d.mean, d.max, figure(d.farthest[0]), figure(d.farthest[1]),
+                                      figure(d.farthest[2])));
+  outcome.list.add("  normals", angles_text(d.angles, ""));
+  outcome.largest_distance = std::max(outcome.largest_distance, d.max);
+}
+
+void add_ratio(const std::string& label, const std::string& field, std::optional<double> a,
+               std::optional<double> b, Outcome& outcome) {
+  if (a && b && *a != 0.0) {
+    outcome.json[field + "_ratio"] = *b / *a;
+    outcome.list.add(label, fmt::format("{:.8g} of A's {:.8g}", *b / *a, *a));
+  } else {
+    outcome.json[field + "_ratio"] = nullptr;
+  }
+}
+
+void compare_meshes(const Side& a, const Side& b, std::int64_t samples, Outcome& outcome) {
+  const bool matching = same_connectivity(a.mesh, b.mesh);
+  outcome.json["same_connectivity"] = matching;
+  outcome.list.add("connectivity", matching ? "the same" : "different");
+  if (matching) {
+    compare_matching(a, b, outcome);
+  }
+  add_direction("surface A to B", "a_to_b",
+                directed_distance(a.mesh.X, a.F, b.mesh.X, b.F, samples), outcome);
+  add_direction("surface B to A", "b_to_a",
+                directed_distance(b.mesh.X, b.F, a.mesh.X, a.F, samples), outcome);
+  add_ratio("area of B", "area", a.summary.area, b.summary.area, outcome);
+  add_ratio("volume of B", "volume", a.summary.volume, b.summary.volume, outcome);
+}
+
+void compare_with_surface(const Side& a, const ExactSurface& surface, const std::string& name,
+                          Outcome& outcome) {
+  const SurfaceDeviation deviation = deviation_from(surface, a.mesh.X, a.F);
+  ordered_json& json = outcome.json["exact_surface"];
+  json["surface"] = name;
+  json["vertex_distance"] = statistics_json(deviation.distance);
+  json["vertex_distance"]["vertex"] = deviation.distance.where;
+  json["triangle_normal_degrees"] = angles_json(deviation.angles);
+  outcome.list.add("surface", name);
+  outcome.list.add("vertex to surface",
+                   fmt::format("{}, at vertex {}", lengths_text(deviation.distance, 1.0),
+                               deviation.distance.where));
+  outcome.list.add("normals, triangle to surface", angles_text(deviation.angles, ""));
+  outcome.largest_distance = std::max(outcome.largest_distance, deviation.distance.max);
+}
+
+void compare_with_sphere(const Side& a, const CompareArguments& arguments, Outcome& outcome) {
+  Vec3 center = Vec3::Map(arguments.center.data());
+  double radius = 0.0;
+  if (arguments.sphere == "fit") {
+    const SphereFit fit = fit_sphere(used_positions(a.mesh.X, a.F));
+    center = fit.center;
+    radius = fit.radius;
+    outcome.json["radius_deviation"] = fit.deviation;
+    outcome.list.add("radius deviation", fmt::format("{:.4e} of the radius", fit.deviation));
+  } else {
+    radius = parse_real_option("--sphere", arguments.sphere, positive);
+  }
+  compare_with_surface(a, ExactSphere(center, radius),
+                       fmt::format("sphere of radius {:.8g} about {:.8g} {:.8g} {:.8g}", radius,
+                                   center[0], center[1], center[2]),
+                       outcome);
+}
+
+void check(const CompareArguments& arguments) {
+  const int references = (arguments.b.empty() ? 0 : 1) + (arguments.sphere.empty() ? 0 : 1) +
+                         (arguments.torus ? 1 : 0);
+  if (references != 1) {
+    throw BadOption("compare: give one thing to compare A with: a mesh B, --sphere or --torus");
+  }
+  if (arguments.a == "-" && arguments.b == "-") {
+    throw BadOption("compare: standard input holds one mesh only");
+  }
+}
+
+ExitCode run_compare(const CompareArguments& arguments, Console& console) {
+  check(arguments);
+  check_report(arguments.report, {}, arguments.overwrite);
+  const Side a = read_side(arguments.a, arguments.input, console);
+  Outcome outcome{start_report("compare"), {}, 0.0};
+  outcome.json["a"] = arguments.a;
+  if (!arguments.b.empty()) {
+    outcome.json["b"] = arguments.b;
+    compare_meshes(a, read_side(arguments.b, arguments.input, console), arguments.samples, outcome);
+  } else if (!arguments.sphere.empty()) {
+    compare_with_sphere(a, arguments, outcome);
+  } else {
+    const double axis_radius = arguments.torus->at(0);
+    const double tube_radius = arguments.torus->at(1);
+    compare_with_surface(
+        a, ExactTorus(Vec3::Map(arguments.center.data()), axis_radius, tube_radius),
+        fmt::format("torus of radii {:.8g} and {:.8g}", axis_radius, tube_radius), outcome);
+  }
+
+  const bool within = !arguments.tolerance || outcome.largest_distance <= *arguments.tolerance;
+  if (arguments.tolerance) {
+    outcome.json["tolerance"] = *arguments.tolerance;
+    outcome.json["within_tolerance"] = within;
+  }
+  deliver_report(arguments.report, arguments.overwrite, outcome.json);
+  if (!arguments.report.json) {
+    write_standard_output(outcome.list.text());
+  }
+  if (!within) {
+    console.note(fmt::format("the largest distance {:.6g} is above the tolerance {:.6g}",
+                             outcome.largest_distance, *arguments.tolerance));
+  }
+  return within ? ExitCode::done : ExitCode::not_reached;
+}
+
+}  // namespace
+
+Runner declare_compare(CLI::App& app) {
+  auto arguments = std::make_shared<CompareArguments>();
+  CompareArguments* const a = arguments.get();
+  app.add_option("A", a->a, "mesh file to read; - is standard input")->required();
+  app.add_option("B", a->b, "mesh file to compare it with");
+  app.add_option("--sphere", a->sphere,
+                 "compare A with the sphere of this radius, or with the one that fits best (fit)")
+      ->type_name("R|fit");
+  add_parsed_option(app, "--torus", "R,r",
+                    "compare A with the torus about the z axis, R to the middle of its tube",
+                    [a](const std::string& text) {
+                      a->torus = parse_reals_option("--torus", text, 2, positive);
+                    });
+  add_parsed_option(app, "--center", "X,Y,Z", "centre of that sphere or torus (default 0,0,0)",
+                    [a](const std::string& text) {
+                      a->center = parse_reals_option("--center", text, 3, any_real);
+                    });
+  add_integer(app, "--samples", a->samples, std::int64_t{1}, std::int64_t{100'000'000},
+              "points on each surface that distances are measured at (default 100000)");
+  add_real(app, "--tolerance", a->tolerance, not_negative,
+           "exit with 1 where the largest distance between the surfaces is above this");
+  add_input_options(app, a->input);
+  add_report_options(app, a->report);
+  add_overwrite_option(app, a->overwrite);
+  return [arguments](Console& console) { return run_compare(*arguments, console); };
+}
+
+}  // namespace ibmfair::commands

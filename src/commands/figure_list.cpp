@@ -1,0 +1,37 @@
+#include "commands/figure_list.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+namespace ibmfair::commands {
+
+void FigureList::add(std::string label, std::string value) {
+  lines_.emplace_back(std::move(label), std::move(value));
+}
+
+void FigureList::add(std::string label, double value) {
+  add(std::move(label), figure(value));
+}
+
+std::string FigureList::text() const {
+  std::size_t width = 0;
+  for (const auto& [label, value] : lines_) {
+    width = std::max(width, label.size());
+  }
+  std::string text;
+  for (const auto& [label, value] : lines_) {
+    text += fmt::format("{:<{}}  {}\n", label, width, value);
+  }
+  return text;
+}
+
+std::string figure(double value) {
+  return fmt::format("{:.8g}", value);
+}
+
+std::string counted(long long count, const std::string& singular, const std::string& plural) {
+  return fmt::format("{} {}", count, count == 1 ? singular : plural);
+}
+
+}  // namespace ibmfair::commands

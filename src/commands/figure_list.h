@@ -1,0 +1,30 @@
+// Figures for a person to read: labels on the left, values in a column.
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace ibmfair::commands {
+
+class FigureList {
+ public:
+  void add(std::string label, std::string value);
+
+  /// The same with eight significant digits.
+  void add(std::string label, double value);
+
+  /// One line a figure.
+  std::string text() const;
+
+ private:
+  std::vector<std::pair<std::string, std::string>> lines_;
+};
+
+/// Eight significant digits.
+std::string figure(double value);
+
+/// "1 face", "2 faces".
+std::string counted(long long count, const std::string& singular, const std::string& plural);
+
+}  // namespace ibmfair::commands

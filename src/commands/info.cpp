@@ -1,0 +1,193 @@
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "commands/command.h"
+#include "commands/defect_warnings.h"
+#include "commands/figure_list.h"
+#include "commands/shared_options.h"
+#include "ibmfair/energy/bending_energy.h"
+#include "ibmfair/io/formats.h"
+#include "ibmfair/measure/mesh_summary.h"
+#include "ibmfair/measure/sphere_fit.h"
+#include "ibmfair/measure/used_vertices.h"
+#include "ibmfair/mesh/topology.h"
+
+namespace ibmfair::commands {
+
+namespace {
+
+using nlohmann::ordered_json;
+
+struct InfoArguments {
+  std::string path;
+  InputOptions input;
+  ReportOptions report;
+  bool overwrite = false;
+  bool strict = false;
+  bool sphere = false;
+};
+
+struct Energy {
+  std::string model;
+  double value;
+};
+
+/// Everything that the command tells.
+struct Findings {
+  MeshSummary summary;
+  std::vector<Energy> energies;
+  std::optional<SphereFit> sphere;
+};
+
+Findings examine(const Mesh& mesh, const Topology& topology, bool fit) {
+  Findings findings{summarise(mesh, topology), {}, {}};
+  for (const BendingModel& model : bending_models()) {
+    findings.energies.push_back(
+        {std::string(model.name), bending_energy(mesh.X, topology, model.name)});
+  }
+  if (fit) {
+    findings.sphere = fit_sphere(used_positions(mesh.X, topology.F));
+  }
+  return findings;
+}
+
+ordered_json vector_json(const Vec3& x) {
+  return {x[0], x[1], x[2]};
+}
+
+template <class T>
+ordered_json optional_json(const std::optional<T>& value) {
+  return value ? ordered_json(*value) : ordered_json();
+}
+
+ordered_json to_json(const MeshFile& file, const Topology& topology, const Findings& findings) {
+  const MeshSummary& s = findings.summary;
+  ordered_json json = start_report("info");
+  json["file"] = file.name();
+  json["format"] = file.format().name;
+  json["vertices"] = s.vertices;
+  json["isolated_vertices"] = s.isolated_vertices;
+  json["faces"] = s.faces;
+  json["triangles"] = s.triangles;
+  json["edges"] = s.edges;
+  json["hinges"] = s.hinges;
+  json["components"] = s.components;
+  json["closed"] = s.closed;
+  json["orientable"] = s.orientable;
+  json["turned_triangles"] = s.turned_triangles;
+  json["euler_characteristic"] = s.euler_characteristic;
+  json["genus"] = optional_json(s.genus);
+  json["boundary_loops"] = s.boundary_loops;
+  json["longest_boundary_loop"] = s.longest_loop;
+  json["defects"] = defects_json(topology);
+  json["edge_length"] = {{"min", s.shortest_edge}, {"mean", s.mean_edge}, {"max", s.longest_edge}};
+  json["smallest_angle_degrees"] = s.smallest_angle;
+  json["area"] = s.area;
+  json["volume"] = optional_json(s.volume);
+  json["bounding_box"] = {{"min", vector_json(s.smallest_corner)},
+                          {"max", vector_json(s.largest_corner)}};
+  for (const Energy& energy : findings.energies) {
+    json["bending_energy"][energy.model] = energy.value;
+  }
+  if (findings.sphere) {
+    json["sphere"] = {{"center", vector_json(findings.sphere->center)},
+                      {"radius", findings.sphere->radius},
+                      {"relative_deviation", findings.sphere->deviation}};
+  }
+  return json;
+}
+
+std::string orientation_text(const MeshSummary& s) {
+  if (!s.orientable) {
+    return "none that agrees everywhere";
+  }
+  return s.turned_triangles == 0
+             ? "coherent"
+             : counted(s.turned_triangles, "triangle", "triangles") + " against the majority";
+}
+
+std::string vector_text(const Vec3& x) {
+  return fmt::format("{} {} {}", figure(x[0]), figure(x[1]), figure(x[2]));
+}
+
+std::string to_text(const MeshFile& file, const Topology& topology, const Findings& findings) {
+  const MeshSummary& s = findings.summary;
+  FigureList list;
+  list.add("file", fmt::format("{} ({})", file.name(), file.format().title));
+  list.add("vertices", fmt::format("{}{}", s.vertices,
+                                   s.isolated_vertices == 0 ? ""
+                                                            : fmt::format(", {} of them isolated",
+                                                                          s.isolated_vertices)));
+  list.add("faces", s.faces == s.triangles
+                        ? fmt::format("{}", s.faces)
+                        : fmt::format("{}, cut into {} triangles", s.faces, s.triangles));
+  list.add("edges", fmt::format("{}, {}", s.edges, counted(s.hinges, "hinge", "hinges")));
+  list.add("components", fmt::format("{}{}", s.components, s.closed ? ", closed" : ""));
+  list.add("genus", s.genus ? fmt::format("{}", *s.genus) : "none: not an orientable surface");
+  list.add("orientation", orientation_text(s));
+  list.add("boundary loops", s.boundary_loops == 0
+                                 ? "0"
+                                 : fmt::format("{}, longest of {}", s.boundary_loops,
+                                               counted(s.longest_loop, "edge", "edges")));
+  const std::vector<std::string> defects = defect_lines(topology);
+  list.add("defects", defects.empty() ? "none" : defects.front());
+  for (std::size_t i = 1; i < defects.size(); ++i) {
+    list.add("", defects[i]);
+  }
+  list.add("edge length", fmt::format("{} to {}, mean {}", figure(s.shortest_edge),
+                                      figure(s.longest_edge), figure(s.mean_edge)));
+  list.add("smallest angle", figure(s.smallest_angle) + " degrees");
+  list.add("area", s.area);
+  list.add("volume", s.volume ? figure(*s.volume) : "none: not closed");
+  list.add("bounding box",
+           vector_text(s.smallest_corner) + "  to  " + vector_text(s.largest_corner));
+  for (const Energy& energy : findings.energies) {
+    list.add("E_b " + energy.model, energy.value);
+  }
+  if (findings.sphere) {
+    list.add("sphere", fmt::format("radius {} about {}", figure(findings.sphere->radius),
+                                   vector_text(findings.sphere->center)));
+    list.add("radius deviation", fmt::format("{:.4e} of the radius", findings.sphere->deviation));
+  }
+  return list.text();
+}
+
+ExitCode run_info(const InfoArguments& arguments, Console& console) {
+  check_report(arguments.report, {}, arguments.overwrite);
+  const MeshFile file = read_input(arguments.path, arguments.input, console);
+  const Mesh& mesh = file.mesh();
+  const Topology topology = build_topology(mesh.X, triangulate(mesh).F);
+  const Findings findings = examine(mesh, topology, arguments.sphere);
+
+  deliver_report(arguments.report, arguments.overwrite, to_json(file, topology, findings));
+  if (!arguments.report.json) {
+    write_standard_output(to_text(file, topology, findings));
+  }
+  if (arguments.strict) {
+    require_no_defects(topology);
+  }
+  return ExitCode::done;
+}
+
+}  // namespace
+
+Runner declare_info(CLI::App& app) {
+  auto arguments = std::make_shared<InfoArguments>();
+  app.add_option("IN", arguments->path, "mesh file to read; - is standard input")->required();
+  app.add_flag("--sphere", arguments->sphere,
+               "fit a sphere, and tell the standard deviation of the vertices' distances to its "
+               "centre as a part of their mean");
+  add_input_options(app, arguments->input);
+  add_strict_option(app, arguments->strict);
+  add_report_options(app, arguments->report);
+  add_overwrite_option(app, arguments->overwrite);
+  return [arguments](Console& console) { return run_info(*arguments, console); };
+}
+
+}  // namespace ibmfair::commands

@@ -1,0 +1,52 @@
+// Surfaces that are known exactly, to measure meshes against.
+#pragma once
+
+#include "ibmfair/base/types.h"
+
+namespace ibmfair {
+
+/// A closed surface given by its signed distance.
+class ExactSurface {
+ public:
+  ExactSurface() = default;
+  ExactSurface(const ExactSurface&) = delete;
+  ExactSurface& operator=(const ExactSurface&) = delete;
+  virtual ~ExactSurface() = default;
+
+  /// The distance of x, negative inside.
+  virtual double signed_distance(const Vec3& x) const = 0;
+
+  /// The outward unit normal at the surface point closest to x; of several closest points any.
+  virtual Vec3 normal(const Vec3& x) const = 0;
+};
+
+/// Throws BadOption for a radius that is not positive.
+class ExactSphere : public ExactSurface {
+ public:
+  ExactSphere(const Vec3& center, double radius);
+  double signed_distance(const Vec3& x) const override;
+  Vec3 normal(const Vec3& x) const override;
+
+ private:
+  Vec3 center_;
+  double radius_;
+};
+
+/// The torus about the axis through `center` parallel to z: `axis_radius` from the axis to the
+/// middle of the tube, `tube_radius` from there to the surface. Throws BadOption unless
+/// axis_radius > tube_radius > 0.
+class ExactTorus : public ExactSurface {
+ public:
+  ExactTorus(const Vec3& center, double axis_radius, double tube_radius);
+  double signed_distance(const Vec3& x) const override;
+  Vec3 normal(const Vec3& x) const override;
+
+ private:
+  Vec3 from_tube_middle(const Vec3& x) const;
+
+  Vec3 center_;
+  double axis_radius_;
+  double tube_radius_;
+};
+
+}  // namespace ibmfair

@@ -1,0 +1,45 @@
+// What a mesh is: its counts, its topology, its sizes.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "ibmfair/base/types.h"
+#include "ibmfair/mesh/mesh.h"
+#include "ibmfair/mesh/topology.h"
+
+namespace ibmfair {
+
+struct MeshSummary {
+  Index vertices = 0;
+  Index isolated_vertices = 0;  ///< that belong to no triangle
+  Index faces = 0;              ///< polygons
+  Index triangles = 0;          ///< after cutting the polygons
+  Index edges = 0;              ///< of the triangles
+  Index hinges = 0;             ///< interior edges between two usable triangles
+
+  Index components = 0;
+  bool orientable = true;
+  Index turned_triangles = 0;  ///< that are oriented against the majority of their component
+  bool closed = false;         ///< every edge lies between exactly two triangles
+  std::int64_t euler_characteristic = 0;
+  std::optional<std::int64_t> genus;  ///< summed over the components; none where the mesh is not an
+                                      ///< orientable surface
+  Index boundary_loops = 0;
+  Index longest_loop = 0;  ///< edges
+
+  double shortest_edge = 0.0;    ///< length
+  double mean_edge = 0.0;        ///< length
+  double longest_edge = 0.0;     ///< length
+  double smallest_angle = 0.0;   ///< degrees
+  double area = 0.0;             ///< length^2
+  std::optional<double> volume;  ///< length^3, positive where oriented outward; none unless the
+                                 ///< mesh is closed and orientable
+  Vec3 smallest_corner = Vec3::Zero();  ///< of the bounding box of all vertices
+  Vec3 largest_corner = Vec3::Zero();
+};
+
+/// `topology` is that of the triangulation F of `mesh`.
+MeshSummary summarise(const Mesh& mesh, const Topology& topology);
+
+}  // namespace ibmfair
