@@ -1,6 +1,7 @@
 #include "commands/program.h"
 
 #include <algorithm>
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -9,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "commands/command.h"
+#include "commands/help_format.h"
 #include "commands/numeric_options.h"
 #include "commands/process.h"
 #include "commands/suggest.h"
@@ -54,11 +56,11 @@ std::vector<Declared> declare_commands(CLI::App& app, FrameOptions& options) {
                        "print the versions of the program and its parts");
   app.require_subcommand(1);
   app.footer("`ibmfair COMMAND --help` tells more about one of them.");
-  app.get_formatter()->column_width(34);
+  app.formatter(std::make_shared<HelpFormatter>());
   std::vector<Declared> declared;
   for (const Command& command : command_table()) {
     CLI::App* sub = app.add_subcommand(std::string(command.name), std::string(command.summary));
-    sub->footer("");
+    sub->footer("")->group("Commands");
     declared.push_back({sub, command.declare(*sub)});
     add_frame_options(*sub, options);
   }
