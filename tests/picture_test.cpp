@@ -76,6 +76,22 @@ TEST(Image, SideBySideKeepsEveryPixelAndFillsTheRest) {
   }
 }
 
+TEST(Image, WithoutEmptyRowsKeepsWhatIsDrawnAndTheMargin) {
+  const Rgb white{255, 255, 255};
+  Image image(5, 20, white);
+  EXPECT_TRUE(without_empty_rows(image, white, 1).pixels == image.pixels) << "nothing is drawn";
+  image.at(4, 7) = {1, 1, 1};
+  image.at(0, 9) = {2, 2, 2};
+  for (const auto& [margin, top, height] : {std::array{0, 7, 3}, {2, 5, 7}, {100, 0, 20}}) {
+    const Image cut = without_empty_rows(image, white, margin);
+    ASSERT_EQ(cut.width, 5);
+    ASSERT_EQ(cut.height, height) << margin;
+    EXPECT_EQ(cut.at(4, 7 - top), Rgb(1, 1, 1));
+    EXPECT_EQ(cut.at(0, 9 - top), Rgb(2, 2, 2));
+    EXPECT_EQ(pixels_unlike(cut, white), 2U);
+  }
+}
+
 TEST(Png, GivesEveryPixelBack) {
   for (const auto& [width, height] : {std::pair{1, 1}, {7, 3}, {64, 200}}) {
     Image image(width, height);

@@ -14,8 +14,9 @@ configure() {
   cmake -S . -B "$directory" --log-level=WARNING "$@"
 }
 
-# build DIR [CMAKE-OPTION...]: configures DIR and compiles with all cores what is out of date.
-build() {
-  configure "$@"
-  cmake --build "$1" --parallel "$cores"
+# compile DIR [TARGET...]: what is out of date, with all cores.
+compile() {
+  local directory=$1
+  shift
+  cmake --build "$directory" --parallel "$cores" --target "${@:-all}"
 }

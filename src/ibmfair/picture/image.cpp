@@ -29,4 +29,22 @@ Image side_by_side(std::span<const Image> images, int gap, Rgb background) {
   return row;
 }
 
+Image without_empty_rows(const Image& image, Rgb background, int margin) {
+  const auto is_drawn = [&](Rgb pixel) { return pixel != background; };
+  const auto& pixels = image.pixels;
+  const auto first = std::find_if(pixels.begin(), pixels.end(), is_drawn) - pixels.begin();
+  const auto after = pixels.rend() - std::find_if(pixels.rbegin(), pixels.rend(), is_drawn);
+  if (after == 0) {
+    return image;
+  }
+  const auto top = std::max<std::ptrdiff_t>(0, first / image.width - margin);
+  const auto bottom =
+      std::min<std::ptrdiff_t>(image.height, (after - 1) / image.width + 1 + margin);
+
+  Image cut(image.width, static_cast<int>(bottom - top));
+  std::copy(pixels.begin() + top * image.width, pixels.begin() + bottom * image.width,
+            cut.pixels.begin());
+  return cut;
+}
+
 }  // namespace ibmfair

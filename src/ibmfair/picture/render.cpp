@@ -133,7 +133,9 @@ Image render_before_after(const Triangles& F, const Points& before, const Points
   Points both(a.rows() + b.rows(), 3);
   both << a, b;
   const std::array<Image, 2> images{take(before, F, both, options), take(after, F, both, options)};
-  return side_by_side(images, 0, options.background);
+  const double margin = options.view.margin * std::min(options.width, options.height);
+  return without_empty_rows(side_by_side(images, 0, options.background), options.background,
+                            static_cast<int>(std::lround(margin)));
 }
 
 }  // namespace ibmfair

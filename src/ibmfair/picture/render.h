@@ -29,7 +29,8 @@ struct RenderOptions {
 Image render(const Points& X, const Triangles& F, const RenderOptions& options = {});
 
 /// Two pictures of the same triangles beside each other, taken by one camera that sees all of both:
-/// what is larger in the picture is larger. `options.width` is the width of each.
+/// what is larger in the picture is larger. `options.width` is the width of each, `options.height`
+/// the largest height: rows that stay empty in both are cut off down to the view's margin.
 /// @throws BadOption as `render` does.
 Image render_before_after(const Triangles& F, const Points& before, const Points& after,
                           const RenderOptions& options = {});
