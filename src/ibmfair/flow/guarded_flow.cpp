@@ -6,6 +6,7 @@
 #include "ibmfair/base/errors.h"
 #include "ibmfair/base/parallel.h"
 #include "ibmfair/base/stopwatch.h"
+#include "ibmfair/flow/distortion.h"
 #include "ibmfair/flow/folds.h"
 #include "ibmfair/flow/tangential_relaxation.h"
 #include "ibmfair/mesh/geometry.h"
@@ -13,14 +14,12 @@
 namespace ibmfair {
 namespace {
 
-// The settings of the guard, chosen over noisy spheres, tori and scans (tools/guard_table): what
-// matters most is `largest_roughness`, without which noise turns into volume.
-constexpr double least_decrease = 0.1;      // of the predicted decrease, to accept a step
-constexpr double stale_decrease = 0.1;      // at or below, the Jacobian has gone stale
-constexpr double good_decrease = 0.5;       // above, a time step that was cut may grow again
-constexpr double largest_roughness = 0.15;  // of one step
-constexpr double cut = 1.0 / 16;            // of the time step, where a step is too rough or fails
-constexpr double growth = 2, fast_growth = 4;  // of the time step; fast below half the roughness
+// The settings of the guard, chosen like those of distortion.cpp.
+constexpr double least_decrease = 0.1;  // of the predicted decrease, to accept a step
+constexpr double stale_decrease = 0.1;  // at or below, the Jacobian has gone stale
+constexpr double good_decrease = 0.5;   // above, a time step that was cut may grow again
+constexpr double cut = 1.0 / 16;        // of the time step, where a step distorts too much or fails
+constexpr double growth = 2, fast_growth = 4;  // of the time step; fast below half the distortion
 constexpr double heavier = 16, lighter = 4;    // factors of local damping
 constexpr double culprit_share = 0.05;         // of the largest uphill slope, to be damped
 constexpr double local_share = 0.02;          // of the vertices: more culprits are no local trouble
@@ -71,7 +70,8 @@ class GuardedFlow {
     record.gradient_norm = p_.gradient_norm();
     record.held_back = (p_.jacobian().damping().array() > 1).count();
     fraction_ = std::min(1.0, left_ / p_.jacobian().time_step());
-    if (roughness(step) > largest_roughness) {
+    distortion_ = fraction_ * distortion(step, p_.topology, p_.unknowns, edge_length_);
+    if (distortion_ > 1) {
       cut_time_step();
       return true;
     }
@@ -117,33 +117,6 @@ class GuardedFlow {
     h_ *= cut;
     stale_ = true;
     ++p_.report.rejected;
-  }
-
-  /// How rough the step is: the part of each vertex's move that its neighbours do not share,
-  /// relative to its edge length, root mean square. Noise that is being removed is rough; a large
-  /// smooth move of the surface is not, and is not held up.
-  double roughness(const Points& step) {
-    const Stopwatch watch(p_.report.seconds.guard);
-    const auto& unknown = p_.unknowns.unknown;
-    Points mean = Points::Zero(p_.unknowns.size(), 3);
-    Eigen::VectorXd valence = Eigen::VectorXd::Zero(p_.unknowns.size());
-    for (const auto edge : p_.topology.E.rowwise()) {
-      for (const int side : {0, 1}) {
-        const Index u = unknown[edge[side]], other = unknown[edge[1 - side]];
-        if (u >= 0) {
-          valence[u] += 1;
-          if (other >= 0) {
-            mean.row(u) += step.row(other);
-          }
-        }
-      }
-    }
-    const double sum = parallel_sum(p_.unknowns.size(), [&](std::int64_t u) {
-      const Vec3 own = step.row(u) - mean.row(u) / valence[u];
-      return own.squaredNorm() / std::pow(edge_length_[p_.unknowns.vertex[u]], 2);
-    });
-    roughness_ = fraction_ * std::sqrt(sum / p_.unknowns.size());
-    return roughness_;
   }
 
   /// No vertex moves by more than its mean edge length in one step. Returns how many would have.
@@ -276,7 +249,7 @@ class GuardedFlow {
       stale_ = true;
       h_ *= record.refactored ? 0.5 : 1;
     } else if (record.decrease_ratio > good_decrease && h_ < h_target_) {
-      h_ = std::min(h_target_, h_ * (roughness_ < largest_roughness / 2 ? fast_growth : growth));
+      h_ = std::min(h_target_, h_ * (distortion_ < 0.5 ? fast_growth : growth));
       stale_ = true;
     }
   }
@@ -293,7 +266,7 @@ class GuardedFlow {
   PerVertex edge_length_;
   double fraction_ = 1;                 // of the Newton step that is tried
   double slope_ = 0, metric_part_ = 0;  // of the whole step d: <-g,d> and <d,Dd>/h
-  double roughness_ = 0;
+  double distortion_ = 0;
   double trial_energy_ = 0, energy_before_step_ = 0;
   Points move_;  // the move that is tried, one row per unknown
   Points Y_;     // where it leads

@@ -1,0 +1,21 @@
+// How far a step takes the mesh from where the Jacobian was built.
+#pragma once
+
+#include "ibmfair/energy/hessian.h"
+#include "ibmfair/mesh/topology.h"
+
+namespace ibmfair {
+
+/// A measure of what `step` (one row per unknown, length) does to the triangles; 1 is as much as
+/// one time step should. It is the larger of
+///   roughness: the part of each vertex's move that its neighbours do not share, over its edge
+///              length, root mean square, over 0.15: noise being removed is rough;
+///   strain:    the difference of the moves along each edge over its length, root mean square, over
+///              0.4: large smooth moves stretch and turn the surface without being rough.
+/// Steps beyond let noise grow into volume; the two limits were chosen on noisy spheres, tori and
+/// scans (tools/denoise_table) and on smooth shapes that change a lot (tools/figure9_table).
+/// `edge_length` is #V, the mean length of the edges at each vertex.
+double distortion(const Points& step, const Topology& topology, const Unknowns& unknowns,
+                  const PerVertex& edge_length);
+
+}  // namespace ibmfair
