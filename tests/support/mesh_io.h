@@ -13,17 +13,13 @@ namespace ibmfair::test {
 /// A directory for the files of one test.
 class MeshFiles {
  public:
-  /// Writes the bytes as `name` and reads that as a mesh.
-  MeshFile read(std::string_view bytes, const std::string& name, const ReadOptions& options = {});
+  /// Reads the bytes as a mesh file called `name`.
+  static MeshFile read(std::string_view bytes, const std::string& name, ReadOptions options = {});
 
   /// Writes the mesh with its vertices at X and returns the bytes. `report`, if given, receives the
   /// writer's report.
   std::string write(const MeshFile& file, const Points& X, const std::string& name,
                     WriteOptions options = {}, WriteReport* report = nullptr);
-
-  /// The message of the BadFile that reading must throw, without the directory; empty (and a
-  /// failed expectation) where it throws none.
-  std::string read_error(std::string_view bytes, const std::string& name);
 
   std::string path(const std::string& name) const { return directory_ / name; }
   std::size_t entries() const { return directory_.entries(); }
@@ -31,6 +27,10 @@ class MeshFiles {
  private:
   TemporaryDirectory directory_;
 };
+
+/// The message of the BadFile that reading the bytes as a file called `name` must throw; empty (and a
+/// failed expectation) where it throws none.
+std::string read_error(std::string_view bytes, const std::string& name);
 
 /// The law of every file that can be patched: written back with nothing moved it is the same bytes;
 /// with two thirds of its vertices moved and read again it has exactly those positions and the same

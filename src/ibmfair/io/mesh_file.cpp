@@ -121,8 +121,12 @@ MeshAttributes MeshFile::attributes() const {
 }
 
 MeshFile read_mesh(const std::string& path, const ReadOptions& options) {
+  return read_mesh(SourceBytes::read(path), options);
+}
+
+MeshFile read_mesh(std::shared_ptr<const SourceBytes> bytes, const ReadOptions& options) {
   auto contents = std::make_shared<MeshFile::Contents>();
-  contents->bytes = SourceBytes::read(path);
+  contents->bytes = std::move(bytes);
   std::tie(contents->format, contents->extension) = choose_format(*contents->bytes, options.format);
   ParsedMesh& parsed = contents->parsed;
   parsed = contents->format->read(*contents->bytes, contents->extension);

@@ -56,7 +56,7 @@ class MeshFile {
   const SourceBytes& bytes() const;
 
  private:
-  friend MeshFile read_mesh(const std::string& path, const ReadOptions& options);
+  friend MeshFile read_mesh(std::shared_ptr<const SourceBytes> bytes, const ReadOptions& options);
   struct Contents;
   std::shared_ptr<const Contents> contents_;
 };
@@ -65,6 +65,9 @@ class MeshFile {
 /// goes through assimp. Throws BadFile for what cannot be read or is malformed (a mesh without
 /// faces included) and BadOption for an unknown format name.
 MeshFile read_mesh(const std::string& path, const ReadOptions& options = {});
+
+/// The same for bytes that have been read already, or that come from memory.
+MeshFile read_mesh(std::shared_ptr<const SourceBytes> bytes, const ReadOptions& options = {});
 
 /// How to write a file.
 struct WriteOptions {

@@ -119,8 +119,10 @@ class Patcher {
     for (std::int64_t row = 0; row < vertex.count; ++row) {
       body.start_row(row);
       for (std::size_t i = 0; i < spans.size(); ++i) {
-        spans[i].before = body.after_value();
+        const char* before = body.after_value();
         spans[i].first = body.position();
+        // What precedes a row's first value is the end of the line before.
+        spans[i].before = i == 0 ? spans[i].first : before;
         body.skip(vertex.properties[i]);
         spans[i].last = body.after_value();
       }
