@@ -64,8 +64,8 @@ TEST(ObjFile, KeepsCutSeamsUnlessWelded) {
 }
 
 TEST(ObjFile, KeepsTheOrderOfFacesAndForwardReferences) {
-  const MeshFile file = expect_carried("f 4 2 3\nf 3 2 1\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\n",
-                                       "a.obj");
+  const MeshFile file =
+      expect_carried("f 4 2 3\nf 3 2 1\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\n", "a.obj");
   EXPECT_EQ(file.mesh().faces.corner, (std::vector<Index>{3, 1, 2, 2, 1, 0}));
 }
 
@@ -117,13 +117,15 @@ TEST(ObjFile, KeepsColours) {
   const MeshFile file = expect_carried(text, "a.obj");
   Points X = file.mesh().X;
   X(0, 0) = -1.5;
-  EXPECT_TRUE(files.write(file, X, "b.obj").starts_with("v -1.5 0 0 0.1 0.2 0.3\nv 1 0 0 nan 0 0\n"));
+  EXPECT_TRUE(
+      files.write(file, X, "b.obj").starts_with("v -1.5 0 0 0.1 0.2 0.3\nv 1 0 0 nan 0 0\n"));
 }
 
 TEST(ObjFile, ReadsNumbersExactly) {
   const MeshFile file = expect_carried(
       "v 4500000.123456 1e-300 0.30000000000000004\nv +1 .5 -5.\nv 1e-400 -1E+2 4.9e-324\n"
-      "f 1 2 3\n", "a.obj");
+      "f 1 2 3\n",
+      "a.obj");
   const Points& X = file.mesh().X;
   EXPECT_EQ(X.row(0), Eigen::RowVector3d(4500000.123456, 1e-300, 0.30000000000000004));
   EXPECT_EQ(X.row(1), Eigen::RowVector3d(1, 0.5, -5));
@@ -141,8 +143,8 @@ TEST(ObjFile, AcceptsEveryWayToLayOutLines) {
     for (const bool mark : {false, true}) {
       for (const bool last : {false, true}) {
         const std::string text = (mark ? "\xEF\xBB\xBF" : "") + std::string("v 0 0 0  \t") + end +
-                                 "\tv\t1   0 0" + end + end + "  v 0 1 0 # C:\\dir\\" + end + "f 1 \\" +
-                                 end + " 2 3" + end + "f 3 2 1" + (last ? end : "");
+                                 "\tv\t1   0 0" + end + end + "  v 0 1 0 # C:\\dir\\" + end +
+                                 "f 1 \\" + end + " 2 3" + end + "f 3 2 1" + (last ? end : "");
         SCOPED_TRACE(testing::PrintToString(text));
         const MeshFile file = expect_carried(text, "a.obj");
         EXPECT_EQ(file.mesh().X.rows(), 3);
@@ -155,7 +157,8 @@ TEST(ObjFile, AcceptsEveryWayToLayOutLines) {
 TEST(ObjFile, CarriesWhatItDoesNotUnderstand) {
   const MeshFile file = expect_carried(
       "v 0 0 0\nv 1 0 0\nv 0 1 0\nvp 0.5\nl 1 2 3\np 1\nf 1 2 3\ncurv 0 1 1 2 \\\n3\n"
-      "call x.obj\nv2 oops\n??? \x80\xFF\nend\n", "a.obj");
+      "call x.obj\nv2 oops\n??? \x80\xFF\nend\n",
+      "a.obj");
   EXPECT_EQ(file.mesh().X.rows(), 3);
   EXPECT_EQ(file.mesh().faces.size(), 1);
 }
@@ -164,8 +167,8 @@ TEST(ObjFile, CarriesLargePolygonsAndLongComments) {
   std::string text = "#" + std::string(200000, 'x') + "\n";
   std::string face = "f";
   for (int i = 0; i < 300; ++i) {
-    text += "v " + std::to_string(std::cos(i * 0.0209)) + " " + std::to_string(std::sin(i * 0.0209)) +
-            " 0\n";
+    text += "v " + std::to_string(std::cos(i * 0.0209)) + " " +
+            std::to_string(std::sin(i * 0.0209)) + " 0\n";
     face += " " + std::to_string(i + 1);
   }
   const MeshFile file = expect_carried(text + face + "\n", "a.obj");
@@ -192,9 +195,9 @@ TEST(ObjFile, RefusesWithLineColumnAndWord) {
             "a.obj:4:7: there are not that many vertices before this face in '-4'");
   EXPECT_EQ(refused(triangle + "f 1 2 x\n"), "a.obj:4:7: not a vertex number in 'x'");
   EXPECT_EQ(refused(triangle + "f 1 2 3x\n"), "a.obj:4:7: not a vertex number in '3x'");
-  EXPECT_EQ(refused(triangle + "f 1 2 3/1/0\n"), "a.obj:4:7: normals are counted from 1 in '3/1/0'");
-  EXPECT_EQ(refused(triangle + "f 1 2\n"),
-            "a.obj:4:1: a face needs at least three corners in 'f'");
+  EXPECT_EQ(refused(triangle + "f 1 2 3/1/0\n"),
+            "a.obj:4:7: normals are counted from 1 in '3/1/0'");
+  EXPECT_EQ(refused(triangle + "f 1 2\n"), "a.obj:4:1: a face needs at least three corners in 'f'");
   EXPECT_EQ(refused("\r\rv 1 2\rf 1 1 1"), "a.obj:3:6: a number is missing at the end of the line");
   EXPECT_EQ(refused("v 1 2"), "a.obj:1:6: a number is missing at the end of the file");
   EXPECT_EQ(refused("v 1 2 abc\n"), "a.obj:1:7: not a number in 'abc'");

@@ -37,13 +37,14 @@ TEST(OffFile, AcceptsEveryWayToLayOutNumbers) {
 
 TEST(OffFile, KeepsWhatFollowsEachPosition) {
   const std::string faces = "3 0 1 2 1 0 0\n";
-  for (const std::string& text : {
-           "COFF\n3 1 0\n0 0 0 255 0 0 255\n1 0 0 0 255 0 255\n0 1 0 0 0 255 9\n" + faces,
-           "COFF\n3 1 0\n0 0 0 0.5 0 0\n1 0 0 0 1 0\n0 1 0 0 0 1\n" + faces,
-           "STOFF\n3 1 0\n0 0 0 0.5 0.25\n1 0 0 0 1\n0 1 0 0 0\n" + faces,
-           "NOFF\n3 1 0\n0 0 0 0 0 1\n1 0 0 0 0 1\n0 1 0 0 0 1\n" + faces,
-           "STCNOFF\n3 1 0\n0 0 0 0 0 1 9 9 9 9 .5 .5\n1 0 0 0 0 1 9 9 9 9 0 0\n"
-           "0 1 0 0 0 1 9 9 9 9 1 1\n" + faces}) {
+  for (const std::string& text :
+       {"COFF\n3 1 0\n0 0 0 255 0 0 255\n1 0 0 0 255 0 255\n0 1 0 0 0 255 9\n" + faces,
+        "COFF\n3 1 0\n0 0 0 0.5 0 0\n1 0 0 0 1 0\n0 1 0 0 0 1\n" + faces,
+        "STOFF\n3 1 0\n0 0 0 0.5 0.25\n1 0 0 0 1\n0 1 0 0 0\n" + faces,
+        "NOFF\n3 1 0\n0 0 0 0 0 1\n1 0 0 0 0 1\n0 1 0 0 0 1\n" + faces,
+        "STCNOFF\n3 1 0\n0 0 0 0 0 1 9 9 9 9 .5 .5\n1 0 0 0 0 1 9 9 9 9 0 0\n"
+        "0 1 0 0 0 1 9 9 9 9 1 1\n" +
+            faces}) {
     SCOPED_TRACE(text);
     const MeshFile file = expect_carried(text, "a.off");
     const std::string keyword = text.substr(0, text.find("OFF"));
@@ -65,21 +66,25 @@ TEST(OffFile, RenewsNormals) {
       "a.off");
   Points X = file.mesh().X;
   X.row(1) << 0, 0, 2;
-  EXPECT_EQ(files.write(file, X, "b.off"),
-            "CNOFF\n3 1 0\n0 0 0 -1 0 0 9 9 9 9\n0 0 2 -1 0 0 9 9 9 9\n0 1 0 1 -0 -0 9 9 9 9\n3 0 1 2\n");
+  EXPECT_EQ(
+      files.write(file, X, "b.off"),
+      "CNOFF\n3 1 0\n0 0 0 -1 0 0 9 9 9 9\n0 0 2 -1 0 0 9 9 9 9\n0 1 0 1 -0 -0 9 9 9 9\n3 0 1 2\n");
 }
 
 std::string binary_off(bool big, bool colour_counts, const std::string& prefix = "") {
   std::string bytes = prefix + "OFF BINARY\n";
-  for (const int count : {4, 2, 0}) bytes += to_bytes(count, 4, big, false);
+  for (const int count : {4, 2, 0})
+    bytes += to_bytes(count, 4, big, false);
   for (int v = 0; v < 4; ++v) {
     for (const double x : {v % 2 + 0.5, static_cast<double>(v / 2), 3.0}) {
       bytes += to_bytes(x, 4, big, true);
     }
-    for (int c = 0; c < 3 && prefix == "N"; ++c) bytes += to_bytes(c == 2, 4, big, true);
+    for (int c = 0; c < 3 && prefix == "N"; ++c)
+      bytes += to_bytes(c == 2, 4, big, true);
   }
   for (const auto& face : {std::vector<int>{3, 0, 1, 2}, std::vector<int>{4, 0, 1, 3, 2}}) {
-    for (const int value : face) bytes += to_bytes(value, 4, big, false);
+    for (const int value : face)
+      bytes += to_bytes(value, 4, big, false);
     if (colour_counts) bytes += to_bytes(1, 4, big, false) + to_bytes(0.5, 4, big, true);
   }
   return bytes;
@@ -112,7 +117,8 @@ TEST(OffFile, RefusesWithLineColumnAndWord) {
   const auto refused = [](const std::string& text) { return read_error(text, "a.off"); };
   const std::string start = "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n";
   EXPECT_EQ(refused(""), "a.off: the file is empty");
-  EXPECT_EQ(refused("solid\n"), "a.off:1:1: not an OFF file: neither a keyword nor counts in 'solid'");
+  EXPECT_EQ(refused("solid\n"),
+            "a.off:1:1: not an OFF file: neither a keyword nor counts in 'solid'");
   EXPECT_EQ(refused("4OFF\n1 1 0\n"),
             "a.off:1:1: points of other than three dimensions are not supported in '4OFF'");
   EXPECT_EQ(refused("OFF\n4000000000 1 0\n0 0 0\n"),
@@ -126,7 +132,8 @@ TEST(OffFile, RefusesWithLineColumnAndWord) {
   EXPECT_EQ(refused(start + "9 0 1 2 \n"), "a.off:6:1: the file ends before the face does in '9'");
   EXPECT_EQ(refused(start + "3 0 1    \n"),
             "a.off:7:1: the file ends before its last row does at the end of the file");
-  EXPECT_EQ(refused("OFF\n3 1 0\n0 0 x\n1 0 0\n0 1 0\n3 0 1 2\n"), "a.off:3:5: not a number in 'x'");
+  EXPECT_EQ(refused("OFF\n3 1 0\n0 0 x\n1 0 0\n0 1 0\n3 0 1 2\n"),
+            "a.off:3:5: not a number in 'x'");
   EXPECT_EQ(refused("OFF\n3 0 0\n0 0 0\n1 0 0\n0 1 0\n"), "a.off: the mesh has no faces");
 }
 

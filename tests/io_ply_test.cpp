@@ -58,35 +58,43 @@ std::string binary_ply(bool big, const Numbers& number, const Numbers& count, co
                        const std::string& line_end = "\n") {
   std::string text;
   for (const std::string& line :
-       {"ply" + std::string(), std::string("format binary_") + (big ? "big" : "little") + "_endian 1.0",
-        std::string("element face 2"), "property list " + count.type + " " + index.type + " vertex_indices",
+       {"ply" + std::string(),
+        std::string("format binary_") + (big ? "big" : "little") + "_endian 1.0",
+        std::string("element face 2"),
+        "property list " + count.type + " " + index.type + " vertex_indices",
         std::string("property short flag"), std::string("element other 2"),
         std::string("property list uint double values"), std::string("element vertex 4"),
         "property " + number.type + " z", std::string("property list uchar ushort tags"),
-        "property " + number.type + " x", std::string("property double y"), std::string("end_header")}) {
+        "property " + number.type + " x", std::string("property double y"),
+        std::string("end_header")}) {
     text += line + line_end;
   }
   for (const auto& face : {std::vector<int>{0, 1, 2, 3}, std::vector<int>{3, 1, 0}}) {
     text += to_bytes(static_cast<double>(face.size()), count.size, big, false);
-    for (const int v : face) text += to_bytes(v, index.size, big, false);
+    for (const int v : face)
+      text += to_bytes(v, index.size, big, false);
     text += to_bytes(-2, 2, big, false);
   }
   text += to_bytes(0, 4, big, false) + to_bytes(1, 4, big, false) + to_bytes(0.1, 8, big, true);
   for (int v = 0; v < 4; ++v) {
     text += to_bytes(10 + v, number.size, big, number.real) + to_bytes(v, 1, big, false);
-    for (int i = 0; i < v; ++i) text += to_bytes(i, 2, big, false);
+    for (int i = 0; i < v; ++i)
+      text += to_bytes(i, 2, big, false);
     text += to_bytes(v % 2, number.size, big, number.real) + to_bytes(0.1 * v, 8, big, true);
   }
   return text + "\r\n ";
 }
 
 TEST(PlyFile, ReadsEveryBinaryLayout) {
-  const std::vector<Numbers> reals{{"float", 4, true},  {"float64", 8, true}, {"char", 1, false},
-                                   {"uint16", 2, false}, {"int", 4, false}};
-  const std::vector<Numbers> counts{{"uchar", 1, false}, {"int8", 1, false}, {"short", 2, false},
-                                    {"uint", 4, false}};
-  const std::vector<Numbers> indices{{"uchar", 1, false}, {"short", 2, false}, {"uint32", 4, false},
-                                     {"int", 4, false}};
+  const std::vector<Numbers> reals{{"float", 4, true},
+                                   {"float64", 8, true},
+                                   {"char", 1, false},
+                                   {"uint16", 2, false},
+                                   {"int", 4, false}};
+  const std::vector<Numbers> counts{
+      {"uchar", 1, false}, {"int8", 1, false}, {"short", 2, false}, {"uint", 4, false}};
+  const std::vector<Numbers> indices{
+      {"uchar", 1, false}, {"short", 2, false}, {"uint32", 4, false}, {"int", 4, false}};
   const auto check = [](bool big, const Numbers& real, const Numbers& count, const Numbers& index) {
     SCOPED_TRACE(real.type + " " + count.type + " " + index.type + (big ? " big" : " little"));
     const MeshFile file = expect_carried(binary_ply(big, real, count, index), "a.ply");
@@ -95,9 +103,12 @@ TEST(PlyFile, ReadsEveryBinaryLayout) {
     EXPECT_EQ(file.mesh().faces.corner, (std::vector<Index>{0, 1, 2, 3, 3, 1, 0}));
   };
   for (const bool big : {false, true}) {
-    for (const Numbers& real : reals) check(big, real, counts[0], indices[3]);
-    for (const Numbers& count : counts) check(big, reals[0], count, indices[1]);
-    for (const Numbers& index : indices) check(big, reals[1], counts[3], index);
+    for (const Numbers& real : reals)
+      check(big, real, counts[0], indices[3]);
+    for (const Numbers& count : counts)
+      check(big, reals[0], count, indices[1]);
+    for (const Numbers& index : indices)
+      check(big, reals[1], counts[3], index);
   }
 }
 
@@ -107,12 +118,13 @@ TEST(PlyFile, HeadersMayEndTheirLinesInAnyWay) {
   for (const std::string end : {"\n", "\r\n", "\r"}) {
     // 10 and 13 as first data bytes must not be taken for the end of the header.
     for (const char first : {'\n', '\r'}) {
-      std::string bytes = "ply" + end + "format binary_little_endian 1.0" + end + "element lead 1" +
-                          end + "property char c" + end + "element vertex 3" + end +
-                          "property float x" + end + "property float y" + end + " property\tfloat  z" +
-                          end + "element face 1" + end + "property list uchar uchar vertex_indices" +
-                          end + "end_header" + end + first;
-      for (const double x : {0, 0, 0, 1, 0, 0, 0, 1, 0}) bytes += to_bytes(x, 4, false, true);
+      std::string bytes =
+          "ply" + end + "format binary_little_endian 1.0" + end + "element lead 1" + end +
+          "property char c" + end + "element vertex 3" + end + "property float x" + end +
+          "property float y" + end + " property\tfloat  z" + end + "element face 1" + end +
+          "property list uchar uchar vertex_indices" + end + "end_header" + end + first;
+      for (const double x : {0, 0, 0, 1, 0, 0, 0, 1, 0})
+        bytes += to_bytes(x, 4, false, true);
       bytes += std::string("\3\0\1\2", 4);
       SCOPED_TRACE(testing::PrintToString(bytes));
       EXPECT_EQ(expect_carried(bytes, "a.ply").mesh().X(1, 0), 1.0);
@@ -135,7 +147,8 @@ TEST(PlyFile, PromotesFloatsOnceAnythingMoves) {
   WriteReport report;
   const std::string out = files.write(file, X, "b.ply", {}, &report);
   EXPECT_EQ(different_lines(out, float_triangle), (std::vector<int>{4, 5, 6, 11}));
-  EXPECT_NE(out.find("property double x\nproperty float64 y\nproperty double z\n"), std::string::npos);
+  EXPECT_NE(out.find("property double x\nproperty float64 y\nproperty double z\n"),
+            std::string::npos);
   EXPECT_NE(out.find("\n0.3333333333333333 0 0.1\n"), std::string::npos);
   EXPECT_EQ(report.notes.size(), 1U);
 }
@@ -184,7 +197,8 @@ TEST(PlyFile, DropsNormalsInIntegers) {
       "ply\nformat ascii 1.0\nelement vertex 3\nproperty char nx\nproperty char ny\n"
       "property double x\nproperty double y\nproperty double z\nproperty char nz\n"
       "element face 1\nproperty list uchar int vertex_indices\nend_header\n"
-      "0 0 0 0 0 127\n0 0 1 0 0 127\n0 0 0 1 0 127\n3 0 1 2\n", "a.ply");
+      "0 0 0 0 0 127\n0 0 1 0 0 127\n0 0 0 1 0 127\n3 0 1 2\n",
+      "a.ply");
   Points X = file.mesh().X;
   X(0, 2) = 4;
   WriteReport report;
@@ -199,7 +213,8 @@ TEST(PlyFile, ReadsTriangleStrips) {
   const MeshFile file = expect_carried(
       "ply\nformat ascii 1.0\nelement vertex 5\nproperty double x\nproperty double y\n"
       "property double z\nelement tristrips 1\nproperty list int int vertex_indices\nend_header\n"
-      "0 0 0\n1 0 0\n0 1 0\n1 1 0\n0 2 0\n9 0 1 2 3 4 4 -1 4 3\n", "a.ply");
+      "0 0 0\n1 0 0\n0 1 0\n1 1 0\n0 2 0\n9 0 1 2 3 4 4 -1 4 3\n",
+      "a.ply");
   EXPECT_EQ(file.mesh().faces.corner, (std::vector<Index>{0, 1, 2, 2, 1, 3, 2, 3, 4}));
 }
 
@@ -241,8 +256,10 @@ TEST(PlyFile, RefusesBadHeaders) {
             "a.ply:3:16: the vertices have no scalar properties x, y and z; in '1'");
   EXPECT_EQ(refused(ascii("element vertex 1\n" + xyz + "property float x\n", "0 0 0 0\n")),
             "a.ply:7:1: 'vertex' has two properties 'x': in 'property'");
-  EXPECT_EQ(refused(ascii("element vertex 1\n" + xyz + "element face 1\nproperty list float int "
-                          "vertex_indices\n", "0 0 0\n3 0 0 0\n")),
+  EXPECT_EQ(refused(ascii("element vertex 1\n" + xyz +
+                              "element face 1\nproperty list float int "
+                              "vertex_indices\n",
+                          "0 0 0\n3 0 0 0\n")),
             "a.ply:8:15: the count of a list must be an integer in 'float'");
 }
 
@@ -267,7 +284,8 @@ TEST(PlyFile, RefusesBadRows) {
             "a.ply:11:7: the row has more values than the header declares in '9'");
   EXPECT_EQ(refused("0 0 0\n1 0\n0 1 0\n3 0 1 2\n").substr(0, 11), "a.ply:12:3:");
   EXPECT_EQ(refused("0 0 0\n1 0 x\n0 1 0\n3 0 1 2\n"), "a.ply:11:5: not a number in 'x'");
-  EXPECT_EQ(refused("0 0 0\n1 0 inf\n0 1 0\n3 0 1 2\n"), "a.ply:11:5: not a finite number in 'inf'");
+  EXPECT_EQ(refused("0 0 0\n1 0 inf\n0 1 0\n3 0 1 2\n"),
+            "a.ply:11:5: not a finite number in 'inf'");
   EXPECT_EQ(refused("0 0 0\n1 0 0\n0 1 0\n2 0 1\n"),
             "a.ply:13:3: a face needs at least three corners in '0'");
   EXPECT_EQ(refused("0 0 0\n1 0 0\n0 1 0\n999999 0 1\n"),

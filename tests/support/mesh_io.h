@@ -28,8 +28,8 @@ class MeshFiles {
   TemporaryDirectory directory_;
 };
 
-/// The message of the BadFile that reading the bytes as a file called `name` must throw; empty (and a
-/// failed expectation) where it throws none.
+/// The message of the BadFile that reading the bytes as a file called `name` must throw; empty (and
+/// a failed expectation) where it throws none.
 std::string read_error(std::string_view bytes, const std::string& name);
 
 /// The law of every file that can be patched: written back with nothing moved it is the same bytes;

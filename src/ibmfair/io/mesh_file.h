@@ -18,8 +18,9 @@ class SourceBytes;  // io/source_bytes.h
 
 /// How to read a file.
 struct ReadOptions {
-  std::string format;  ///< name or extension of a format; empty: by the path, then by the content
-  bool weld = false;   ///< merge vertices at exactly the same place
+  std::string format =
+      {};             ///< name or extension of a format; empty: by the path, then by the content
+  bool weld = false;  ///< merge vertices at exactly the same place
 };
 
 /// A parsed mesh together with the bytes that it was parsed from. Cheap to copy.
@@ -75,8 +76,8 @@ struct WriteOptions {
   /// that the result is kept exactly, or kept as they are, so that it is rounded.
   enum class PlyReal : std::uint8_t { promote, keep };
 
-  std::string format;      ///< name or extension; empty: by the path, for "-" the source's own
-  bool overwrite = false;  ///< whether an existing file may be replaced
+  std::string format = {};  ///< name or extension; empty: by the path, for "-" the source's own
+  bool overwrite = false;   ///< whether an existing file may be replaced
   PlyReal ply_real = PlyReal::promote;
 };
 
