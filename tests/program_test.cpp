@@ -1,6 +1,8 @@
 // The real program, run as its users run it.
 #include <cmath>
-#include <cstdlib>
+#include <csignal>
+#include <cstdint>
+#include <filesystem>
 #include <numbers>
 #include <string>
 #include <vector>
@@ -183,7 +185,7 @@ TEST(Program, GeometryThatCannotBeProcessedHasExitCode4) {
 
 TEST(Program, OutputThatCannotBeWrittenHasExitCode6AndLeavesNothing) {
   const TemporaryDirectory directory;
-  for (const std::string path :
+  for (const std::string& path :
        {directory / "missing/out.obj", std::string("/proc/out.obj"), directory.path().string()}) {
     SCOPED_TRACE(path);
     EXPECT_EQ(run_program({"make", "cube", path, "--format", "obj", "--overwrite"}).exit_code, 6);
@@ -210,13 +212,41 @@ TEST(Program, StandardOutputThatIsGoneIsAnErrorNotACrash) {
        {StandardOutput::closed, StandardOutput::broken_pipe, StandardOutput::full}) {
     for (const Words& arguments :
          {Words{"--help"}, Words{"--version"}, Words{"info", "-"}, Words{"info", "-", "--json"},
-          Words{"compare", "-", "--sphere", "1"}, Words{"smooth", "-", "-"},
-          Words{"make", "icosphere", "-", "--subdivide", "5", "--format", "ply"}}) {
+          Words{"compare", "-", "--sphere", "1"}, Words{"smooth", "-", "-", "--steps", "0"},
+          Words{"make", "icosphere", "-", "--subdivide", "4", "--format", "ply"}}) {
       const RunResult result = run_program(arguments, {.input = cube, .output = output});
       EXPECT_EQ(result.exit_code, 6) << arguments.front() << " " << static_cast<int>(output);
       EXPECT_TRUE(contains(result.err, "standard output")) << result.err;
     }
   }
+}
+
+TEST(Program, AnInterruptHasExitCode130AndLeavesNothing) {
+  const TemporaryDirectory directory;
+  std::string endless = "# a file that goes on\n";
+  while (endless.size() < 1U << 20U) {
+    endless += "v 0.25 0.5 0.75\n";
+  }
+  for (const Words& arguments : {Words{"info", "-"}, Words{"smooth", "-", directory / "out.obj"}}) {
+    EXPECT_EQ(run_program(arguments, {.input = endless, .signal_number = SIGINT}).exit_code, 130);
+    EXPECT_EQ(run_program(arguments, {.input = endless, .signal_number = SIGTERM}).exit_code, 143);
+  }
+  EXPECT_EQ(directory.entries(), 0U);
+}
+
+TEST(Program, TooLittleMemoryHasExitCode5) {
+#ifdef __SANITIZE_ADDRESS__
+  GTEST_SKIP() << "AddressSanitizer needs all of the address space";
+#endif
+  if (!std::filesystem::exists("/usr/bin/prlimit")) {
+    GTEST_SKIP() << "no prlimit";
+  }
+  const RunResult result =
+      run_program({"make", "icosphere", "-", "--format", "off", "--subdivide", "9"},
+                  {.address_space = std::int64_t{3} << 27U});
+  EXPECT_EQ(result.exit_code, 5) << result.err;
+  EXPECT_EQ(result.out, "");
+  EXPECT_TRUE(contains(result.err, "memory")) << result.err;
 }
 
 TEST(Program, MeshesGoThroughPipesInEveryFormat) {
@@ -275,7 +305,8 @@ TEST(Make, NoiseHasTheStandardDeviationAskedFor) {
   const Words shape{"icosphere", "--subdivide", "5", "--scale", "7", "--move", "1,2,3"};
   test::write_bytes(directory / "clean.off", made(shape));
   test::write_bytes(directory / "noisy.off", made(shape + Words{"--noise", "0.3"}));
-  const json found = figures({"compare", directory / "clean.off", directory / "noisy.off"});
+  const json found =
+      figures({"compare", directory / "clean.off", directory / "noisy.off", "--samples", "1"});
   const json& distance = found["vertex_distance"];
   // Three coordinates; five standard errors of 30726 normal numbers.
   EXPECT_NEAR(distance["rms"].get<double>() / distance["mean_edge"].get<double>(),
@@ -361,10 +392,12 @@ TEST(Compare, ToleranceDecidesTheExitCode) {
   const std::string b = directory / "b.ply";
   test::write_bytes(a, made({"plane"}));
   test::write_bytes(b, made({"plane", "--move", "0,0,0.125", "--columns", "11"}, "ply"));
-  EXPECT_EQ(run_program({"compare", a, a, "--tolerance", "0"}).exit_code, 0);
-  EXPECT_EQ(run_program({"compare", a, b, "--tolerance", "0.1251"}).exit_code, 0);
-  EXPECT_EQ(run_program({"compare", a, b, "--tolerance", "0.1249"}).exit_code, 1);
-  const json found = figures({"compare", a, b});
+  EXPECT_EQ(run_program({"compare", a, a, "--tolerance", "0", "--samples", "999"}).exit_code, 0);
+  EXPECT_EQ(run_program({"compare", a, b, "--tolerance", "0.1251", "--samples", "999"}).exit_code,
+            0);
+  EXPECT_EQ(run_program({"compare", a, b, "--tolerance", "0.1249", "--samples", "999"}).exit_code,
+            1);
+  const json found = figures({"compare", a, b, "--samples", "999"});
   EXPECT_EQ(found["same_connectivity"], false);
   EXPECT_NEAR(found["surface_distance"]["a_to_b"]["max"], 0.125, 1e-15);
   EXPECT_NEAR(found["surface_distance"]["b_to_a"]["rms"], 0.125, 1e-15);
@@ -396,7 +429,8 @@ TEST(Compare, DoesNotDependOnTheNumberOfThreads) {
   const TemporaryDirectory directory;
   test::write_bytes(directory / "a.off", made({"torus", "--noise", "0.2"}));
   test::write_bytes(directory / "b.off", made({"torus", "--noise", "0.1", "--straight"}));
-  const Words both{"compare", directory / "a.off", directory / "b.off", "--json", "--threads"};
+  const Words both{"compare", directory / "a.off", directory / "b.off", "--json", "--samples",
+                   "3000",    "--threads"};
   const RunResult one = run_program(both + Words{"1"});
   EXPECT_EQ(one.exit_code, 0) << one.err;
   EXPECT_EQ(one.out, run_program(both + Words{"2"}).out);

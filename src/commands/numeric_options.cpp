@@ -72,7 +72,7 @@ std::vector<double> parse_reals_option(std::string_view name, std::string_view t
 
 CLI::Option* add_parsed_option(CLI::App& app, const std::string& name, const std::string& type,
                                const std::string& help,
-                               std::function<void(const std::string&)> set) {
+                               const std::function<void(const std::string&)>& set) {
   return app.add_option_function<std::string>(name, set, help)->type_name(type);
 }
 

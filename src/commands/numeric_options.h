@@ -41,7 +41,7 @@ std::vector<double> parse_reals_option(std::string_view name, std::string_view t
 /// Declares an option whose text goes to `set`, which throws BadOption where it does not like it.
 CLI::Option* add_parsed_option(CLI::App& app, const std::string& name, const std::string& type,
                                const std::string& help,
-                               std::function<void(const std::string&)> set);
+                               const std::function<void(const std::string&)>& set);
 
 /// Declares an option for a number; Target is a number or std::optional of one.
 template <class Target>

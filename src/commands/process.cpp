@@ -1,9 +1,9 @@
 #include "commands/process.h"
 
+#include <csignal>
 #include <initializer_list>
 
 #include <fcntl.h>
-#include <signal.h>
 #include <unistd.h>
 
 namespace ibmfair::commands {

@@ -2,12 +2,12 @@
 
 #include <array>
 #include <cerrno>
+#include <csignal>
 #include <stdexcept>
 #include <string_view>
 
 #include <fcntl.h>
 #include <poll.h>
-#include <signal.h>
 #include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -127,14 +127,18 @@ pid_t spawn(const std::vector<std::string>& arguments, const RunOptions& options
     posix_spawn_file_actions_addchdir_np(actions.get(), options.directory.c_str());
   }
 
-  std::vector<std::string> words{IBMFAIR_PROGRAM};
+  std::vector<std::string> words;
+  if (options.address_space > 0) {
+    words = {"/usr/bin/prlimit", "--as=" + std::to_string(options.address_space)};
+  }
+  words.emplace_back(IBMFAIR_PROGRAM);
   words.insert(words.end(), arguments.begin(), arguments.end());
   std::vector<std::string> variables = environment_with(options.environment);
   SpawnAttributes attributes;
   pid_t child = -1;
-  if (posix_spawn(&child, IBMFAIR_PROGRAM, actions.get(), attributes.get(), pointers(words).data(),
-                  pointers(variables).data()) != 0) {
-    throw std::runtime_error("cannot run " IBMFAIR_PROGRAM);
+  if (posix_spawn(&child, words.front().c_str(), actions.get(), attributes.get(),
+                  pointers(words).data(), pointers(variables).data()) != 0) {
+    throw std::runtime_error("cannot run " + words.front());
   }
   return child;
 }
@@ -143,8 +147,7 @@ void feed(Descriptor& pipe, std::string_view& rest) {
   const ssize_t count = write(pipe.get(), rest.data(), rest.size());
   if (count > 0) {
     rest.remove_prefix(static_cast<std::size_t>(count));
-  }
-  if (rest.empty() || (count < 0 && errno != EINTR && errno != EAGAIN)) {
+  } else if (count < 0 && errno != EINTR && errno != EAGAIN) {
     pipe.close();
   }
 }
@@ -161,16 +164,23 @@ void drain(Descriptor& pipe, std::string& collected) {
 
 // Serves all three pipes at once: a program that fills one while the test waits on another would
 // otherwise never end. Returns whether all were served within the limit.
-bool exchange(Pipe& in, Pipe& out, Pipe& err, const RunOptions& options, RunResult& result) {
+bool exchange(pid_t child, Pipe& in, Pipe& out, Pipe& err, const RunOptions& options,
+              RunResult& result) {
   using clock = std::chrono::steady_clock;
   const clock::time_point end = clock::now() + options.limit;
   std::string_view rest = options.input;
   fcntl(in.writer.get(), F_SETFL, O_NONBLOCK);
-  if (rest.empty()) {
-    in.writer.close();
-  }
+  bool fed = false;
   while (out.reader.open() || err.reader.open()) {
-    std::array<pollfd, 3> waits{{{in.writer.get(), POLLOUT, 0},
+    if (rest.empty() && !fed) {
+      fed = true;
+      if (options.signal_number == 0) {
+        in.writer.close();
+      } else {
+        kill(child, options.signal_number);
+      }
+    }
+    std::array<pollfd, 3> waits{{{fed ? -1 : in.writer.get(), POLLOUT, 0},
                                  {out.reader.get(), POLLIN, 0},
                                  {err.reader.get(), POLLIN, 0}}};
     poll(waits.data(), waits.size(), 1000);
@@ -210,7 +220,7 @@ RunResult run_program(const std::vector<std::string>& arguments, const RunOption
   }
 
   RunResult result;
-  const bool ended = exchange(in, out, err, options, result);
+  const bool ended = exchange(child, in, out, err, options, result);
   if (!ended) {
     kill(child, SIGKILL);
   }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <chrono>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -20,6 +21,10 @@ struct RunOptions {
   std::string directory = {};                 ///< working directory; empty: the test's own
   std::vector<std::string> environment = {};  ///< `NAME=value`, on top of the test's own
   std::chrono::seconds limit{120};            ///< the program is killed after this long
+  std::int64_t address_space = 0;  ///< bytes that the program may map (by prlimit); 0: no limit
+  /// Sent once the program has taken the input, whose end it does not get to see; 0: none. Input of
+  /// more than the 64 kB that a pipe holds makes sure that the program is reading by then.
+  int signal_number = 0;
 };
 
 struct RunResult {

@@ -1,6 +1,7 @@
 #include "ibmfair/measure/exact_surface.h"
 
 #include <cmath>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -8,7 +9,7 @@
 
 namespace ibmfair {
 
-ExactSphere::ExactSphere(const Vec3& center, double radius) : center_(center), radius_(radius) {
+ExactSphere::ExactSphere(Vec3 center, double radius) : center_(std::move(center)), radius_(radius) {
   if (!(radius > 0.0 && std::isfinite(radius))) {
     throw BadOption(fmt::format("a sphere of radius {} cannot be", radius));
   }
@@ -23,8 +24,8 @@ Vec3 ExactSphere::normal(const Vec3& x) const {
   return d.norm() > 0.0 ? Vec3(d.normalized()) : Vec3::UnitZ();
 }
 
-ExactTorus::ExactTorus(const Vec3& center, double axis_radius, double tube_radius)
-    : center_(center), axis_radius_(axis_radius), tube_radius_(tube_radius) {
+ExactTorus::ExactTorus(Vec3 center, double axis_radius, double tube_radius)
+    : center_(std::move(center)), axis_radius_(axis_radius), tube_radius_(tube_radius) {
   if (!(axis_radius > tube_radius && tube_radius > 0.0 && std::isfinite(axis_radius))) {
     throw BadOption(fmt::format("a torus of radii {} and {} cannot be: the first must be larger",
                                 axis_radius, tube_radius));

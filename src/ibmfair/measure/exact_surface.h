@@ -23,7 +23,7 @@ class ExactSurface {
 /// Throws BadOption for a radius that is not positive.
 class ExactSphere : public ExactSurface {
  public:
-  ExactSphere(const Vec3& center, double radius);
+  ExactSphere(Vec3 center, double radius);
   double signed_distance(const Vec3& x) const override;
   Vec3 normal(const Vec3& x) const override;
 
@@ -37,7 +37,7 @@ class ExactSphere : public ExactSurface {
 /// axis_radius > tube_radius > 0.
 class ExactTorus : public ExactSurface {
  public:
-  ExactTorus(const Vec3& center, double axis_radius, double tube_radius);
+  ExactTorus(Vec3 center, double axis_radius, double tube_radius);
   double signed_distance(const Vec3& x) const override;
   Vec3 normal(const Vec3& x) const override;
 
