@@ -6,16 +6,20 @@
 
 namespace ibmfair {
 
-/// A measure of what `step` (one row per unknown, length) does to the triangles; 1 is as much as
-/// one time step should. It is the larger of
-///   roughness: the part of each vertex's move that its neighbours do not share, over its edge
-///              length, root mean square, over 0.15: noise being removed is rough;
+/// The part of each unknown's move that its neighbours do not share: `step` (one row per unknown,
+/// length) minus the mean of the neighbours' moves, held ones being 0.
+Points own_moves(const Points& step, const Topology& topology, const Unknowns& unknowns);
+
+/// A measure of what `step` does to the triangles; 1 is as much as one time step should. It is the
+/// larger of
+///   roughness: the own part of the moves over the edge length, root mean square, over 0.15: noise
+///              being removed is rough;
 ///   strain:    the difference of the moves along each edge over its length, root mean square, over
 ///              0.4: large smooth moves stretch and turn the surface without being rough.
 /// Steps beyond let noise grow into volume; the two limits were chosen on noisy spheres, tori and
 /// scans (tools/denoise_table) and on smooth shapes that change a lot (tools/figure9_table).
-/// `edge_length` is #V, the mean length of the edges at each vertex.
-double distortion(const Points& step, const Topology& topology, const Unknowns& unknowns,
-                  const PerVertex& edge_length);
+/// `own` is what own_moves gives, `edge_length` (#V) the mean length of the edges at each vertex.
+double distortion(const Points& step, const Points& own, const Topology& topology,
+                  const Unknowns& unknowns, const PerVertex& edge_length);
 
 }  // namespace ibmfair

@@ -70,12 +70,11 @@ class GuardedFlow {
     record.gradient_norm = p_.gradient_norm();
     record.held_back = (p_.jacobian().damping().array() > 1).count();
     fraction_ = std::min(1.0, left_ / p_.jacobian().time_step());
-    distortion_ = fraction_ * distortion(step, p_.topology, p_.unknowns, edge_length_);
-    if (distortion_ > 1) {
+    if (distorts(step)) {
       cut_time_step();
       return true;
     }
-    record.held_back += shorten_long_moves(step);
+    record.held_back += shorten_own_moves(step);
     if (!search(step, record)) {
       recover(step, fresh);
       return true;
@@ -119,14 +118,22 @@ class GuardedFlow {
     ++p_.report.rejected;
   }
 
-  /// No vertex moves by more than its mean edge length in one step. Returns how many would have.
-  std::int64_t shorten_long_moves(Points& step) const {
+  bool distorts(const Points& step) {
+    const Stopwatch watch(p_.report.seconds.guard);
+    own_ = own_moves(step, p_.topology, p_.unknowns);
+    distortion_ = fraction_ * distortion(step, own_, p_.topology, p_.unknowns, edge_length_);
+    return distortion_ > 1;
+  }
+
+  /// No vertex leaves its neighbours by more than its mean edge length in one step. Returns how
+  /// many would have.
+  std::int64_t shorten_own_moves(Points& step) const {
     std::int64_t shortened = 0;
     for (Index u = 0; u < p_.unknowns.size(); ++u) {
       const double limit = edge_length_[p_.unknowns.vertex[u]];
-      const double length = step.row(u).norm();
+      const double length = own_.row(u).norm();
       if (length > limit) {
-        step.row(u) *= limit / length;
+        step.row(u) -= (1 - limit / length) * own_.row(u);
         ++shortened;
       }
     }
@@ -268,6 +275,7 @@ class GuardedFlow {
   double slope_ = 0, metric_part_ = 0;  // of the whole step d: <-g,d> and <d,Dd>/h
   double distortion_ = 0;
   double trial_energy_ = 0, energy_before_step_ = 0;
+  Points own_;   // the part of the step that neighbours do not share
   Points move_;  // the move that is tried, one row per unknown
   Points Y_;     // where it leads
 };
