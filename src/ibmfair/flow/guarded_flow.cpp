@@ -18,7 +18,7 @@ namespace {
 constexpr double least_decrease = 0.1;  // of the predicted decrease, to accept a step
 constexpr double stale_decrease = 0.1;  // at or below, the Jacobian has gone stale
 constexpr double good_decrease = 0.5;   // above, a time step that was cut may grow again
-constexpr double cut = 1.0 / 16;        // of the time step, where a step distorts too much or fails
+constexpr double cut = 1.0 / 32;        // of the time step, where a step distorts too much or fails
 constexpr double growth = 2, fast_growth = 4;  // of the time step; fast below half the distortion
 constexpr double heavier = 16, lighter = 4;    // factors of local damping
 constexpr double culprit_share = 0.05;         // of the largest uphill slope, to be damped
