@@ -11,7 +11,7 @@ configure() {
   if [[ ! -e $directory/CMakeCache.txt ]] && command -v ninja >/dev/null; then
     set -- -G Ninja "$@"
   fi
-  cmake -S . -B "$directory" --log-level=WARNING "$@"
+  cmake -S . -B "$directory" "$@" >/dev/null
 }
 
 # compile DIR [TARGET...]: what is out of date, with all cores.

@@ -67,7 +67,7 @@ Image develop(const Visibility& seen, const std::vector<Light>& triangle_light,
   const Silhouette silhouette(seen, options.samples);
   const Light background = light_of(options.background);
   const Light line = light_of(line_colour);
-  const auto sample = [&](int column, int row) {
+  const auto sample = [&](int column, int row) -> const Light& {
     const Index t = seen.triangle[seen.pixel(column, row)];
     if (t == Visibility::nothing) {
       return background;
