@@ -1,0 +1,30 @@
+"""What the scripts that print tables share: running ibmfair and reading its reports."""
+
+import json
+import os
+import subprocess
+import sys
+
+ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+PROGRAM = os.environ.get("IBMFAIR", os.path.join(ROOT, "build", "ibmfair"))
+SHARED = os.path.join(os.path.dirname(ROOT), "shared", "meshes")  # real meshes, where present
+
+
+def ibmfair(*arguments):
+    """Runs the program; returns its standard output, parsed where it is JSON."""
+    if not os.access(PROGRAM, os.X_OK):
+        sys.exit(f"{PROGRAM}: not built yet; run tools/demo, or name the program in IBMFAIR")
+    run = subprocess.run([PROGRAM, *map(str, arguments)], capture_output=True, text=True)
+    if run.returncode != 0:
+        sys.exit(f"ibmfair {' '.join(map(str, arguments))}: exit {run.returncode}\n{run.stderr}")
+    return json.loads(run.stdout) if run.stdout.startswith("{") else run.stdout
+
+
+def smooth(source, target, *options):
+    """Smooths and returns the report."""
+    return ibmfair("smooth", source, target, "--json", "--quiet", "--overwrite", *options)
+
+
+def row(cells, widths):
+    print("  ".join(str(cell).rjust(width) if i else str(cell).ljust(width)
+                    for i, (cell, width) in enumerate(zip(cells, widths))))
