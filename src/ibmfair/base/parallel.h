@@ -7,10 +7,13 @@
 
 namespace ibmfair {
 
+/// Loops shorter than this run on one thread: waking the others would take longer.
+inline constexpr std::int64_t worth_sharing = 16384;
+
 /// Calls body(i) for every i in 0 .. count - 1, in parallel; bodies must not write the same place.
 template <class Body>
 void parallel_for(std::int64_t count, Body&& body) {
-#pragma omp parallel for schedule(static)
+#pragma omp parallel for schedule(static) if (count >= worth_sharing)
   for (std::int64_t i = 0; i < count; ++i) {
     body(i);
   }
@@ -23,7 +26,7 @@ double parallel_sum(std::int64_t count, Body&& body) {
   constexpr std::int64_t block = 1024;
   const std::int64_t blocks = (count + block - 1) / block;
   std::vector<double> partial(static_cast<std::size_t>(blocks));
-#pragma omp parallel for schedule(static)
+#pragma omp parallel for schedule(static) if (count >= worth_sharing)
   for (std::int64_t b = 0; b < blocks; ++b) {
     double sum = 0;
     for (std::int64_t i = b * block; i < std::min(count, (b + 1) * block); ++i) {
