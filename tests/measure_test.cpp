@@ -121,8 +121,8 @@ TEST(SphereFit, IsALocalMinimum) {
     }
     SCOPED_TRACE(name);
     const SphereFit fit = fit_sphere(mesh.X);
-    const auto variance = [&](const Vec3& center) {
-      const Eigen::VectorXd d = (mesh.X.rowwise() - center.transpose()).rowwise().norm();
+    const auto variance = [&X = mesh.X](const Vec3& center) {
+      const Eigen::VectorXd d = (X.rowwise() - center.transpose()).rowwise().norm();
       return (d.array() - d.mean()).square().mean();
     };
     const double best = variance(fit.center);

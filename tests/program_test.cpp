@@ -41,7 +41,7 @@ json figures(const Words& arguments, const RunOptions& options = {}) {
   const RunResult result = run_program(arguments + Words{"--json"}, options);
   EXPECT_EQ(result.exit_code, 0) << result.err;
   EXPECT_EQ(result.err, "");
-  const json parsed = json::parse(result.out, nullptr, false);
+  json parsed = json::parse(result.out, nullptr, false);
   EXPECT_FALSE(parsed.is_discarded()) << result.out;
   EXPECT_EQ(parsed.value("version", 0), 1);
   return parsed;

@@ -43,7 +43,7 @@ Mesh make_grid(Index columns, Index rows, Seam across, Seam along,
   const Index width = across == Seam::open ? columns + 1 : columns;
   const Index height = along == Seam::open ? rows + 1 : rows;
   Mesh mesh;
-  mesh.X.resize(width * height, 3);
+  mesh.X.resize(Eigen::Index{width} * height, 3);
   for (Index j = 0; j < height; ++j) {
     for (Index i = 0; i < width; ++i) {
       mesh.X.row(j * width + i) =

@@ -12,8 +12,6 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-extern char** environ;
-
 namespace ibmfair::test {
 
 namespace {
@@ -88,6 +86,7 @@ class SpawnAttributes {
 
 std::vector<char*> pointers(std::vector<std::string>& strings) {
   std::vector<char*> result;
+  result.reserve(strings.size() + 1);
   for (std::string& s : strings) {
     result.push_back(s.data());
   }
