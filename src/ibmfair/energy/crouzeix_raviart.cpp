@@ -117,14 +117,7 @@ double CrouzeixRaviart::energy_and_gradient(const Points& X, Points& G) {
     forces_[h] = hinge_gradient(X, static_cast<Index>(h));
     return hinge_energy(X, static_cast<Index>(h));
   });
-  G.resize(X.rows(), 3);
-  parallel_for(X.rows(), [&](std::int64_t v) {
-    Vec3 sum = Vec3::Zero();
-    for (const Index place : places_[static_cast<Index>(v)]) {
-      sum += forces_[place / 4][place % 4];
-    }
-    G.row(v) = sum;
-  });
+  gather(places_, forces_, G);
   return E;
 }
 

@@ -126,14 +126,7 @@ void Lagrange::triangle_gradient(const Points& X, Index t) {
 double Lagrange::energy_and_gradient(const Points& X, Points& G) {
   const double E = energy(X);
   parallel_for(F_.rows(), [&](std::int64_t t) { triangle_gradient(X, static_cast<Index>(t)); });
-  G.resize(X.rows(), 3);
-  parallel_for(X.rows(), [&](std::int64_t v) {
-    Vec3 sum = Vec3::Zero();
-    for (const Index place : places_[static_cast<Index>(v)]) {
-      sum += forces_[place / 3][place % 3];
-    }
-    G.row(v) = sum;
-  });
+  gather(places_, forces_, G);
   return E;
 }
 
