@@ -52,17 +52,25 @@ TriangleMesh subdivide(TriangleMesh mesh, const Subdivision& subdivision,
   return mesh;
 }
 
+// From plain lists: Eigen's comma initialiser takes a compiler with sanitizers minutes.
+template <std::size_t VertexCount, std::size_t FaceCount>
+TriangleMesh from_lists(const double (&positions)[VertexCount][3],
+                        const Index (&corners)[FaceCount][3]) {
+  return {Eigen::Map<const Points>(&positions[0][0], VertexCount, 3),
+          Eigen::Map<const Triangles>(&corners[0][0], FaceCount, 3)};
+}
+
 TriangleMesh icosahedron() {
   const double p = 0.5 * (1.0 + std::sqrt(5.0));
-  TriangleMesh mesh{Points(12, 3), Triangles(20, 3)};
-  mesh.X << -1, p, 0, 1, p, 0, -1, -p, 0, 1, -p, 0,  //
-      0, -1, p, 0, 1, p, 0, -1, -p, 0, 1, -p,        //
-      p, 0, -1, p, 0, 1, -p, 0, -1, -p, 0, 1;
+  const double positions[12][3] = {{-1, p, 0}, {1, p, 0}, {-1, -p, 0}, {1, -p, 0},
+                                   {0, -1, p}, {0, 1, p}, {0, -1, -p}, {0, 1, -p},
+                                   {p, 0, -1}, {p, 0, 1}, {-p, 0, -1}, {-p, 0, 1}};
+  constexpr Index corners[20][3] = {{0, 11, 5}, {0, 5, 1},  {0, 1, 7},   {0, 7, 10}, {0, 10, 11},
+                                    {1, 5, 9},  {5, 11, 4}, {11, 10, 2}, {10, 7, 6}, {7, 1, 8},
+                                    {3, 9, 4},  {3, 4, 2},  {3, 2, 6},   {3, 6, 8},  {3, 8, 9},
+                                    {4, 9, 5},  {2, 4, 11}, {6, 2, 10},  {8, 6, 7},  {9, 8, 1}};
+  TriangleMesh mesh = from_lists(positions, corners);
   mesh.X.rowwise().normalize();
-  mesh.F << 0, 11, 5, 0, 5, 1, 0, 1, 7, 0, 7, 10, 0, 10, 11,  //
-      1, 5, 9, 5, 11, 4, 11, 10, 2, 10, 7, 6, 7, 1, 8,        //
-      3, 9, 4, 3, 4, 2, 3, 2, 6, 3, 6, 8, 3, 8, 9,            //
-      4, 9, 5, 2, 4, 11, 6, 2, 10, 8, 6, 7, 9, 8, 1;
   return mesh;
 }
 
@@ -77,20 +85,21 @@ TriangleMesh make_icosphere(const Subdivision& subdivision) {
 }
 
 TriangleMesh make_cube(const Subdivision& subdivision) {
-  TriangleMesh mesh{Points(8, 3), Triangles(12, 3)};
-  mesh.X << -1, -1, -1, 1, -1, -1, 1, 1, -1, -1, 1, -1,  //
-      -1, -1, 1, 1, -1, 1, 1, 1, 1, -1, 1, 1;
-  mesh.F << 0, 3, 2, 0, 2, 1, 4, 5, 6, 4, 6, 7, 0, 1, 5, 0, 5, 4,  //
-      1, 2, 6, 1, 6, 5, 2, 3, 7, 2, 7, 6, 3, 0, 4, 3, 4, 7;
-  return subdivide(std::move(mesh), subdivision, keep_in_place);
+  constexpr double positions[8][3] = {{-1, -1, -1}, {1, -1, -1}, {1, 1, -1}, {-1, 1, -1},
+                                      {-1, -1, 1},  {1, -1, 1},  {1, 1, 1},  {-1, 1, 1}};
+  constexpr Index corners[12][3] = {{0, 3, 2}, {0, 2, 1}, {4, 5, 6}, {4, 6, 7},
+                                    {0, 1, 5}, {0, 5, 4}, {1, 2, 6}, {1, 6, 5},
+                                    {2, 3, 7}, {2, 7, 6}, {3, 0, 4}, {3, 4, 7}};
+  return subdivide(from_lists(positions, corners), subdivision, keep_in_place);
 }
 
 TriangleMesh make_hexagon(const Subdivision& subdivision) {
   const double h = 0.5 * std::sqrt(3.0);
-  TriangleMesh mesh{Points(7, 3), Triangles(6, 3)};
-  mesh.X << 0, 0, 0, 1, 0, 0, 0.5, h, 0, -0.5, h, 0, -1, 0, 0, -0.5, -h, 0, 0.5, -h, 0;
-  mesh.F << 0, 1, 2, 0, 2, 3, 0, 3, 4, 0, 4, 5, 0, 5, 6, 0, 6, 1;
-  return subdivide(std::move(mesh), subdivision, keep_in_place);
+  const double positions[7][3] = {{0, 0, 0},  {1, 0, 0},     {0.5, h, 0}, {-0.5, h, 0},
+                                  {-1, 0, 0}, {-0.5, -h, 0}, {0.5, -h, 0}};
+  constexpr Index corners[6][3] = {{0, 1, 2}, {0, 2, 3}, {0, 3, 4},
+                                   {0, 4, 5}, {0, 5, 6}, {0, 6, 1}};
+  return subdivide(from_lists(positions, corners), subdivision, keep_in_place);
 }
 
 }  // namespace ibmfair
