@@ -1,6 +1,7 @@
 // OBJ: what goes in comes out, and what cannot is refused with its place.
 #include <cmath>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "ibmfair/base/errors.h"
@@ -142,9 +143,9 @@ TEST(ObjFile, AcceptsEveryWayToLayOutLines) {
   for (const std::string end : {"\n", "\r\n", "\r"}) {
     for (const bool mark : {false, true}) {
       for (const bool last : {false, true}) {
-        const std::string text = (mark ? "\xEF\xBB\xBF" : "") + std::string("v 0 0 0  \t") + end +
-                                 "\tv\t1   0 0" + end + end + "  v 0 1 0 # C:\\dir\\" + end +
-                                 "f 1 \\" + end + " 2 3" + end + "f 3 2 1" + (last ? end : "");
+        const std::string text = fmt::format(
+            "{1}v 0 0 0  \t{0}\tv\t1   0 0{0}{0}  v 0 1 0 # C:\\dir\\{0}f 1 \\{0} 2 3{0}f 3 2 1{2}",
+            end, mark ? "\xEF\xBB\xBF" : "", last ? end : "");
         SCOPED_TRACE(testing::PrintToString(text));
         const MeshFile file = expect_carried(text, "a.obj");
         EXPECT_EQ(file.mesh().X.rows(), 3);

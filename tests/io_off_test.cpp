@@ -16,8 +16,7 @@ TEST(OffFile, AcceptsEveryWayToLayOutNumbers) {
            "OFF 4 2 5\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2\n3 0 2 3",
            "OFF4 2 5\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2\n3 0 2 3",
            "4 2 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2\n3 0 2 3\n",
-           "# first\n\nOFF # keyword\n#\n4 2 # no edges\n0 0 0#red\n1 0 0\n#\n1 1 0\n\n0 1 0\n"
-           "3 0 1 2 # a\n3 0 2 3\n# end",
+           "#\n\nOFF # a\n#\n4 2 # b\n0 0 0#red\n1 0 0\n#\n1 1 0\n\n0 1 0\n3 0 1 2 # c\n3 0 2 3\n#",
            "OFF\r\n4 2 5\r\n0 0 0\r\n1 0 0\r\n1 1 0\r\n0 1 0\r\n3 0 1 2\r\n3 0 2 3\r\n",
            "OFF\r4 2 5\r0 0 0\r1 0 0\r1 1 0\r0 1 0\r3 0 1 2\r3 0 2 3\r",
            "OFF 4 2 5 0 0 0 1 0 0 1 1 0 0 1 0 3 0 1 2 3 0 2 3",
@@ -76,7 +75,7 @@ std::string binary_off(bool big, bool colour_counts, const std::string& prefix =
   for (const int count : {4, 2, 0})
     bytes += to_bytes(count, 4, big, false);
   for (int v = 0; v < 4; ++v) {
-    for (const double x : {v % 2 + 0.5, static_cast<double>(v / 2), 3.0}) {
+    for (const double x : {v % 2 + 0.5, v < 2 ? 0.0 : 1.0, 3.0}) {
       bytes += to_bytes(x, 4, big, true);
     }
     for (int c = 0; c < 3 && prefix == "N"; ++c)

@@ -2,6 +2,7 @@
 // allocated for it.
 #include <array>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "ibmfair/base/errors.h"
@@ -118,11 +119,11 @@ TEST(PlyFile, HeadersMayEndTheirLinesInAnyWay) {
   for (const std::string end : {"\n", "\r\n", "\r"}) {
     // 10 and 13 as first data bytes must not be taken for the end of the header.
     for (const char first : {'\n', '\r'}) {
-      std::string bytes =
-          "ply" + end + "format binary_little_endian 1.0" + end + "element lead 1" + end +
-          "property char c" + end + "element vertex 3" + end + "property float x" + end +
-          "property float y" + end + " property\tfloat  z" + end + "element face 1" + end +
-          "property list uchar uchar vertex_indices" + end + "end_header" + end + first;
+      std::string bytes = fmt::format(
+          "ply{0}format binary_little_endian 1.0{0}element lead 1{0}property char c{0}"
+          "element vertex 3{0}property float x{0}property float y{0} property\tfloat  z{0}"
+          "element face 1{0}property list uchar uchar vertex_indices{0}end_header{0}{1}",
+          end, first);
       for (const double x : {0, 0, 0, 1, 0, 0, 0, 1, 0})
         bytes += to_bytes(x, 4, false, true);
       bytes += std::string("\3\0\1\2", 4);

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <filesystem>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -231,6 +232,19 @@ TEST(Convert, WeldedFilesKeepTheirEncoding) {
     EXPECT_EQ(again.mesh().faces.corner, welded.mesh().faces.corner);
     EXPECT_EQ(again.attributes().colours, welded.attributes().colours);
   }
+}
+
+TEST(Weld, MergesEqualPositionsOnly) {
+  // A strip whose every position occurs as +0 and as -0, and once more one rounding away.
+  std::string text;
+  for (int i = 0; i < 300; ++i) {
+    for (const char* z : {"0", "-0", "5e-324"})
+      text += fmt::format("v {} {} {}\n", i, 0.1 * i, z);
+  }
+  const MeshFile file =
+      MeshFiles::read(text + "f 1 4 7\nf 5 2 3\n", "a.obj", {.format = "obj", .weld = true});
+  EXPECT_EQ(file.mesh().X.rows(), 600);
+  EXPECT_EQ(file.mesh().faces.corner, (std::vector<Index>{0, 2, 4, 2, 0, 1}));
 }
 
 TEST(ReadMesh, FindsTheFormat) {
