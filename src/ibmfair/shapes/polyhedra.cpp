@@ -52,7 +52,7 @@ TriangleMesh subdivide(TriangleMesh mesh, const Subdivision& subdivision,
   return mesh;
 }
 
-// From plain lists: Eigen's comma initialiser takes a compiler with sanitizers minutes.
+// From plain lists, which read row by row and compile faster than Eigen's comma initialiser.
 template <std::size_t VertexCount, std::size_t FaceCount>
 TriangleMesh from_lists(const double (&positions)[VertexCount][3],
                         const Index (&corners)[FaceCount][3]) {
