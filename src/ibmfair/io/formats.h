@@ -29,6 +29,7 @@ struct ParsedMesh {
 struct PatchRequest {
   const SourceBytes& source;
   const Mesh& mesh;                        ///< as read from `source`
+  bool has_normals;                        ///< as read from `source`
   const Points& X;                         ///< #V x 3, the new positions
   const std::vector<std::uint8_t>& moved;  ///< #V; at least one is set
   WriteOptions::PlyReal ply_real = WriteOptions::PlyReal::promote;

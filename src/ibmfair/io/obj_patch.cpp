@@ -87,9 +87,10 @@ void remove_normals(ObjScanner& scan, BytePatcher& text) {
 }  // namespace
 
 std::vector<std::string> patch(const PatchRequest& request, AtomicFile& out) {
-  const CornerReferences references = read_corner_references(request.source);
   std::optional<NormalPlan> normals;
-  if (!references.normals.empty()) normals = plan_normals(request, references);
+  if (request.has_normals) {
+    normals = plan_normals(request, read_corner_references(request.source));
+  }
   const bool drop_normals = normals && normals->drop_all;
 
   BytePatcher text(request.source, out);

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "ibmfair/base/errors.h"
+#include "ibmfair/io/huge_pages.h"
 #include "ibmfair/io/obj.h"
 #include "ibmfair/io/obj_scanner.h"
 
@@ -43,9 +44,8 @@ class Reader {
 
   ParsedMesh result() {
     ParsedMesh parsed;
-    X_.conservativeResize(vertex_count_, 3);
-    parsed.mesh.X = std::move(X_);
-    parsed.mesh.faces = std::move(faces_);
+    mesh_.X.conservativeResize(vertex_count_, 3);
+    parsed.mesh = std::move(mesh_);
     parsed.has_texture_coordinates = texture_count_ > 0;
     parsed.has_normals = normal_count_ > 0;
     return parsed;
@@ -55,16 +55,15 @@ class Reader {
   /// Room for as much as a file of this size usually holds: memory that is not touched costs
   /// nothing, growing and copying costs a third of the time.
   void reserve() {
-    constexpr std::size_t bytes_per_statement = 24;
-    const std::size_t statements = source_.size() / bytes_per_statement + 1;
-    X_.resize(static_cast<Eigen::Index>(statements), 3);
-    faces_.first.reserve(statements);
-    faces_.corner.reserve(2 * statements);
+    constexpr std::int64_t bytes_per_statement = 24;
+    const std::int64_t statements =
+        static_cast<std::int64_t>(source_.size()) / bytes_per_statement + 1;
+    make_room(mesh_, statements, statements, 2 * statements);
   }
 
   void read_vertex() {
-    if (vertex_count_ == X_.rows()) X_.conservativeResize(2 * vertex_count_, 3);
-    double* x = X_.row(vertex_count_).data();
+    if (vertex_count_ == mesh_.X.rows()) mesh_.X.conservativeResize(2 * vertex_count_, 3);
+    double* x = mesh_.X.row(vertex_count_).data();
     for (int c = 0; c < 3; ++c)
       x[c] = scan_.real();
     ++vertex_count_;
@@ -89,19 +88,19 @@ class Reader {
   }
 
   void read_face() {
-    const auto first = static_cast<std::int64_t>(faces_.corner.size());
+    const auto first = static_cast<std::int64_t>(mesh_.faces.corner.size());
     while (!scan_.at_statement_end()) {
       const char* start = scan_.position();
       const std::int64_t vertex = resolve(scan_.corner().vertex, start);
       if (vertex > largest_vertex_) largest_vertex_ = vertex;
-      faces_.corner.push_back(static_cast<Index>(std::min(vertex, largest_index)));
+      mesh_.faces.corner.push_back(static_cast<Index>(std::min(vertex, largest_index)));
     }
-    const auto last = static_cast<std::int64_t>(faces_.corner.size());
+    const auto last = static_cast<std::int64_t>(mesh_.faces.corner.size());
     if (last - first < 3) {
       scan_.fail(scan_.statement_start(), "a face needs at least three corners");
     }
     if (last > largest_index) scan_.fail(scan_.statement_start(), "too many face corners");
-    faces_.first.push_back(last);
+    mesh_.faces.first.push_back(last);
   }
 
   std::int64_t resolve(std::int64_t raw, const char* where) const {
@@ -121,8 +120,7 @@ class Reader {
   std::int64_t normal_count_ = 0;
   std::int64_t largest_vertex_ = -1;
   std::int64_t vertex_count_ = 0;
-  Points X_;  // with room for more than vertex_count_
-  Polygons faces_;
+  Mesh mesh_;  // X has room for more than vertex_count_
 };
 
 void require_text(const SourceBytes& source) {

@@ -17,28 +17,28 @@ bool ObjScanner::next_statement() {
     if (p_ == end_) return false;
     if (*p_ == '#') {
       // A comment ends with its line, whatever it ends in: `# C:\meshes\` continues nothing.
-      while (p_ != end_ && *p_ != '\n' && *p_ != '\r')
+      while (!is(*p_, line_end))
         ++p_;
     }
     if (p_ == end_) return false;
-    if (*p_ != '\n' && *p_ != '\r') break;
+    if (!is(*p_, line_end)) break;
     ++p_;
   }
   const char* start = p_++;
-  while (!is_delimiter(p_))
+  while (!is(*p_, delimiter))
     ++p_;
   keyword_ = {start, static_cast<std::size_t>(p_ - start)};
   return true;
 }
 
 void ObjScanner::skip_line() {
-  while (p_ != end_ && *p_ != '\n' && *p_ != '\r') {
+  while (!is(*p_, line_end)) {
     if (*p_ == '\\') {
       const char* before = p_;
       skip_continuations();
       if (p_ == before) ++p_;
-    } else if (*p_ == '#' && is_blank(p_[-1])) {
-      while (p_ != end_ && *p_ != '\n' && *p_ != '\r')
+    } else if (*p_ == '#' && is(p_[-1], blank)) {
+      while (!is(*p_, line_end))
         ++p_;
     } else {
       ++p_;
@@ -50,7 +50,7 @@ void ObjScanner::skip_continuations() {
   while (p_ != end_ && *p_ == '\\' && p_ + 1 != end_ && (p_[1] == '\n' || p_[1] == '\r')) {
     const bool pair = p_[1] == '\r' && p_ + 2 != end_ && p_[2] == '\n';
     p_ += pair ? 3 : 2;
-    while (p_ != end_ && is_blank(*p_))
+    while (is(*p_, blank))
       ++p_;
   }
 }
@@ -67,7 +67,7 @@ void ObjScanner::corner_references(const char* start, RawCorner& corner) {
   ++p_;
   const bool has_texture = index(corner.texture);
   if (has_texture && corner.texture == 0) fail(start, "texture coordinates are counted from 1");
-  if (p_ == end_ || *p_ != '/') return;
+  if (*p_ != '/') return;
   ++p_;
   const bool has_normal = index(corner.normal);
   if (has_normal && corner.normal == 0) fail(start, "normals are counted from 1");
@@ -76,7 +76,7 @@ void ObjScanner::corner_references(const char* start, RawCorner& corner) {
 std::string_view ObjScanner::word() {
   if (at_statement_end()) return {};
   const char* start = p_;
-  while (p_ != end_ && !is_blank(*p_) && *p_ != '\n' && *p_ != '\r')
+  while (!is(*p_, blank | line_end))
     ++p_;
   return {start, static_cast<std::size_t>(p_ - start)};
 }
@@ -86,7 +86,7 @@ std::string_view ObjScanner::rest() {
   const char* start = p_;
   skip_line();
   const char* stop = p_;
-  while (stop != start && is_blank(stop[-1]))
+  while (stop != start && is(stop[-1], blank))
     --stop;
   return {start, static_cast<std::size_t>(stop - start)};
 }
@@ -96,7 +96,7 @@ void ObjScanner::skip_number() {
   const char* start = p_ != end_ && *p_ == '+' ? p_ + 1 : p_;
   double value = 0.0;
   const auto [after, error] = std::from_chars(start, end_, value);
-  if (error == std::errc::invalid_argument || !is_delimiter(after)) fail(p_, "not a number");
+  if (error == std::errc::invalid_argument || !is(*after, delimiter)) fail(p_, "not a number");
   p_ = after;
 }
 

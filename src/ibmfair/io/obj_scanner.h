@@ -1,6 +1,7 @@
 // Walks an OBJ text statement by statement, without copying and without counting lines.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <string_view>
 
@@ -39,7 +40,7 @@ class ObjScanner {
 
   bool at_statement_end() {
     skip_blanks();
-    return p_ == end_ || *p_ == '\n' || *p_ == '\r' || *p_ == '#';
+    return is(*p_, statement_end);
   }
 
   /// Reads a finite number; throws BadFile.
@@ -47,7 +48,7 @@ class ObjScanner {
     skip_blanks();
     double value = 0.0;
     const char* after = parse_real(p_, end_, value);
-    if (after == nullptr || !is_delimiter(after)) fail_at_real();
+    if (after == nullptr || !is(*after, delimiter)) fail_at_real();
     p_ = after;
     return value;
   }
@@ -61,8 +62,8 @@ class ObjScanner {
     RawCorner corner;
     const char* start = p_;
     if (!index(corner.vertex)) fail(start, "not a vertex number");
-    if (p_ != end_ && *p_ == '/') corner_references(start, corner);
-    if (!is_delimiter(p_)) fail(start, "not a vertex number");
+    if (*p_ == '/') corner_references(start, corner);
+    if (!is(*p_, delimiter)) fail(start, "not a vertex number");
     return corner;
   }
 
@@ -81,14 +82,30 @@ class ObjScanner {
   }
 
  private:
-  static bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\v' || c == '\f'; }
-  bool is_delimiter(const char* p) const {
-    return p == end_ || is_blank(*p) || *p == '\n' || *p == '\r' || *p == '#' || *p == '\\';
+  // What a character may be. The text ends with a line feed beyond its last byte, so that none of
+  // the loops over these needs to look out for the end.
+  static constexpr std::uint8_t blank = 1;
+  static constexpr std::uint8_t line_end = 2;
+  static constexpr std::uint8_t statement_end = 4;  // a line end or a comment
+  static constexpr std::uint8_t delimiter = 8;      // any of these, or a continuation
+  static constexpr std::array<std::uint8_t, 256> kinds = [] {
+    std::array<std::uint8_t, 256> table{};
+    for (const unsigned char c : {' ', '\t', '\v', '\f'})
+      table[c] = blank | delimiter;
+    for (const unsigned char c : {'\n', '\r'})
+      table[c] = line_end | statement_end | delimiter;
+    table['#'] = statement_end | delimiter;
+    table['\\'] = delimiter;
+    return table;
+  }();
+  static bool is(char c, std::uint8_t kind) {
+    return (kinds[static_cast<unsigned char>(c)] & kind) != 0;
   }
+
   void skip_blanks() {
-    while (p_ != end_ && is_blank(*p_))
+    while (is(*p_, blank))
       ++p_;
-    if (p_ != end_ && *p_ == '\\') skip_continuations();
+    if (*p_ == '\\') skip_continuations();
   }
   bool index(std::int64_t& value) {
     const char* after = parse_integer(p_, end_, value);

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "ibmfair/base/errors.h"
+#include "ibmfair/io/huge_pages.h"
 #include "ibmfair/io/off.h"
 #include "ibmfair/io/token_cursor.h"
 
@@ -15,7 +16,6 @@ constexpr std::int64_t largest_index = std::numeric_limits<Index>::max();
 constexpr int most_colour_columns = 4;
 
 void read_vertices(const Layout& layout, TokenCursor& cursor, Points& X) {
-  X.resize(layout.vertex_count, 3);
   const int extra = layout.extra_columns();
   for (std::int64_t v = 0; v < layout.vertex_count; ++v) {
     for (int c = 0; c < 3; ++c)
@@ -49,8 +49,6 @@ void read_corners(const Layout& layout, TokenCursor& cursor, Polygons& faces) {
 /// Reads the faces and returns whether any has a colour.
 bool read_faces(const Layout& layout, TokenCursor cursor, Polygons& faces) {
   bool coloured = false;
-  faces.first.reserve(static_cast<std::size_t>(layout.face_count) + 1);
-  faces.corner.reserve(3 * static_cast<std::size_t>(layout.face_count));
   for (std::int64_t f = 0; f < layout.face_count; ++f) {
     read_corners(layout, cursor, faces);
     if (!layout.faces_end_lines) continue;
@@ -68,6 +66,7 @@ bool read_faces(const Layout& layout, TokenCursor cursor, Polygons& faces) {
 /// Reads everything after the counts. Colours make it necessary to trust in lines; a file in which
 /// that fails may still be a plain stream of numbers.
 bool read_text_body(const SourceBytes& source, Layout& layout, Mesh& mesh) {
+  make_room(mesh, layout.vertex_count, layout.face_count, 3 * layout.face_count);
   TokenCursor cursor(source, layout.body, true);
   read_vertices(layout, cursor, mesh.X);
   layout.faces_end_lines = cursor.at_line_end();

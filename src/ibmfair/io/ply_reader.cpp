@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "ibmfair/io/huge_pages.h"
 #include "ibmfair/io/ply.h"
 #include "ibmfair/io/ply_body.h"
 
@@ -81,7 +82,6 @@ template <class Body>
 void read_vertices(const Layout& layout, Body& body, Points& X) {
   const Element& vertex = layout.vertices();
   body.start_element(vertex);
-  X.resize(vertex.count, 3);
   std::vector<int> axis(vertex.properties.size(), -1);
   for (int c = 0; c < 3; ++c)
     axis[static_cast<std::size_t>(layout.position[c])] = c;
@@ -104,8 +104,6 @@ void read_faces(const Layout& layout, Body& body, Polygons& faces) {
   const Element& face = layout.faces();
   const std::int64_t vertex_count = layout.vertices().count;
   body.start_element(face);
-  faces.first.reserve(static_cast<std::size_t>(face.count) + 1);
-  faces.corner.reserve(3 * static_cast<std::size_t>(face.count));
   for (std::int64_t row = 0; row < face.count; ++row) {
     body.start_row(row);
     for (std::size_t i = 0; i < face.properties.size(); ++i) {
@@ -169,6 +167,8 @@ void read_strips(const Layout& layout, Body& body, Polygons& faces) {
 template <class Body>
 void read_body(const Layout& layout, Body body, Mesh& mesh) {
   const std::vector<Element>& elements = layout.header.elements;
+  const std::int64_t faces = layout.strips ? 0 : layout.faces().count;
+  make_room(mesh, layout.vertices().count, faces, 3 * faces);
   for (std::size_t i = 0; i < elements.size(); ++i) {
     if (i == layout.vertex) {
       read_vertices(layout, body, mesh.X);

@@ -10,6 +10,7 @@
 #include <unistd.h>
 
 #include "ibmfair/base/errors.h"
+#include "ibmfair/io/huge_pages.h"
 
 namespace ibmfair {
 namespace {
@@ -31,13 +32,13 @@ struct Descriptor {
   throw BadFile(fmt::format("{}: cannot be read: {}", name, std::strerror(error)));
 }
 
-/// Bytes to expect: a file's size plus one, so that its end is met without growing the buffer.
+/// Bytes to expect: a file's size, one to meet its end without growing the buffer, one to mark it.
 std::size_t first_capacity(int fd, const std::string& name) {
   struct stat status {};
   if (fstat(fd, &status) != 0) fail_to_read(name, errno);
   if (S_ISDIR(status.st_mode)) fail_to_read(name, EISDIR);
   const bool sized = S_ISREG(status.st_mode) && status.st_size > 0;
-  return sized ? static_cast<std::size_t>(status.st_size) + 1 : std::size_t{1} << 16;
+  return sized ? static_cast<std::size_t>(status.st_size) + 2 : std::size_t{1} << 16;
 }
 
 /// The word at `where`, shortened and with anything unprintable replaced.
@@ -63,20 +64,22 @@ std::shared_ptr<const SourceBytes> SourceBytes::read(const std::string& path) {
   if (file.fd < 0) fail_to_read(source->name_, errno);
   std::size_t capacity = first_capacity(file.fd, source->name_);
   auto bytes = std::make_unique_for_overwrite<char[]>(capacity);
+  advise_huge_pages(bytes.get(), capacity);
   std::size_t size = 0;
   while (true) {
-    if (size == capacity) {
+    if (size + 1 >= capacity) {
       auto larger = std::make_unique_for_overwrite<char[]>(2 * capacity);
       std::copy_n(bytes.get(), size, larger.get());
       bytes = std::move(larger);
       capacity *= 2;
     }
-    const ssize_t count = ::read(file.fd, bytes.get() + size, capacity - size);
+    const ssize_t count = ::read(file.fd, bytes.get() + size, capacity - size - 1);
     if (count < 0 && errno == EINTR) continue;
     if (count < 0) fail_to_read(source->name_, errno);
     if (count == 0) break;
     size += static_cast<std::size_t>(count);
   }
+  bytes[size] = '\n';
   source->bytes_ = std::move(bytes);
   source->size_ = size;
   return source;
@@ -86,8 +89,8 @@ std::shared_ptr<const SourceBytes> SourceBytes::from_memory(std::string name,
                                                             std::string_view bytes) {
   std::shared_ptr<SourceBytes> source(new SourceBytes);
   source->name_ = std::move(name);
-  source->bytes_ = std::make_unique_for_overwrite<char[]>(bytes.size());
-  std::copy(bytes.begin(), bytes.end(), source->bytes_.get());
+  source->bytes_ = std::make_unique_for_overwrite<char[]>(bytes.size() + 1);
+  *std::copy(bytes.begin(), bytes.end(), source->bytes_.get()) = '\n';
   source->size_ = bytes.size();
   return source;
 }

@@ -21,6 +21,8 @@ class SourceBytes {
 
   std::string_view view() const { return {bytes_.get(), size_}; }
   const char* begin() const { return bytes_.get(); }
+  /// One behind the last byte. A line feed stands there, so that a search for the end of a number
+  /// or line need not look out for the end of the file.
   const char* end() const { return bytes_.get() + size_; }
   std::size_t size() const { return size_; }
 

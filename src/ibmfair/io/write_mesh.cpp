@@ -77,7 +77,8 @@ WriteReport write_mesh(const MeshFile& source, const Points& X, const std::strin
     const SourceBytes* flavour = &format == &source.format() ? &source.bytes() : nullptr;
     report.notes = format.generate({target, source.attributes(), flavour}, out);
   } else if (report.moved_vertices > 0) {
-    report.notes = format.patch({source.bytes(), mesh, X, moved, options.ply_real}, out);
+    report.notes =
+        format.patch({source.bytes(), mesh, source.has_normals(), X, moved, options.ply_real}, out);
   } else {
     out.write(source.bytes().view());
   }

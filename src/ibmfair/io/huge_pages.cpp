@@ -1,0 +1,26 @@
+#include "ibmfair/io/huge_pages.h"
+
+#include <sys/mman.h>
+
+namespace ibmfair {
+
+void advise_huge_pages(void* start, std::size_t bytes) {
+  constexpr std::size_t page = std::size_t{1} << 21;
+  // The advice holds for whole pages inside of the buffer.
+  const std::size_t before = (page - reinterpret_cast<std::uintptr_t>(start) % page) % page;
+  if (bytes < before + page) return;
+  madvise(static_cast<char*>(start) + before, (bytes - before) / page * page, MADV_HUGEPAGE);
+}
+
+void make_room(Mesh& mesh, std::int64_t vertices, std::int64_t faces, std::int64_t corners) {
+  mesh.X.resize(vertices, 3);
+  std::vector<std::int64_t>& first = mesh.faces.first;
+  std::vector<Index>& corner = mesh.faces.corner;
+  first.reserve(static_cast<std::size_t>(faces) + 1);
+  corner.reserve(static_cast<std::size_t>(corners));
+  advise_huge_pages(mesh.X.data(), static_cast<std::size_t>(mesh.X.size()) * sizeof(double));
+  advise_huge_pages(first.data(), first.capacity() * sizeof(std::int64_t));
+  advise_huge_pages(corner.data(), corner.capacity() * sizeof(Index));
+}
+
+}  // namespace ibmfair
