@@ -93,8 +93,10 @@ class GuardedFlow {
 
   /// Factors at the state; a matrix that rounding made indefinite is met with a smaller step.
   bool renew_jacobian() {
-    const Stopwatch watch(p_.report.seconds.guard);
-    edge_length_ = local_edge_length(p_.X, p_.topology);
+    {
+      const Stopwatch watch(p_.report.seconds.guard);
+      edge_length_ = local_edge_length(p_.X, p_.topology);
+    }
     if (!keep_damping_) {
       p_.jacobian().damping() = (p_.jacobian().damping() / lighter).cwiseMax(1.0);
     }

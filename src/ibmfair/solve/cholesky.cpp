@@ -97,6 +97,7 @@ void CholeskyFactor::factor(const SymmetricMatrix& J) {
   cholmod_sparse A = view(J);
   cholmod_factor* L = state_->factor->get();
   CholmodContext& context = state_->factor->context();
+  const SerialRegion serial;
   cholmod_l_factorize(&A, L, context.get());
   const auto* order = static_cast<const std::int64_t*>(L->Perm);
   const bool failed = L->minor < L->n;
@@ -138,6 +139,7 @@ void CholeskySolver::solve(const Points& B, Points& Y) {
   rhs.xtype = CHOLMOD_REAL;
   rhs.dtype = CHOLMOD_DOUBLE;
   CholmodContext& context = s.factor->context();
+  const SerialRegion serial;
   const bool solved = cholmod_l_solve2(CHOLMOD_A, s.factor->get(), &rhs, nullptr, &s.Y, nullptr,
                                        &s.W, &s.E, context.get()) != 0;
   context.check("solve");

@@ -1,6 +1,7 @@
 #include "ibmfair/solve/cholmod_context.h"
 
 #include <fmt/format.h>
+#include <omp.h>
 
 #include "ibmfair/base/errors.h"
 
@@ -36,6 +37,19 @@ void CholmodContext::check(const char* stage, std::int64_t failed_unknown) const
     default:
       throw FactorizationFailed(fmt::format("the sparse {} failed (CHOLMOD status {})", stage,
                                             static_cast<int>(common_.status)));
+  }
+}
+
+// Inside of a parallel region loops are serial anyway, and the setting is everyone's.
+SerialRegion::SerialRegion() : levels_(omp_get_max_active_levels()) {
+  if (!omp_in_parallel()) {
+    omp_set_max_active_levels(0);
+  }
+}
+
+SerialRegion::~SerialRegion() {
+  if (!omp_in_parallel()) {
+    omp_set_max_active_levels(levels_);
   }
 }
 
