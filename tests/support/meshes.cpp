@@ -274,14 +274,34 @@ std::vector<NamedMesh> all_meshes() {
   return meshes;
 }
 
-std::vector<NamedMesh> at_all_scales(const std::vector<NamedMesh>& meshes) {
+std::vector<NamedMesh> placed(const std::vector<NamedMesh>& meshes, Placement placement) {
   std::vector<NamedMesh> result;
   for (const auto& [name, mesh] : meshes) {
     const double size = (mesh.X.colwise().maxCoeff() - mesh.X.colwise().minCoeff()).norm();
-    result.push_back({name + " scaled by 1e-8", moved(mesh, 1e-8, Vec3::Zero())});
-    result.push_back({name, mesh});
-    result.push_back({name + " scaled by 1e8", moved(mesh, 1e8, Vec3::Zero())});
-    result.push_back({name + " far away", moved(mesh, 1.0, 1e5 * size * Vec3(1.0, -2.0, 0.5))});
+    switch (placement) {
+      case Placement::as_is:
+        result.push_back({name, mesh});
+        break;
+      case Placement::tiny:
+        result.push_back({name + " scaled by 1e-8", moved(mesh, 1e-8, Vec3::Zero())});
+        break;
+      case Placement::huge:
+        result.push_back({name + " scaled by 1e8", moved(mesh, 1e8, Vec3::Zero())});
+        break;
+      case Placement::far_away:
+        result.push_back({name + " far away", moved(mesh, 1.0, 1e5 * size * Vec3(1.0, -2.0, 0.5))});
+        break;
+    }
+  }
+  return result;
+}
+
+std::vector<NamedMesh> at_all_scales(const std::vector<NamedMesh>& meshes) {
+  std::vector<NamedMesh> result;
+  for (const Placement placement : all_placements) {
+    for (NamedMesh& mesh : placed(meshes, placement)) {
+      result.push_back(std::move(mesh));
+    }
   }
   return result;
 }

@@ -2,6 +2,7 @@
 // here and not by the code under test.
 #pragma once
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -35,8 +36,15 @@ std::vector<NamedMesh> defective_meshes();
 /// All of the above.
 std::vector<NamedMesh> all_meshes();
 
-/// Every mesh scaled by 1e-8, as it is, scaled by 1e8, and moved 1e5 of its sizes from the origin;
-/// names say which.
+/// As it is, scaled by 1e-8, scaled by 1e8, or moved 1e5 of its sizes from the origin.
+enum class Placement { as_is, tiny, huge, far_away };
+inline constexpr std::array all_placements{Placement::as_is, Placement::tiny, Placement::huge,
+                                           Placement::far_away};
+
+/// Every mesh scaled or moved; names say how.
+std::vector<NamedMesh> placed(const std::vector<NamedMesh>& meshes, Placement placement);
+
+/// Every mesh in all placements.
 std::vector<NamedMesh> at_all_scales(const std::vector<NamedMesh>& meshes);
 
 /// A sheet of columns x rows quadrilaterals over the unit square, each cut in two, without bumps.
