@@ -53,15 +53,20 @@ double FlowProblem::energy_at(const Points& Y) {
 }
 
 void FlowProblem::update_gradient() {
-  const Stopwatch watch(report.seconds.gradient);
-  energy_ = bending_->energy_and_gradient(X, G_);
-  g_ = G_(unknowns.vertex, Eigen::all);
+  energy_ = energy_and_gradient_at(X, g_);
 }
 
 Points FlowProblem::gradient_at(const Points& Y) {
+  Points gradient;
+  energy_and_gradient_at(Y, gradient);
+  return gradient;
+}
+
+double FlowProblem::energy_and_gradient_at(const Points& Y, Points& gradient) {
   const Stopwatch watch(report.seconds.gradient);
-  bending_->energy_and_gradient(Y, G_);
-  return G_(unknowns.vertex, Eigen::all);
+  const double energy = bending_->energy_and_gradient(Y, G_);
+  gradient = G_(unknowns.vertex, Eigen::all);
+  return energy;
 }
 
 Points FlowProblem::newton_step() {

@@ -39,6 +39,9 @@ class FlowProblem {
   /// The gradient at another place, one row per unknown.
   Points gradient_at(const Points& Y);
 
+  /// Both at once, which costs little more than one: returns the energy.
+  double energy_and_gradient_at(const Points& Y, Points& gradient);
+
   /// The step of backward Euler from the state with the Jacobian's own time step, by
   /// `options.newton_iterations` inexact Newton iterations: one row per unknown, length.
   Points newton_step();

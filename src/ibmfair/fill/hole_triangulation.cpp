@@ -1,0 +1,48 @@
+#include "ibmfair/fill/hole_triangulation.h"
+
+#include <vector>
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Polygon_mesh_processing/triangulate_hole.h>
+
+namespace ibmfair {
+namespace {
+
+using Point = CGAL::Exact_predicates_inexact_constructions_kernel::Point_3;
+
+/// Corner numbers of a triangle, as CGAL makes them.
+struct Corners {
+  Corners(int i, int j, int k) : index{i, j, k} {}
+  int index[3];
+};
+
+/// Longer polygons than this, where the Delaunay triangulation has no solution, would take the
+/// cubic algorithm minutes.
+constexpr Eigen::Index longest_cubic = 400;
+
+std::vector<Point> points(const Points& X) {
+  std::vector<Point> result;
+  for (const auto x : X.rowwise()) {
+    result.emplace_back(x[0], x[1], x[2]);
+  }
+  return result;
+}
+
+}  // namespace
+
+Triangles triangulate_hole(const Points& loop, const Points& apex) {
+  std::vector<Corners> found;
+  CGAL::Polygon_mesh_processing::triangulate_hole_polyline(
+      points(loop), points(apex), std::back_inserter(found),
+      CGAL::parameters::use_delaunay_triangulation(true).do_not_use_cubic_algorithm(loop.rows() >
+                                                                                    longest_cubic));
+  Triangles F(static_cast<Eigen::Index>(found.size()), 3);
+  for (Eigen::Index t = 0; t < F.rows(); ++t) {
+    for (int i = 0; i < 3; ++i) {
+      F(t, i) = found[static_cast<std::size_t>(t)].index[i];
+    }
+  }
+  return F;
+}
+
+}  // namespace ibmfair

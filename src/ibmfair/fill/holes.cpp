@@ -1,0 +1,128 @@
+#include "ibmfair/fill/holes.h"
+
+#include <algorithm>
+#include <unordered_map>
+
+#include <fmt/format.h>
+
+#include "ibmfair/base/errors.h"
+#include "ibmfair/mesh/geometry.h"
+
+namespace ibmfair {
+namespace {
+
+Hole measured(const Points& X, const Topology& topology, Index id) {
+  const BoundaryLoop& loop = topology.boundary_loops[static_cast<std::size_t>(id)];
+  Hole hole;
+  hole.id = id;
+  hole.loop = loop.vertices;
+  hole.closed = loop.closed;
+  hole.simple = loop.simple;
+  hole.component = topology.component[loop.vertices.front()];
+  for (Index i = 0; i < hole.edges(); ++i) {
+    const Index next = (i + 1) % static_cast<Index>(hole.loop.size());
+    hole.perimeter += (X.row(hole.loop[i]) - X.row(hole.loop[next])).norm();
+  }
+  hole.diameter = bounding_box_size(X(hole.loop, Eigen::all)).norm();
+  return hole;
+}
+
+/// The area of the loop's shadow on the plane where that is largest.
+double spanned_area(const Points& X, const std::vector<Index>& loop) {
+  Vec3 sum = Vec3::Zero();
+  const Vec3 origin = X.row(loop.front());
+  for (std::size_t i = 0; i + 1 < loop.size(); ++i) {
+    sum += (X.row(loop[i]).transpose() - origin).cross(X.row(loop[i + 1]).transpose() - origin) / 2;
+  }
+  return sum.norm();
+}
+
+void find_outer_borders(const Points& X, const Topology& topology, std::vector<Hole>& holes) {
+  if (holes.empty()) {
+    return;
+  }
+  std::vector<double> area(static_cast<std::size_t>(topology.component_count), 0);
+  const Eigen::VectorXd areas = triangle_areas(X, topology.F);
+  for (Index t = 0; t < topology.F.rows(); ++t) {
+    area[topology.component[topology.F(t, 0)]] += areas[t];
+  }
+  std::vector<Hole*> longest(area.size(), nullptr);
+  for (Hole& hole : holes) {
+    Hole*& other = longest[hole.component];
+    if (other == nullptr || hole.perimeter > other->perimeter) {
+      other = &hole;
+    }
+  }
+  for (Hole* hole : longest) {
+    if (hole != nullptr && area[hole->component] > 0) {
+      hole->border_share = spanned_area(X, hole->loop) / area[hole->component];
+      hole->outer_border = hole->border_share > border_share_limit;
+    }
+  }
+}
+
+}  // namespace
+
+std::vector<Hole> find_holes(const Points& X, const Topology& topology) {
+  std::vector<Hole> holes;
+  for (Index id = 0; id < static_cast<Index>(topology.boundary_loops.size()); ++id) {
+    holes.push_back(measured(X, topology, id));
+  }
+  find_outer_borders(X, topology, holes);
+  return holes;
+}
+
+std::string reason_to_skip(const Hole& hole, const HoleChoice& choice) {
+  const bool named =
+      std::find(choice.only.begin(), choice.only.end(), hole.id) != choice.only.end();
+  if (!choice.only.empty() && !named) {
+    return "not among those asked for";
+  }
+  if (hole.outer_border && !choice.all && !named) {
+    return fmt::format("an outer border: its loop spans {:.0f} % of its component's area",
+                       100 * hole.border_share);
+  }
+  if (choice.most_edges > 0 && hole.edges() > choice.most_edges) {
+    return fmt::format("it has {} edges, more than {}", hole.edges(), choice.most_edges);
+  }
+  if (choice.longest_perimeter > 0 && hole.perimeter > choice.longest_perimeter) {
+    return fmt::format("its perimeter {:.6g} is above {:.6g}", hole.perimeter,
+                       choice.longest_perimeter);
+  }
+  if (choice.largest_diameter > 0 && hole.diameter > choice.largest_diameter) {
+    return fmt::format("its diameter {:.6g} is above {:.6g}", hole.diameter,
+                       choice.largest_diameter);
+  }
+  return {};
+}
+
+void require_known_holes(const std::vector<Hole>& holes, const HoleChoice& choice) {
+  for (const Index id : choice.only) {
+    if (id < 0 || id >= static_cast<Index>(holes.size())) {
+      throw BadOption(holes.empty() ? fmt::format("there is no hole {}: the mesh is closed", id)
+                                    : fmt::format("there is no hole {}: the mesh has holes 0 to {}",
+                                                  id, holes.size() - 1));
+    }
+  }
+}
+
+std::vector<std::vector<Index>> simple_loops(const std::vector<Index>& loop) {
+  std::vector<std::vector<Index>> loops;
+  std::vector<Index> open;
+  std::unordered_map<Index, std::size_t> place;  // of the vertices in `open`
+  for (const Index v : loop) {
+    if (const auto met = place.find(v); met != place.end()) {
+      loops.emplace_back(open.begin() + static_cast<std::ptrdiff_t>(met->second), open.end());
+      while (open.size() > met->second) {
+        place.erase(open.back());
+        open.pop_back();
+      }
+    }
+    place[v] = open.size();
+    open.push_back(v);
+  }
+  loops.push_back(std::move(open));
+  return loops;
+}
+
+}  // namespace ibmfair

@@ -1,0 +1,232 @@
+#include "ibmfair/fill/patch.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "ibmfair/base/errors.h"
+#include "ibmfair/fill/hole_triangulation.h"
+#include "ibmfair/mesh/corners.h"
+
+namespace ibmfair {
+namespace {
+
+void make_unique(std::vector<Index>& values) {
+  std::sort(values.begin(), values.end());
+  values.erase(std::unique(values.begin(), values.end()), values.end());
+}
+
+/// The vertices of the triangles at `vertices`, themselves included.
+std::vector<Index> grown(const Topology& topology, const std::vector<Index>& vertices) {
+  std::vector<Index> result = vertices;
+  for (const Index v : vertices) {
+    for (const Index t : topology.stars[v]) {
+      result.insert(result.end(), topology.F.row(t).begin(), topology.F.row(t).end());
+    }
+  }
+  make_unique(result);
+  return result;
+}
+
+std::vector<Index> triangles_at(const Topology& topology, const std::vector<Index>& vertices) {
+  std::vector<Index> result;
+  for (const Index v : vertices) {
+    result.insert(result.end(), topology.stars[v].begin(), topology.stars[v].end());
+  }
+  make_unique(result);
+  return result;
+}
+
+/// Local numbers of mesh vertices.
+class Numbering {
+ public:
+  explicit Numbering(std::vector<Index> vertices) : vertices_(std::move(vertices)) {}
+  Index operator()(Index mesh_vertex) const {
+    const auto it = std::lower_bound(vertices_.begin(), vertices_.end(), mesh_vertex);
+    return static_cast<Index>(it - vertices_.begin());
+  }
+  const std::vector<Index>& vertices() const { return vertices_; }
+
+ private:
+  std::vector<Index> vertices_;  // sorted
+};
+
+Triangles renumbered(const Topology& topology, const std::vector<Index>& triangles,
+                     const Numbering& local) {
+  Triangles F(static_cast<Eigen::Index>(triangles.size()), 3);
+  for (std::size_t i = 0; i < triangles.size(); ++i) {
+    for (int k = 0; k < 3; ++k) {
+      F(static_cast<Eigen::Index>(i), k) = local(topology.F(triangles[i], k));
+    }
+  }
+  return F;
+}
+
+/// The one triangle of the mesh at a boundary edge.
+Index triangle_behind(const Topology& topology, Index a, Index b) {
+  for (const Index t : topology.stars[a]) {
+    const auto x = topology.F.row(t);
+    if ((x.array() == b).any()) {
+      return t;
+    }
+  }
+  throw BadMesh(fmt::format("vertices {} and {} are not joined", a, b));
+}
+
+/// The polygon that a disc fills: the loop walked the other way round.
+struct Polygon {
+  std::vector<Index> corners;         // mesh vertices
+  std::vector<Index> mesh_triangles;  // behind the edge from each corner to the next
+};
+
+Polygon polygon_of(const Topology& topology, const std::vector<Index>& loop) {
+  Polygon polygon;
+  polygon.corners.assign(loop.rbegin(), loop.rend());
+  for (std::size_t i = 0; i < loop.size(); ++i) {
+    polygon.mesh_triangles.push_back(
+        triangle_behind(topology, polygon.corners[i], polygon.corners[(i + 1) % loop.size()]));
+  }
+  return polygon;
+}
+
+Triangles triangulated(const Points& X, const Topology& topology, const Polygon& polygon) {
+  const std::size_t n = polygon.corners.size();
+  Points apex(static_cast<Eigen::Index>(n), 3);
+  for (std::size_t i = 0; i < n; ++i) {
+    apex.row(static_cast<Eigen::Index>(i)) = X.row(opposite_vertex(
+        topology.F, polygon.mesh_triangles[i], polygon.corners[i], polygon.corners[(i + 1) % n]));
+  }
+  const Triangles F = triangulate_hole(X(polygon.corners, Eigen::all), apex);
+  if (F.rows() != static_cast<Eigen::Index>(n) - 2) {
+    throw BadMesh("no triangulation without degenerate triangles was found");
+  }
+  if (n == 3) {
+    const auto behind = topology.F.row(polygon.mesh_triangles[0]);
+    if (std::all_of(polygon.corners.begin(), polygon.corners.end(),
+                    [&](Index v) { return (behind.array() == v).any(); })) {
+      throw BadMesh("it is the border of a single triangle, which would be covered twice");
+    }
+  }
+  return F;
+}
+
+/// Marks the mesh's edges between vertices of the rim, and diagonals that two discs have.
+void mark_taken(Patch& patch, const std::vector<std::uint8_t>& on_rim,
+                const std::vector<Triangles>& discs) {
+  const auto each_edge = [&](const Triangles& F, const auto& visit) {
+    for (const auto x : F.rowwise()) {
+      for (int i = 0; i < 3; ++i) {
+        visit(x[i], x[(i + 1) % 3]);
+      }
+    }
+  };
+  each_edge(patch.surroundings, [&](Index a, Index b) {
+    if (on_rim[a] && on_rim[b]) {
+      patch.taken.add(a, b);
+    }
+  });
+  EdgeSet earlier;
+  for (const Triangles& disc : discs) {
+    each_edge(disc, [&](Index a, Index b) {
+      if (earlier.contains(a, b)) {
+        patch.taken.add(a, b);
+      }
+    });
+    each_edge(disc, [&](Index a, Index b) { earlier.add(a, b); });
+  }
+}
+
+/// The mean length of the mesh's edges at each vertex of the rim.
+void measure_spacing(Patch& patch, const std::vector<std::uint8_t>& on_rim) {
+  std::vector<double> count(on_rim.size(), 0);
+  patch.spacing.assign(on_rim.size(), 0);
+  for (const auto x : patch.surroundings.rowwise()) {
+    for (int i = 0; i < 3; ++i) {
+      const Index a = x[i], b = x[(i + 1) % 3];
+      const double length = (patch.X.row(a) - patch.X.row(b)).norm();
+      for (const Index v : {a, b}) {
+        patch.spacing[v] += on_rim[v] ? length : 0;
+        count[v] += 1;
+      }
+    }
+  }
+  for (std::size_t v = 0; v < count.size(); ++v) {
+    patch.spacing[v] /= std::max(count[v], 1.0);
+  }
+  patch.wanted = patch.spacing;
+}
+
+}  // namespace
+
+Patch cut_patch(const Points& X, const Topology& topology,
+                const std::vector<std::vector<Index>>& loops, int free_rings) {
+  std::vector<Index> rim;
+  for (const auto& loop : loops) {
+    rim.insert(rim.end(), loop.begin(), loop.end());
+  }
+  make_unique(rim);
+  std::vector<Index> free = free_rings > 0 ? rim : std::vector<Index>{};
+  for (int ring = 1; ring < free_rings; ++ring) {
+    free = grown(topology, free);
+  }
+  const std::vector<Index> centres = free_rings > 0 ? grown(topology, free) : rim;
+  const Numbering local(grown(topology, centres));
+
+  Patch patch;
+  patch.mesh_vertex = local.vertices();
+  patch.X = X(patch.mesh_vertex, Eigen::all);
+  patch.surroundings = renumbered(topology, triangles_at(topology, centres), local);
+  patch.own_from = patch.size();
+  patch.free.assign(patch.mesh_vertex.size(), 0);
+  for (const Index v : free) {
+    patch.free[local(v)] = topology.defective[v] ? 0 : 1;
+  }
+  std::vector<std::uint8_t> on_rim(patch.mesh_vertex.size(), 0);
+  for (const Index v : rim) {
+    on_rim[local(v)] = 1;
+  }
+  std::vector<Triangles> discs;
+  for (const auto& loop : loops) {
+    const Polygon polygon = polygon_of(topology, loop);
+    discs.push_back(triangulated(X, topology, polygon));
+    for (Index& corner : discs.back().reshaped()) {
+      corner = local(polygon.corners[corner]);
+    }
+    patch.net.append(discs.back());
+    for (std::size_t i = 0; i < loop.size(); ++i) {
+      patch.rim.push_back({local(polygon.corners[i]), local(polygon.corners[(i + 1) % loop.size()]),
+                           polygon.mesh_triangles[i]});
+    }
+  }
+  patch.one_disc = discs.size() == 1;
+  mark_taken(patch, on_rim, discs);
+  measure_spacing(patch, on_rim);
+  return patch;
+}
+
+Patch cut_region(const Points& X, const Topology& topology, const std::vector<Index>& region) {
+  std::vector<std::uint8_t> inside(static_cast<std::size_t>(topology.vertex_count), 0);
+  for (const Index v : region) {
+    inside[v] = 1;
+  }
+  const std::vector<Index> own = triangles_at(topology, region);
+  const std::vector<Index> centres = grown(topology, region);
+  std::vector<Index> all = triangles_at(topology, centres);
+  const Numbering local(grown(topology, centres));
+
+  Patch patch;
+  patch.mesh_vertex = local.vertices();
+  patch.X = X(patch.mesh_vertex, Eigen::all);
+  patch.own_from = patch.size();
+  patch.net.append(renumbered(topology, own, local));
+  std::vector<Index> others;
+  std::set_difference(all.begin(), all.end(), own.begin(), own.end(), std::back_inserter(others));
+  patch.surroundings = renumbered(topology, others, local);
+  for (const Index v : patch.mesh_vertex) {
+    patch.free.push_back(inside[v] && !topology.defective[v] ? 1 : 0);
+  }
+  measure_spacing(patch, std::vector<std::uint8_t>(patch.mesh_vertex.size(), 1));
+  return patch;
+}
+
+}  // namespace ibmfair

@@ -1,0 +1,189 @@
+#include "ibmfair/fill/patch_fairing.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <numeric>
+
+#include "ibmfair/base/errors.h"
+#include "ibmfair/energy/bending_energy.h"
+#include "ibmfair/fill/refine.h"
+#include "ibmfair/flow/stationary_flow.h"
+#include "ibmfair/flow/time_scale.h"
+#include "ibmfair/mesh/topology.h"
+
+namespace ibmfair {
+namespace {
+
+constexpr double first_cutoff = 20;         // of the flow's first step, in mean edge lengths
+constexpr double limit_growth = 1 << 24;    // of the time step: beyond, a step is Gauss-Newton's
+constexpr double coarse_rim = 20;           // edges of the coarsest level's rim, about
+constexpr double small_move = 0.01;         // along the normal, in edge lengths: settled
+constexpr double coarse_small_move = 0.05;  // the same where a finer level follows
+
+Triangles all_triangles(const Patch& patch) {
+  Triangles F(patch.surroundings.rows() + patch.net.size(), 3);
+  F << patch.surroundings, patch.net.triangles();
+  return F;
+}
+
+std::vector<std::uint8_t> held_vertices(const Patch& patch, const Topology& topology) {
+  std::vector<std::uint8_t> held(patch.free.size());
+  for (std::size_t v = 0; v < held.size(); ++v) {
+    held[v] =
+        patch.free[v] && topology.kind[v] == VertexKind::interior && !topology.defective[v] ? 0 : 1;
+  }
+  return held;
+}
+
+double mean_rim_spacing(const Patch& patch) {
+  double sum = 0;
+  for (const RimEdge& edge : patch.rim) {
+    sum += patch.spacing[edge.a];
+  }
+  if (!patch.rim.empty()) {
+    return sum / static_cast<double>(patch.rim.size());
+  }
+  return std::accumulate(patch.spacing.begin(), patch.spacing.end(), 0.0) /
+         static_cast<double>(patch.spacing.size());
+}
+
+/// The flow on the patch's present triangles.
+class Stage {
+ public:
+  Stage(const Patch& patch, const FlowOptions& options, double h, double h_limit)
+      : topology_(build_topology(patch.X, all_triangles(patch))),
+        held_(held_vertices(patch, topology_)),
+        flow_(patch.X, topology_, held_, options, h, h_limit) {}
+
+  StationaryFlow& flow() { return flow_; }
+
+ private:
+  Topology topology_;
+  std::vector<std::uint8_t> held_;
+  StationaryFlow flow_;
+};
+
+class PatchFairing {
+ public:
+  PatchFairing(Patch& patch, const FairingOptions& options)
+      : patch_(patch),
+        options_(options),
+        h_(time_for_cutoff(first_cutoff * mean_rim_spacing(patch))),
+        h_limit_(h_ * limit_growth) {
+    flow_options_.laplacian = options.laplacian;
+    flow_options_.mass = options.mass;
+  }
+
+  /// One level, on triangles that stay as they are or follow the patch while it finds its shape.
+  void run(bool triangles_follow, bool finest) {
+    const double settled = finest ? small_move : coarse_small_move;
+    rebuild();
+    report_.converged = false;
+    for (int step = 0; step < options_.most_steps && flow().advance(); ++step) {
+      ++report_.steps;
+      report_.last_move = flow().last_normal_move();
+      const bool at_limit = flow().time_step() >= h_limit_;
+      if (at_limit && report_.last_move < settled && gradient_ratio() < options_.tolerance) {
+        report_.converged = true;
+        break;
+      }
+      if (triangles_follow && !at_limit) {
+        follow();
+      }
+    }
+    conclude();
+  }
+
+  FairingReport result() { return report_; }
+  FairingReport& report() { return report_; }
+
+ private:
+  StationaryFlow& flow() { return stage_->flow(); }
+  double gradient_ratio() { return start_ > 0 ? flow().normal_gradient() / start_ : 0; }
+
+  void rebuild() {
+    stage_ = std::make_unique<Stage>(patch_, flow_options_, h_, h_limit_);
+    if (report_.levels++ == 0) {
+      start_ = flow().normal_gradient();
+      report_.energy_before = flow().energy();
+    }
+  }
+
+  void follow() {
+    const Triangles before = patch_.net.triangles();
+    patch_.X = flow().X();
+    even_out(patch_, 1);
+    if (patch_.net.triangles() == before) {
+      Points X = patch_.X;
+      flow().move_to(X);
+      return;
+    }
+    close_stage();
+    stage_ = std::make_unique<Stage>(patch_, flow_options_, h_, h_limit_);
+  }
+
+  /// Takes over what the present stage reached and what it cost.
+  void close_stage() {
+    h_ = flow().time_step();
+    const FlowReport& part = flow().report();
+    FlowReport& all = report_.flow;
+    all.unknowns = part.unknowns;
+    all.solves += part.solves;
+    all.factorizations += part.factorizations;
+    all.seconds.assemble += part.seconds.assemble;
+    all.seconds.analyse += part.seconds.analyse;
+    all.seconds.factor += part.seconds.factor;
+    all.seconds.gradient += part.seconds.gradient;
+    all.seconds.solve += part.seconds.solve;
+  }
+
+  void conclude() {
+    patch_.X = flow().X();
+    report_.energy_after = flow().energy();
+    report_.gradient_ratio = gradient_ratio();
+    // Without anything to move, or at a stationary point from the start, there is nothing to reach.
+    report_.converged = report_.converged || start_ == 0;
+    close_stage();
+    stage_.reset();
+  }
+
+  Patch& patch_;
+  const FairingOptions& options_;
+  FlowOptions flow_options_;
+  FairingReport report_;
+  double h_;
+  const double h_limit_;
+  double start_ = 0;  // the normal gradient before the first step
+  std::unique_ptr<Stage> stage_;
+};
+
+}  // namespace
+
+void FairingOptions::validate() const {
+  bending_model(laplacian);
+  if (!(tolerance > 0) || most_steps < 1) {
+    throw BadOption("the tolerance must be positive and there must be at least one step");
+  }
+}
+
+FairingReport fair(Patch& patch, const FairingOptions& options) {
+  PatchFairing fairing(patch, options);
+  fairing.run(false, true);
+  return fairing.result();
+}
+
+FairingReport refine_and_fair(Patch& patch, const FairingOptions& options, Index most_vertices,
+                              bool& refined) {
+  PatchFairing fairing(patch, options);
+  const double rim = static_cast<double>(patch.rim.size());
+  const int coarsest = std::max(0, static_cast<int>(std::log2(rim / coarse_rim)));
+  refined = true;
+  for (int level = coarsest; level >= 0 && refined; --level) {
+    refined = refine(patch, {std::ldexp(1.0, level), level < coarsest, most_vertices});
+    fairing.run(level == coarsest, level == 0 || !refined);
+  }
+  return fairing.result();
+}
+
+}  // namespace ibmfair

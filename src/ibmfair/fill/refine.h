@@ -1,0 +1,24 @@
+// Refines the triangulation of a patch to a wanted edge length.
+#pragma once
+
+#include "ibmfair/fill/patch.h"
+
+namespace ibmfair {
+
+struct RefineOptions {
+  double coarsening = 1;    ///< edges this many times as long as wanted, away from the rim
+  bool curved = false;      ///< follow the surface's curvature instead of the chords
+  Index most_vertices = 0;  ///< that the patch may have of its own
+};
+
+/// Splits edges that are too long (the longest first, at their middle) and edges that the mesh has
+/// already, flips to Delaunay and evens the new vertices out, until nothing is too long. The edge
+/// length grows from the rim's to the coarse one by at most half of the distance. Returns false
+/// where `most_vertices` ended it.
+bool refine(Patch& patch, const RefineOptions& options);
+
+/// `sweeps` times: every free vertex of the patch's own moves half way to the mean of its
+/// neighbours, projected off the normal, then edges are flipped to Delaunay.
+void even_out(Patch& patch, int sweeps);
+
+}  // namespace ibmfair

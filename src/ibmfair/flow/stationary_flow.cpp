@@ -1,0 +1,138 @@
+#include "ibmfair/flow/stationary_flow.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "ibmfair/base/errors.h"
+#include "ibmfair/mesh/geometry.h"
+
+namespace ibmfair {
+namespace {
+
+constexpr double least_decrease = 0.1;  // of the predicted decrease, to accept a step
+constexpr double good_decrease = 0.5;   // above, the time step may grow
+constexpr double growth = 16;           // of the time step, and its inverse where a step fails
+constexpr int most_attempts = 12;
+constexpr int most_steps_with_jacobian = 10;
+constexpr int halvings = 2;  // of a step before the time step shrinks
+
+/// Area-weighted normals of the unknown vertices, unit length or zero.
+Points unknown_normals(const Points& X, const Topology& topology, const Unknowns& unknowns) {
+  Points normals(unknowns.size(), 3);
+  for (Index u = 0; u < unknowns.size(); ++u) {
+    Vec3 N = Vec3::Zero();
+    for (const Index t : topology.stars[unknowns.vertex[u]]) {
+      const auto x = topology.F.row(t);
+      N += double_area_vector(X.row(x[0]), X.row(x[1]), X.row(x[2]));
+    }
+    const double length = N.norm();
+    normals.row(u) = length > 0 ? Vec3(N / length) : N;
+  }
+  return normals;
+}
+
+}  // namespace
+
+StationaryFlow::StationaryFlow(const Points& X, const Topology& topology,
+                               const std::vector<std::uint8_t>& held, const FlowOptions& options,
+                               double h, double h_limit)
+    : problem_(X, topology, held, options),
+      folds_(X, topology, problem_.unknowns),
+      h_(h),
+      h_limit_(h_limit) {
+  restart();
+}
+
+void StationaryFlow::restart() {
+  energy_ = problem_.energy_and_gradient_at(problem_.X, g_);
+  normals_ = unknown_normals(problem_.X, problem_.topology, problem_.unknowns);
+  pairs_.forget();
+}
+
+void StationaryFlow::move_to(Points& X) {
+  problem_.X.swap(X);
+  restart();
+}
+
+double StationaryFlow::normal_gradient() const {
+  const PerVertex mass = lumped_vertex_mass(problem_.X, problem_.topology);
+  const Eigen::VectorXd slope = g_.cwiseProduct(normals_).rowwise().sum();
+  return std::sqrt(slope.cwiseAbs2().cwiseQuotient(mass(problem_.unknowns.vertex)).sum());
+}
+
+bool StationaryFlow::renew() {
+  pairs_.forget();
+  try {
+    problem_.jacobian().refactor(problem_.X, h_);
+  } catch (const FactorizationFailed&) {
+    h_ /= growth;
+    return false;
+  }
+  edge_length_ = local_edge_length(problem_.X, problem_.topology)(problem_.unknowns.vertex);
+  stale_ = false;
+  steps_with_jacobian_ = 0;
+  return true;
+}
+
+bool StationaryFlow::advance() {
+  for (int attempt = 0; attempt < most_attempts; ++attempt) {
+    const bool fresh = stale_;
+    if (fresh && !renew()) {
+      continue;
+    }
+    const Points step = pairs_.direction(g_, [&](const Points& q) {
+      Points d;
+      problem_.jacobian().solve(h_ * q, d);
+      return d;
+    });
+    if (search(step)) {
+      return true;
+    }
+    if (fresh) {
+      h_ /= growth;
+    }
+    stale_ = true;
+  }
+  return false;
+}
+
+bool StationaryFlow::search(const Points& step) {
+  const double slope = -g_.cwiseProduct(step).sum();
+  Points Y, gradient;
+  double fraction = 1;
+  for (int i = 0; i <= halvings; ++i, fraction /= 2) {
+    problem_.displace(fraction * step, Y);
+    const double trial = problem_.energy_and_gradient_at(Y, gradient);
+    const double predicted = (fraction - fraction * fraction / 2) * slope;
+    const double ratio = (energy_ - trial) / std::min(predicted, energy_);
+    if (ratio >= least_decrease && folds_.new_folds(Y).empty()) {
+      accept(fraction * step, Y, gradient, trial);
+      adapt(fraction, ratio);
+      return true;
+    }
+  }
+  return false;
+}
+
+void StationaryFlow::accept(const Points& step, Points& Y, Points& gradient, double energy) {
+  const Eigen::VectorXd along = step.cwiseProduct(normals_).rowwise().sum();
+  last_move_ = along.size() > 0 ? along.cwiseAbs().cwiseQuotient(edge_length_).maxCoeff() : 0;
+  pairs_.add(step, gradient - g_);
+  problem_.X.swap(Y);
+  g_.swap(gradient);
+  energy_ = energy;
+  normals_ = unknown_normals(problem_.X, problem_.topology, problem_.unknowns);
+}
+
+/// Far from the limit the time step grows and the Jacobian follows the state; at the limit it is
+/// kept while curvature pairs make up for its age.
+void StationaryFlow::adapt(double fraction, double ratio) {
+  if (fraction < 1 || ++steps_with_jacobian_ >= most_steps_with_jacobian) {
+    stale_ = true;
+  } else if (ratio > good_decrease && h_ < h_limit_) {
+    h_ = std::min(h_limit_, h_ * growth);
+    stale_ = true;
+  }
+}
+
+}  // namespace ibmfair

@@ -1,0 +1,71 @@
+// The flow's limit of infinite time: Gauss-Newton on E_b itself, kept from rising by the time step.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "ibmfair/flow/curvature_pairs.h"
+#include "ibmfair/flow/flow_options.h"
+#include "ibmfair/flow/flow_problem.h"
+#include "ibmfair/flow/folds.h"
+#include "ibmfair/mesh/topology.h"
+
+namespace ibmfair {
+
+/// Seeks a stationary point of E_b over the free vertices of one connectivity, step by step.
+///
+/// Each step solves (D + h S(X_ref)) d = -h grad E_b(X) and goes along d as far as the energy falls
+/// well enough; h grows toward infinity, where the step is Gauss-Newton's, while steps keep what
+/// they promise, and shrinks when one does not. S is renewed at X when h changed, or when the
+/// last step with the old one brought the gradient down too little.
+class StationaryFlow {
+ public:
+  /// `options` says which energy; its steps and time are not used. The flow starts at `X` with time
+  /// step `h`, which grows up to `h_limit` (length^4). Everything referred to must outlive it.
+  StationaryFlow(const Points& X, const Topology& topology, const std::vector<std::uint8_t>& held,
+                 const FlowOptions& options, double h, double h_limit);
+
+  /// Takes one step that lowers the energy, in as many attempts as that needs; false, with the
+  /// state as it was, where no step does.
+  bool advance();
+
+  /// sqrt(sum <g_v, n_v>^2 / D_v) at the state, in 1/length^2: the part of the gradient that
+  /// changes the surface. Zero at a stationary surface, whatever its triangles do.
+  double normal_gradient() const;
+
+  /// #V x 3.
+  const Points& X() const { return problem_.X; }
+
+  /// Goes on from `X` instead, which may differ in the free vertices; `X` becomes the old state.
+  void move_to(Points& X);
+
+  double energy() const { return energy_; }
+  double time_step() const { return h_; }
+
+  /// The largest move of a vertex along its normal in the last step, in mean lengths of the edges
+  /// there.
+  double last_normal_move() const { return last_move_; }
+
+  const FlowReport& report() const { return problem_.report; }
+
+ private:
+  void restart();
+  bool renew();
+  bool search(const Points& step);
+  void accept(const Points& step, Points& Y, Points& gradient, double energy);
+  void adapt(double fraction, double ratio);
+
+  FlowProblem problem_;
+  FoldWatch folds_;
+  CurvaturePairs pairs_;
+  double h_, h_limit_;
+  double energy_ = 0;
+  double last_move_ = 0;
+  Points g_;                     // the gradient, one row per unknown
+  Points normals_;               // one row per unknown
+  Eigen::VectorXd edge_length_;  // one entry per unknown, when the Jacobian was last renewed
+  bool stale_ = true;
+  int steps_with_jacobian_ = 0;
+};
+
+}  // namespace ibmfair
