@@ -27,6 +27,14 @@ std::string MeshFiles::write(const MeshFile& file, const Points& X, const std::s
   return read_bytes(path(name));
 }
 
+std::string MeshFiles::write(const MeshFile& file, const Points& X, const Extension& extension,
+                             const std::string& name, WriteOptions options, WriteReport* report) {
+  options.overwrite = true;
+  const WriteReport result = write_mesh(file, X, extension, path(name), options);
+  if (report != nullptr) *report = result;
+  return read_bytes(path(name));
+}
+
 std::string read_error(std::string_view bytes, const std::string& name) {
   try {
     MeshFiles::read(bytes, name);

@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "ibmfair/io/extension.h"
 #include "ibmfair/io/mesh_file.h"
 #include "support/temporary_directory.h"
 
@@ -20,6 +21,11 @@ class MeshFiles {
   /// writer's report.
   std::string write(const MeshFile& file, const Points& X, const std::string& name,
                     WriteOptions options = {}, WriteReport* report = nullptr);
+
+  /// The same with an extension.
+  std::string write(const MeshFile& file, const Points& X, const Extension& extension,
+                    const std::string& name, WriteOptions options = {},
+                    WriteReport* report = nullptr);
 
   std::string path(const std::string& name) const { return directory_ / name; }
   std::size_t entries() const { return directory_.entries(); }

@@ -32,15 +32,16 @@ class BytePatcher {
     copied_ = last;
   }
 
-  /// Copies what is left.
-  void finish() { copy_up_to(end_); }
-
- private:
+  /// Copies what stands before `p`; what is written to the file next is inserted there.
   void copy_up_to(const char* p) {
     if (p > copied_) out_.write({copied_, static_cast<std::size_t>(p - copied_)});
     copied_ = p;
   }
 
+  /// Copies what is left.
+  void finish() { copy_up_to(end_); }
+
+ private:
   const char* copied_;
   const char* end_;
   AtomicFile& out_;

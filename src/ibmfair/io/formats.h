@@ -15,6 +15,7 @@
 namespace ibmfair {
 
 class AtomicFile;
+struct Extension;  // io/extension.h
 
 /// What a format's reader finds.
 struct ParsedMesh {
@@ -25,14 +26,18 @@ struct ParsedMesh {
   std::optional<MeshAttributes> attributes;  ///< where the reader gets them for nothing
 };
 
-/// A file to be written as its source's bytes with the vertices of `moved` replaced.
+/// A file to be written as its source's bytes with the vertices of `moved` replaced, and what the
+/// extension has, if there is one, put behind the source's vertices and faces.
 struct PatchRequest {
   const SourceBytes& source;
   const Mesh& mesh;                        ///< as read from `source`
+  bool has_texture_coordinates;            ///< as read from `source`
   bool has_normals;                        ///< as read from `source`
   const Points& X;                         ///< #V x 3, the new positions
-  const std::vector<std::uint8_t>& moved;  ///< #V; at least one is set
+  const std::vector<std::uint8_t>& moved;  ///< #V
+  bool any_moved;                          ///< without an extension always
   WriteOptions::PlyReal ply_real = WriteOptions::PlyReal::promote;
+  const Extension* extension = nullptr;  ///< fits `mesh`
 };
 
 /// A file to be written from the model.

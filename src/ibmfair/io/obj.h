@@ -23,10 +23,20 @@ struct CornerReferences {
 bool recognises(std::string_view bytes);
 ParsedMesh read(const SourceBytes& source, std::string_view extension);
 CornerReferences read_corner_references(const SourceBytes& source);
+/// Row number of a reference as written, `count_so_far` rows having been read; -1 where there is
+/// none or it leads nowhere.
+Index resolve_reference(std::int64_t raw, std::size_t count_so_far);
+
+/// Whether a statement says what the faces behind it belong to: a group, object or material.
+bool is_face_statement(std::string_view keyword);
+
 MeshAttributes read_attributes(const SourceBytes& source, const Mesh& mesh);
 std::vector<std::uint8_t> vertex_mask(const SourceBytes& source, const Mesh& mesh,
                                       std::string_view name);
 std::vector<std::string> patch(const PatchRequest& request, AtomicFile& out);
+
+/// Writes what stands behind the source's text: the request's extension. Returns notes.
+std::vector<std::string> append(const PatchRequest& request, bool with_normals, AtomicFile& out);
 std::vector<std::string> generate(const GenerateRequest& request, AtomicFile& out);
 
 }  // namespace ibmfair::obj

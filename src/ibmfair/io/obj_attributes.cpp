@@ -11,12 +11,6 @@
 namespace ibmfair::obj {
 namespace {
 
-/// A reference as a row number; -1 where there is none or it leads nowhere.
-Index resolve(std::int64_t raw, std::size_t count_so_far) {
-  const std::int64_t row = raw > 0 ? raw - 1 : static_cast<std::int64_t>(count_so_far) + raw;
-  return raw == 0 || row < 0 || row >= std::int64_t{1} << 31 ? -1 : static_cast<Index>(row);
-}
-
 void drop_dangling(std::vector<Index>& references, std::size_t count) {
   for (Index& reference : references) {
     if (reference >= 0 && static_cast<std::size_t>(reference) >= count) reference = -1;
@@ -39,11 +33,6 @@ void read_colour(ObjScanner& scan, Index vertex, MeshAttributes& attributes) {
   attributes.opacity = attributes.opacity || columns == 4;
   attributes.colours.resize(static_cast<std::size_t>(vertex), {1, 1, 1, 1});
   attributes.colours.push_back(rgba);
-}
-
-bool is_face_statement(std::string_view keyword) {
-  return keyword == "g" || keyword == "o" || keyword == "usemtl" || keyword == "mtllib" ||
-         keyword == "s";
 }
 
 /// One pass that follows which names apply to the face at hand, and marks the vertices of faces to
@@ -111,6 +100,16 @@ class MaskReader {
 
 }  // namespace
 
+Index resolve_reference(std::int64_t raw, std::size_t count_so_far) {
+  const std::int64_t row = raw > 0 ? raw - 1 : static_cast<std::int64_t>(count_so_far) + raw;
+  return raw == 0 || row < 0 || row >= std::int64_t{1} << 31 ? -1 : static_cast<Index>(row);
+}
+
+bool is_face_statement(std::string_view keyword) {
+  return keyword == "g" || keyword == "o" || keyword == "usemtl" || keyword == "mtllib" ||
+         keyword == "s";
+}
+
 CornerReferences read_corner_references(const SourceBytes& source) {
   CornerReferences result;
   ObjScanner scan(source);
@@ -126,8 +125,9 @@ CornerReferences read_corner_references(const SourceBytes& source) {
     } else if (keyword == "f") {
       while (!scan.at_statement_end()) {
         const RawCorner corner = scan.corner();
-        result.corner_texture.push_back(resolve(corner.texture, result.texture_coordinates.size()));
-        result.corner_normal.push_back(resolve(corner.normal, result.normals.size()));
+        result.corner_texture.push_back(
+            resolve_reference(corner.texture, result.texture_coordinates.size()));
+        result.corner_normal.push_back(resolve_reference(corner.normal, result.normals.size()));
       }
     }
   }

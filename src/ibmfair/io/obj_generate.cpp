@@ -2,50 +2,28 @@
 #include "ibmfair/io/atomic_file.h"
 #include "ibmfair/io/generate.h"
 #include "ibmfair/io/normals.h"
-#include "ibmfair/io/numbers.h"
 #include "ibmfair/io/obj.h"
+#include "ibmfair/io/obj_lines.h"
 
 namespace ibmfair::obj {
 namespace {
 
-void write_row(AtomicFile& out, std::string_view keyword, std::initializer_list<double> values,
-               std::string& line) {
-  line = keyword;
-  for (const double value : values) {
-    line += ' ';
-    append_real(line, value);
-  }
-  line += '\n';
-  out.write(line);
-}
-
-void append_corner(std::string& line, std::int64_t vertex, std::int64_t texture, bool normal) {
-  line += ' ';
-  append_integer(line, vertex + 1);
-  if (texture >= 0 || normal) line += '/';
-  if (texture >= 0) append_integer(line, texture + 1);
-  if (!normal) return;
-  line += '/';
-  append_integer(line, vertex + 1);
-}
-
-void write_faces(const GenerateRequest& request, AtomicFile& out, std::string& line) {
+void write_faces(const GenerateRequest& request, ObjLines& lines) {
   const Polygons& faces = request.mesh.faces;
   const MeshAttributes& attributes = request.attributes;
   auto statement = attributes.face_statements.begin();
   for (Index f = 0; f < faces.size(); ++f) {
     for (; statement != attributes.face_statements.end() && statement->first <= f; ++statement) {
-      out.write(statement->second);
-      out.write("\n");
+      lines.statement(statement->second);
     }
-    line.assign(1, 'f');
+    lines.begin_face();
     for (std::int64_t i = faces.first[f]; i < faces.first[f + 1]; ++i) {
       const auto at = static_cast<std::size_t>(i);
       const Index texture = attributes.corner_texture.empty() ? -1 : attributes.corner_texture[at];
-      append_corner(line, faces.corner[at], texture, attributes.normals);
+      const Index vertex = faces.corner[at];
+      lines.corner({vertex, texture, attributes.normals ? vertex : -1});
     }
-    line += '\n';
-    out.write(line);
+    lines.end_face();
   }
 }
 
@@ -54,24 +32,23 @@ void write_faces(const GenerateRequest& request, AtomicFile& out, std::string& l
 std::vector<std::string> generate(const GenerateRequest& request, AtomicFile& out) {
   const Points& X = request.mesh.X;
   const MeshAttributes& attributes = request.attributes;
-  std::string line;
+  ObjLines lines(out, "\n");
   for (Eigen::Index v = 0; v < X.rows(); ++v) {
     if (attributes.colours.empty()) {
-      write_row(out, "v", {X(v, 0), X(v, 1), X(v, 2)}, line);
+      lines.row("v", {X.row(v).data(), 3});
     } else {
       const auto& rgba = attributes.colours[static_cast<std::size_t>(v)];
-      write_row(out, "v", {X(v, 0), X(v, 1), X(v, 2), rgba[0], rgba[1], rgba[2]}, line);
+      lines.row("v", std::array{X(v, 0), X(v, 1), X(v, 2), rgba[0], rgba[1], rgba[2]});
     }
   }
-  for (const auto& [s, t] : attributes.texture_coordinates)
-    write_row(out, "vt", {s, t}, line);
+  for (const std::array<double, 2>& coordinate : attributes.texture_coordinates)
+    lines.row("vt", coordinate);
   if (attributes.normals) {
     const Points normals = vertex_normals(request.mesh.faces, X);
-    for (Eigen::Index v = 0; v < X.rows(); ++v) {
-      write_row(out, "vn", {normals(v, 0), normals(v, 1), normals(v, 2)}, line);
-    }
+    for (Eigen::Index v = 0; v < X.rows(); ++v)
+      lines.row("vn", {normals.row(v).data(), 3});
   }
-  write_faces(request, out, line);
+  write_faces(request, lines);
 
   std::vector<std::string> left_out = attributes.uncarried;
   if (attributes.opacity) left_out.emplace_back("opacity of the vertex colours");

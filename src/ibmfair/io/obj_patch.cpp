@@ -1,7 +1,5 @@
 // Writes an OBJ text with only the coordinates of moved vertices, and what depends on them,
 // changed.
-#include <optional>
-
 #include "ibmfair/io/byte_patcher.h"
 #include "ibmfair/io/normals.h"
 #include "ibmfair/io/obj.h"
@@ -84,19 +82,12 @@ void remove_normals(ObjScanner& scan, BytePatcher& text) {
   }
 }
 
-}  // namespace
-
-std::vector<std::string> patch(const PatchRequest& request, AtomicFile& out) {
-  std::optional<NormalPlan> normals;
-  if (request.has_normals) {
-    normals = plan_normals(request, read_corner_references(request.source));
-  }
-  const bool drop_normals = normals && normals->drop_all;
-
+/// Copies the text with moved vertices and stale normals replaced, or without any normals.
+void patch_text(const PatchRequest& request, const NormalPlan& normals, AtomicFile& out) {
   BytePatcher text(request.source, out);
   ObjScanner scan(request.source);
   Eigen::Index vertex = 0;
-  Eigen::Index normal = 0;
+  std::size_t normal = 0;
   while (scan.next_statement()) {
     const std::string_view keyword = scan.keyword();
     if (keyword == "v") {
@@ -107,21 +98,42 @@ std::vector<std::string> patch(const PatchRequest& request, AtomicFile& out) {
       }
       ++vertex;
     } else if (keyword == "vn") {
-      if (drop_normals) {
+      if (normals.drop_all) {
         text.remove(scan.statement_start(), scan.after_statement());
-      } else if (normals && normals->stale[static_cast<std::size_t>(normal)] != 0) {
-        replace_numbers(scan, text, normals->renewed, normal, [](int) { return true; });
+      } else if (normals.stale[normal] != 0) {
+        replace_numbers(scan, text, normals.renewed, static_cast<Eigen::Index>(normal),
+                        [](int) { return true; });
       }
       ++normal;
-    } else if (keyword == "f" && drop_normals) {
+    } else if (keyword == "f" && normals.drop_all) {
       remove_normals(scan, text);
     }
   }
   text.finish();
-  if (!drop_normals) return {};
-  return {
-      "dropped the normals: some are shared by several vertices, for which they are no longer "
-      "right"};
+}
+
+}  // namespace
+
+std::vector<std::string> patch(const PatchRequest& request, AtomicFile& out) {
+  NormalPlan normals;
+  std::vector<std::string> notes;
+  if (request.any_moved) {
+    if (request.has_normals) {
+      normals = plan_normals(request, read_corner_references(request.source));
+    }
+    patch_text(request, normals, out);
+  } else {
+    out.write(request.source.view());
+  }
+  if (request.extension != nullptr) {
+    notes = append(request, request.has_normals && !normals.drop_all, out);
+  }
+  if (normals.drop_all) {
+    notes.emplace_back(
+        "dropped the normals: some are shared by several vertices, for which they are no longer "
+        "right");
+  }
+  return notes;
 }
 
 }  // namespace ibmfair::obj

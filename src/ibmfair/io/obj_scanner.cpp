@@ -5,8 +5,7 @@
 
 namespace ibmfair::obj {
 
-ObjScanner::ObjScanner(const SourceBytes& source)
-    : source_(source), p_(source.begin()), end_(source.end()) {
+ObjScanner::ObjScanner(const SourceBytes& source) : ObjScanner(source, source.begin()) {
   if (source.view().starts_with("\xEF\xBB\xBF")) p_ += 3;
 }
 

@@ -24,6 +24,10 @@ class ObjScanner {
   /// Starts before the first statement, after a UTF-8 byte-order mark if there is one.
   explicit ObjScanner(const SourceBytes& source);
 
+  /// Starts before the statement that begins at `start`.
+  ObjScanner(const SourceBytes& source, const char* start)
+      : source_(source), p_(start), end_(source.end()) {}
+
   /// Goes to the next statement; false at the end of the text.
   bool next_statement();
 

@@ -2,6 +2,7 @@
 // in the format table.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -20,7 +21,9 @@ struct Layout {
 
   std::int64_t vertex_count = 0;
   std::int64_t face_count = 0;
-  const char* body = nullptr;  ///< after the counts
+  std::int64_t edge_count = 0;                  ///< as the header claims
+  std::array<std::string_view, 3> count_texts;  ///< the three in a text; the last may be missing
+  const char* body = nullptr;                   ///< after the counts
 
   bool binary = false;
   bool swapped = false;        ///< a binary file of the opposite byte order
@@ -40,10 +43,26 @@ struct Layout {
 /// Throws BadFile, also where the file is too short for the counts it claims.
 Layout read_layout(const SourceBytes& source);
 
+/// Reads the rows of a text, setting faces_end_lines for good; returns whether a face has a colour.
+/// Throws BadFile.
+bool read_text_body(const SourceBytes& source, Layout& layout, Mesh& mesh);
+
 /// Reads a binary body, finding out its byte order and dialect. Throws BadFile.
 Mesh read_binary_body(const SourceBytes& source, Layout& layout);
 
-/// Replaces the positions of a binary file. Returns notes.
+/// The counts of vertices, faces and edges with the request's extension, if it has one. The number
+/// of edges, which few files bother to give, stays 0 where it is 0.
+std::array<std::int64_t, 3> extended_counts(const PatchRequest& request, const Layout& layout);
+
+/// #new vertices x extra_columns(): what follows x, y, z in the rows of new vertices, where
+/// `at_rim` (#rim x extra_columns()) follows them in those of the rim.
+Eigen::MatrixXd extend_columns(const PatchRequest& request, const Layout& layout,
+                               const Eigen::MatrixXd& at_rim);
+
+/// Appends a number that counts to 1, always with a point, so that nobody takes 1 for one of 255.
+void append_fraction(std::string& line, double value);
+
+/// Writes the patch of a binary file. Returns notes.
 std::vector<std::string> patch_binary(const PatchRequest& request, const Layout& layout,
                                       AtomicFile& out);
 

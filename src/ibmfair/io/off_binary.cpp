@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "ibmfair/io/binary_bytes.h"
+#include "ibmfair/io/extend_values.h"
 #include "ibmfair/io/normals.h"
 #include "ibmfair/io/off.h"
 #include "ibmfair/io/source_bytes.h"
@@ -32,6 +33,7 @@ bool read_counts(const SourceBytes& source, Layout& layout) {
   if (room < 0) return false;
   layout.vertex_count = integer(layout.body, layout);
   layout.face_count = integer(layout.body + word, layout);
+  layout.edge_count = integer(layout.body + 2 * word, layout);
   return layout.vertex_count >= 0 && layout.face_count >= 0 &&
          layout.vertex_count * vertex_row(layout) + layout.face_count * word <= room;
 }
@@ -90,6 +92,82 @@ void read_face(const SourceBytes& source, const Layout& layout, std::int64_t f, 
   faces.first.push_back(static_cast<std::int64_t>(faces.corner.size()));
 }
 
+/// Copies the rows of the vertices with moved positions and stale normals replaced; fills `at_rim`
+/// (#rim x extra columns) with what follows the positions of `rim`, in ascending order.
+void patch_vertices(const PatchRequest& request, const Layout& layout,
+                    const std::vector<Index>& rim, Eigen::MatrixXd& at_rim, AtomicFile& out) {
+  std::optional<RenewedNormals> normals;
+  if (layout.normal && request.any_moved) {
+    normals.emplace(request.mesh.faces, request.mesh.X, request.X, request.moved);
+  }
+  const auto size = static_cast<std::size_t>(vertex_row(layout));
+  Eigen::Index next_rim = 0;
+  const char* row = layout.body + counts;
+  for (std::int64_t v = 0; v < layout.vertex_count; ++v, row += size) {
+    const auto store_row = [&](const char* old, const Vec3& value, bool replaced) {
+      if (!replaced) return out.write({old, 3 * word});
+      for (int c = 0; c < 3; ++c)
+        store(out, static_cast<float>(value[c]), layout.swapped);
+    };
+    store_row(row, request.X.row(v), request.moved[static_cast<std::size_t>(v)] != 0);
+    std::size_t written = 3 * word;
+    if (normals) {
+      const char* old = row + written;
+      Vec3 value;
+      for (int c = 0; c < 3; ++c)
+        value[c] = load<float>(old + c * word, layout.swapped);
+      store_row(old, normals->renew(v, value), normals->is_stale(v));
+      written += 3 * word;
+    }
+    out.write({row + written, size - written});
+    const auto at = static_cast<std::size_t>(next_rim);
+    if (at == rim.size() || rim[at] != v) continue;
+    for (Eigen::Index c = 0; c < at_rim.cols(); ++c)
+      at_rim(next_rim, c) = load<float>(row + (3 + c) * word, layout.swapped);
+    ++next_rim;
+  }
+}
+
+void append_vertices(const PatchRequest& request, const Layout& layout,
+                     const std::vector<Index>& sorted_rim, const Eigen::MatrixXd& at_sorted_rim,
+                     AtomicFile& out) {
+  const Extension& extension = *request.extension;
+  const Eigen::MatrixXd columns =
+      extend_columns(request, layout, in_order_of_rim(extension, sorted_rim, at_sorted_rim));
+  for (Eigen::Index v = 0; v < extension.X.rows(); ++v) {
+    for (int c = 0; c < 3; ++c)
+      store(out, static_cast<float>(extension.X(v, c)), layout.swapped);
+    for (Eigen::Index c = 0; c < columns.cols(); ++c)
+      store(out, static_cast<float>(columns(v, c)), layout.swapped);
+  }
+}
+
+/// Copies the rows of the faces and writes the new ones behind them, with the colours of their
+/// model faces.
+const char* append_faces(const PatchRequest& request, const Layout& layout, AtomicFile& out) {
+  const Extension& extension = *request.extension;
+  const std::vector<Index> models = sorted_once(extension.model_face);
+  std::vector<std::string_view> colours;
+  const char* first = first_face(layout);
+  const char* p = first;
+  for (std::int64_t f = 0; f < layout.face_count; ++f) {
+    const char* colour = p + word * (1 + integer(p, layout));
+    p = skip_face(request.source, layout, p);
+    if (colours.size() < models.size() && models[colours.size()] == f) {
+      colours.emplace_back(colour, static_cast<std::size_t>(p - colour));
+    }
+  }
+  out.write({first, static_cast<std::size_t>(p - first)});
+  for (Eigen::Index f = 0; f < extension.F.rows(); ++f) {
+    store(out, std::int32_t{3}, layout.swapped);
+    for (const Index v : extension.F.row(f))
+      store(out, v, layout.swapped);
+    const Index model = extension.model_face[static_cast<std::size_t>(f)];
+    out.write(colours[position_in(models, model)]);
+  }
+  return p;
+}
+
 }  // namespace
 
 Mesh read_binary_body(const SourceBytes& source, Layout& layout) {
@@ -114,35 +192,27 @@ Mesh read_binary_body(const SourceBytes& source, Layout& layout) {
 
 std::vector<std::string> patch_binary(const PatchRequest& request, const Layout& header,
                                       AtomicFile& out) {
+  const SourceBytes& source = request.source;
   Layout layout = header;
-  find_dialect(request.source, layout);
-  std::optional<RenewedNormals> normals;
-  if (layout.normal) {
-    normals.emplace(request.mesh.faces, request.mesh.X, request.X, request.moved);
+  find_dialect(source, layout);
+  out.write({source.begin(), static_cast<std::size_t>(layout.body - source.begin())});
+  for (const std::int64_t count : extended_counts(request, layout))
+    store(out, static_cast<std::int32_t>(count), layout.swapped);
+
+  std::vector<Index> rim;
+  if (request.extension != nullptr) rim = sorted_once(request.extension->rim);
+  Eigen::MatrixXd at_rim(rim.size(), layout.extra_columns());
+  patch_vertices(request, layout, rim, at_rim, out);
+  const char* rest = first_face(layout);
+  if (request.extension != nullptr) {
+    append_vertices(request, layout, rim, at_rim, out);
+    rest = append_faces(request, layout, out);
   }
-  const char* row = layout.body + counts;
-  out.write({request.source.begin(), static_cast<std::size_t>(row - request.source.begin())});
-  for (std::int64_t v = 0; v < layout.vertex_count; ++v, row += vertex_row(layout)) {
-    const auto store_row = [&](const char* old, const Vec3& value, bool replaced) {
-      if (!replaced) return out.write({old, 3 * word});
-      for (int c = 0; c < 3; ++c)
-        store(out, static_cast<float>(value[c]), layout.swapped);
-    };
-    store_row(row, request.X.row(v), request.moved[static_cast<std::size_t>(v)] != 0);
-    int written = 3;
-    if (normals) {
-      const char* old = row + 3 * word;
-      Vec3 value;
-      for (int c = 0; c < 3; ++c)
-        value[c] = load<float>(old + c * word, layout.swapped);
-      store_row(old, normals->renew(v, value), normals->is_stale(v));
-      written = 6;
-    }
-    out.write(
-        {row + written * word, static_cast<std::size_t>(vertex_row(layout) - written * word)});
-  }
-  out.write({row, static_cast<std::size_t>(request.source.end() - row)});
-  return {"binary OFF stores coordinates as float32; those of moved vertices are rounded to that"};
+  out.write({rest, static_cast<std::size_t>(source.end() - rest)});
+  if (!request.any_moved && request.extension->X.rows() == 0) return {};
+  return {
+      "binary OFF stores coordinates as float32; those of moved and new vertices are rounded to "
+      "that"};
 }
 
 }  // namespace ibmfair::off

@@ -15,12 +15,6 @@ void append(std::string& line, double value) {
   append_real(line, value);
 }
 
-/// A fraction always with a point, so that nobody takes 1 for one of 255.
-void append_fraction(std::string& line, double value) {
-  append(line, value);
-  if (line.find_first_of(".e", line.rfind(' ')) == std::string::npos) line += ".0";
-}
-
 void append_colour(std::string& line, const MeshAttributes& attributes, std::size_t v) {
   for (std::size_t c = 0; c < 4; ++c) {
     const double value = attributes.colours[v][c];
@@ -57,6 +51,11 @@ void write_vertices(const GenerateRequest& request, bool with_texture, AtomicFil
 }
 
 }  // namespace
+
+void append_fraction(std::string& line, double value) {
+  append(line, value);
+  if (line.find_first_of(".e", line.rfind(' ')) == std::string::npos) line += ".0";
+}
 
 std::vector<std::string> generate(const GenerateRequest& request, AtomicFile& out) {
   const MeshAttributes& attributes = request.attributes;

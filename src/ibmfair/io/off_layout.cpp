@@ -62,10 +62,18 @@ int count_colour_channels(const SourceBytes& source, const Layout& layout) {
   return columns - 3 - (layout.normal ? 3 : 0) - (layout.texture ? 2 : 0) == 3 ? 3 : 4;
 }
 
-std::int64_t read_count(TokenCursor& cursor, std::int64_t smallest_row, std::string_view rows) {
+std::int64_t read_integer(TokenCursor& cursor, std::string_view& text) {
   cursor.skip_to_token();
   const char* where = cursor.position();
-  const std::int64_t count = cursor.integer();
+  const std::int64_t value = cursor.integer();
+  text = {where, static_cast<std::size_t>(cursor.position() - where)};
+  return value;
+}
+
+std::int64_t read_count(TokenCursor& cursor, std::int64_t smallest_row, std::string_view rows,
+                        std::string_view& text) {
+  const std::int64_t count = read_integer(cursor, text);
+  const char* where = text.data();
   if (count < 0) cursor.fail(where, fmt::format("a negative number of {}", rows));
   // The last separator may be missing.
   if (count > (cursor.remaining() + 1) / smallest_row) {
@@ -98,9 +106,9 @@ Layout read_layout(const SourceBytes& source) {
   TokenCursor cursor(source, counts, true);
   constexpr int smallest_vertex = 6;  // "0 0 0" and a separator
   constexpr int smallest_face = 8;    // "3 0 1 2" and a separator
-  layout.vertex_count = read_count(cursor, smallest_vertex, "vertices");
-  layout.face_count = read_count(cursor, smallest_face, "faces");
-  if (!cursor.at_line_end()) cursor.integer();  // the number of edges, which nobody needs
+  layout.vertex_count = read_count(cursor, smallest_vertex, "vertices", layout.count_texts[0]);
+  layout.face_count = read_count(cursor, smallest_face, "faces", layout.count_texts[1]);
+  if (!cursor.at_line_end()) layout.edge_count = read_integer(cursor, layout.count_texts[2]);
   layout.body = cursor.position();
   if (layout.colour) layout.colour_channels = count_colour_channels(source, layout);
   return layout;

@@ -1,7 +1,11 @@
-// Writes an OFF file with only the coordinates of moved vertices, and their normals, changed.
+// Writes an OFF file with only the coordinates of moved vertices, and their normals, changed, and
+// new rows behind its vertices and faces.
+#include <cmath>
 #include <optional>
+#include <utility>
 
 #include "ibmfair/io/byte_patcher.h"
+#include "ibmfair/io/extend_values.h"
 #include "ibmfair/io/normals.h"
 #include "ibmfair/io/off.h"
 #include "ibmfair/io/token_cursor.h"
@@ -11,44 +15,188 @@ namespace {
 
 using Token = std::string_view;
 
-void replace(BytePatcher& file, Token token, double value) {
-  file.replace(token.data(), token.data() + token.size(), value);
-}
+class TextPatcher {
+ public:
+  TextPatcher(const PatchRequest& request, const Layout& layout, AtomicFile& out)
+      : request_(request),
+        layout_(layout),
+        cursor_(request.source, layout.body, true),
+        file_(request.source, out),
+        out_(out) {
+    if (layout_.normal && request.any_moved) {
+      normals_.emplace(request.mesh.faces, request.mesh.X, request.X, request.moved);
+    }
+    if (request.extension == nullptr) return;
+    rim_ = sorted_once(request.extension->rim);
+    at_rim_.resize(static_cast<Eigen::Index>(rim_.size()), layout_.extra_columns());
+    Mesh unused;
+    read_text_body(request.source, layout_, unused);
+  }
+
+  void run() {
+    patch_counts();
+    row_.resize(static_cast<std::size_t>(3 + layout_.extra_columns()));
+    for (std::int64_t v = 0; v < layout_.vertex_count; ++v) {
+      for (Token& token : row_)
+        token = cursor_.token();
+      patch_vertex(v);
+      if (request_.extension != nullptr) remember_vertex(v);
+    }
+    if (request_.extension != nullptr) {
+      insert_vertices();
+      insert_faces();
+    }
+    file_.finish();
+  }
+
+ private:
+  void replace(Token token, double value) {
+    file_.replace(token.data(), token.data() + token.size(), value);
+  }
+
+  void patch_counts() {
+    const std::array<std::int64_t, 3> counts = extended_counts(request_, layout_);
+    const std::array<std::int64_t, 3> old{layout_.vertex_count, layout_.face_count,
+                                          layout_.edge_count};
+    for (std::size_t i = 0; i < 3; ++i) {
+      if (counts[i] == old[i]) continue;
+      std::string text;
+      append_integer(text, counts[i]);
+      const Token token = layout_.count_texts[i];
+      file_.replace(token.data(), token.data() + token.size(), Token(text));
+    }
+  }
+
+  double value(std::size_t column) const {
+    double value = 0.0;
+    parse_real(row_[column].data(), row_[column].data() + row_[column].size(), value);
+    return value;
+  }
+
+  void patch_vertex(std::int64_t v) {
+    for (int c = 0; c < 3; ++c) {
+      if (request_.X(v, c) != request_.mesh.X(v, c)) {
+        replace(row_[static_cast<std::size_t>(c)], request_.X(v, c));
+      }
+    }
+    if (!normals_ || !normals_->is_stale(v)) return;
+    const Vec3 renewed = normals_->renew(v, {value(3), value(4), value(5)});
+    for (int c = 0; c < 3; ++c)
+      replace(row_[static_cast<std::size_t>(3 + c)], renewed[c]);
+  }
+
+  /// The columns of colours, as numbers of a row's tokens.
+  std::pair<std::size_t, std::size_t> colours() const {
+    const std::size_t first = layout_.normal ? 6 : 3;
+    return {first,
+            first + (layout_.colour ? static_cast<std::size_t>(layout_.colour_channels) : 0)};
+  }
+
+  void remember_vertex(std::int64_t v) {
+    const auto [first, last] = colours();
+    for (std::size_t c = first; c < last; ++c) {
+      // Whole numbers count to 255, fractions to 1.
+      if (row_[c].find('.') != Token::npos) fractions_ = true;
+    }
+    const auto at = static_cast<std::size_t>(next_rim_);
+    if (at == rim_.size() || rim_[at] != v) return;
+    for (std::size_t c = 3; c < row_.size(); ++c)
+      at_rim_(next_rim_, static_cast<Eigen::Index>(c - 3)) = value(c);
+    ++next_rim_;
+  }
+
+  /// Where rows end their lines, new ones do so, too; else they go on on the same line.
+  template <class AppendRow>
+  void insert_rows(Eigen::Index count, bool end_lines, AppendRow&& append_row) {
+    if (count == 0) return;
+    const char* last = cursor_.position();
+    std::string_view line_end;
+    if (end_lines) {
+      line_end = cursor_.take_line_end();
+      last = cursor_.position();
+    }
+    file_.copy_up_to(last);
+    if (end_lines && line_end.empty()) {
+      line_end = first_line_end(request_.source.view());
+      out_.write(line_end);
+    }
+    std::string line;
+    for (Eigen::Index i = 0; i < count; ++i) {
+      line.clear();
+      append_row(i, line);
+      // Every number has a blank before it.
+      out_.write(end_lines ? Token(line).substr(1) : Token(line));
+      out_.write(line_end);
+    }
+  }
+
+  void insert_vertices() {
+    const Extension& extension = *request_.extension;
+    const Eigen::MatrixXd columns =
+        extend_columns(request_, layout_, in_order_of_rim(extension, rim_, at_rim_));
+    const auto [first, last] = colours();
+    const bool end_lines = TokenCursor(cursor_).at_line_end();
+    insert_rows(extension.X.rows(), end_lines, [&](Eigen::Index v, std::string& line) {
+      for (std::size_t c = 0; c < row_.size(); ++c) {
+        const double number = c < 3 ? extension.X(v, static_cast<Eigen::Index>(c))
+                                    : columns(v, static_cast<Eigen::Index>(c - 3));
+        line += ' ';
+        if (c < first || c >= last) {
+          append_real(line, number);
+        } else if (fractions_) {
+          append_fraction(line, number);
+        } else {
+          append_integer(line, std::llround(number));
+        }
+      }
+    });
+  }
+
+  void insert_faces() {
+    const Extension& extension = *request_.extension;
+    const std::vector<Index> models = sorted_once(extension.model_face);
+    std::vector<std::string> colours;  // of the model faces, as they are written
+    for (std::int64_t f = 0; f < layout_.face_count; ++f) {
+      const std::int64_t count = cursor_.integer();
+      for (std::int64_t i = 0; i < count; ++i)
+        cursor_.token();
+      std::string colour;
+      while (layout_.faces_end_lines && !cursor_.at_line_end())
+        colour.append(" ").append(cursor_.token());
+      if (colours.size() < models.size() && models[colours.size()] == f) {
+        colours.push_back(std::move(colour));
+      }
+    }
+    insert_rows(
+        extension.F.rows(), layout_.faces_end_lines, [&](Eigen::Index f, std::string& line) {
+          line += " 3";
+          for (const Index v : extension.F.row(f)) {
+            line += ' ';
+            append_integer(line, v);
+          }
+          line += colours[position_in(models, extension.model_face[static_cast<std::size_t>(f)])];
+        });
+  }
+
+  const PatchRequest& request_;
+  Layout layout_;
+  TokenCursor cursor_;
+  BytePatcher file_;
+  AtomicFile& out_;
+  std::vector<Token> row_;  // the numbers of the vertex at hand
+  std::optional<RenewedNormals> normals_;
+  std::vector<Index> rim_;  // in ascending order
+  Eigen::MatrixXd at_rim_;  // in that order, what follows the position
+  Eigen::Index next_rim_ = 0;
+  bool fractions_ = false;
+};
 
 }  // namespace
 
 std::vector<std::string> patch(const PatchRequest& request, AtomicFile& out) {
   const Layout layout = read_layout(request.source);
   if (layout.binary) return patch_binary(request, layout, out);
-
-  std::optional<RenewedNormals> normals;
-  if (layout.normal) {
-    normals.emplace(request.mesh.faces, request.mesh.X, request.X, request.moved);
-  }
-  BytePatcher file(request.source, out);
-  TokenCursor cursor(request.source, layout.body, true);
-  for (std::int64_t v = 0; v < layout.vertex_count; ++v) {
-    for (int c = 0; c < 3; ++c) {
-      const Token token = cursor.token();
-      if (request.X(v, c) != request.mesh.X(v, c)) replace(file, token, request.X(v, c));
-    }
-    if (normals) {
-      std::array<Token, 3> tokens;
-      Vec3 old = Vec3::Zero();
-      for (int c = 0; c < 3; ++c) {
-        const Token token = cursor.token();
-        parse_real(token.data(), token.data() + token.size(), old[c]);
-        tokens[static_cast<std::size_t>(c)] = token;
-      }
-      const Vec3 renewed = normals->is_stale(v) ? normals->renew(v, old) : old;
-      for (int c = 0; c < 3 && normals->is_stale(v); ++c) {
-        replace(file, tokens[static_cast<std::size_t>(c)], renewed[c]);
-      }
-    }
-    for (int c = layout.normal ? 3 : 0; c < layout.extra_columns(); ++c)
-      cursor.token();
-  }
-  file.finish();
+  TextPatcher(request, layout, out).run();
   return {};
 }
 

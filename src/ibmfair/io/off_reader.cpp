@@ -63,28 +63,6 @@ bool read_faces(const Layout& layout, TokenCursor cursor, Polygons& faces) {
   return coloured;
 }
 
-/// Reads everything after the counts. Colours make it necessary to trust in lines; a file in which
-/// that fails may still be a plain stream of numbers.
-bool read_text_body(const SourceBytes& source, Layout& layout, Mesh& mesh) {
-  make_room(mesh, layout.vertex_count, layout.face_count, 3 * layout.face_count);
-  TokenCursor cursor(source, layout.body, true);
-  read_vertices(layout, cursor, mesh.X);
-  layout.faces_end_lines = cursor.at_line_end();
-  if (!layout.faces_end_lines) return read_faces(layout, cursor, mesh.faces);
-  try {
-    return read_faces(layout, cursor, mesh.faces);
-  } catch (const BadFile&) {
-    const std::exception_ptr first_failure = std::current_exception();
-    layout.faces_end_lines = false;
-    mesh.faces = {};
-    try {
-      return read_faces(layout, cursor, mesh.faces);
-    } catch (const BadFile&) {
-      std::rethrow_exception(first_failure);
-    }
-  }
-}
-
 /// Copies the numbers that follow each position into the attributes.
 void read_vertex_attributes(const SourceBytes& source, const Layout& layout,
                             MeshAttributes& attributes) {
@@ -112,6 +90,28 @@ void read_vertex_attributes(const SourceBytes& source, const Layout& layout,
 }
 
 }  // namespace
+
+// Colours make it necessary to trust in lines; a file in which that fails may still be a plain
+// stream of numbers.
+bool read_text_body(const SourceBytes& source, Layout& layout, Mesh& mesh) {
+  make_room(mesh, layout.vertex_count, layout.face_count, 3 * layout.face_count);
+  TokenCursor cursor(source, layout.body, true);
+  read_vertices(layout, cursor, mesh.X);
+  layout.faces_end_lines = cursor.at_line_end();
+  if (!layout.faces_end_lines) return read_faces(layout, cursor, mesh.faces);
+  try {
+    return read_faces(layout, cursor, mesh.faces);
+  } catch (const BadFile&) {
+    const std::exception_ptr first_failure = std::current_exception();
+    layout.faces_end_lines = false;
+    mesh.faces = {};
+    try {
+      return read_faces(layout, cursor, mesh.faces);
+    } catch (const BadFile&) {
+      std::rethrow_exception(first_failure);
+    }
+  }
+}
 
 ParsedMesh read(const SourceBytes& source, std::string_view /*extension*/) {
   Layout layout = read_layout(source);

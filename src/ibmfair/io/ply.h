@@ -36,6 +36,12 @@ Layout read_layout(const SourceBytes& source);
 
 bool recognises(std::string_view bytes);
 ParsedMesh read(const SourceBytes& source, std::string_view extension);
+
+/// The texture coordinates of the faces' list `texcoord`, two values a corner; a list of another
+/// length leaves its face without.
+void read_face_texture(const SourceBytes& source, const Layout& layout, const Mesh& mesh,
+                       MeshAttributes& attributes);
+
 MeshAttributes read_attributes(const SourceBytes& source, const Mesh& mesh);
 std::vector<std::uint8_t> vertex_mask(const SourceBytes& source, const Mesh& mesh,
                                       std::string_view name);

@@ -83,8 +83,33 @@ void read_vertex_texture(const SourceBytes& source, const Layout& layout, const 
   attributes.corner_texture = mesh.faces.corner;
 }
 
-/// Two values a corner in the faces' list `texcoord`; a list of another length leaves its face
-/// without.
+bool contains(std::span<const int> list, std::size_t i) {
+  return std::find(list.begin(), list.end(), static_cast<int>(i)) != list.end();
+}
+
+void list_uncarried(const Layout& layout, MeshAttributes& attributes) {
+  const std::vector<Element>& elements = layout.header.elements;
+  for (std::size_t e = 0; e < elements.size(); ++e) {
+    if (e != layout.vertex && e != layout.face) {
+      attributes.uncarried.push_back(fmt::format("element '{}'", elements[e].name));
+      continue;
+    }
+    for (std::size_t i = 0; i < elements[e].properties.size(); ++i) {
+      const bool known =
+          e == layout.vertex
+              ? contains(layout.position, i) || contains(layout.normal, i) ||
+                    contains(layout.texture, i) || contains(layout.colour, i)
+              : static_cast<int>(i) == layout.indices || static_cast<int>(i) == layout.face_texture;
+      if (known) continue;
+      attributes.uncarried.push_back(
+          fmt::format("{} property '{}'", elements[e].name, elements[e].properties[i].name));
+    }
+  }
+  if (!layout.header.comments.empty()) attributes.uncarried.emplace_back("comments");
+}
+
+}  // namespace
+
 void read_face_texture(const SourceBytes& source, const Layout& layout, const Mesh& mesh,
                        MeshAttributes& attributes) {
   const Element& face = layout.faces();
@@ -117,33 +142,6 @@ void read_face_texture(const SourceBytes& source, const Layout& layout, const Me
     }
   });
 }
-
-bool contains(std::span<const int> list, std::size_t i) {
-  return std::find(list.begin(), list.end(), static_cast<int>(i)) != list.end();
-}
-
-void list_uncarried(const Layout& layout, MeshAttributes& attributes) {
-  const std::vector<Element>& elements = layout.header.elements;
-  for (std::size_t e = 0; e < elements.size(); ++e) {
-    if (e != layout.vertex && e != layout.face) {
-      attributes.uncarried.push_back(fmt::format("element '{}'", elements[e].name));
-      continue;
-    }
-    for (std::size_t i = 0; i < elements[e].properties.size(); ++i) {
-      const bool known =
-          e == layout.vertex
-              ? contains(layout.position, i) || contains(layout.normal, i) ||
-                    contains(layout.texture, i) || contains(layout.colour, i)
-              : static_cast<int>(i) == layout.indices || static_cast<int>(i) == layout.face_texture;
-      if (known) continue;
-      attributes.uncarried.push_back(
-          fmt::format("{} property '{}'", elements[e].name, elements[e].properties[i].name));
-    }
-  }
-  if (!layout.header.comments.empty()) attributes.uncarried.emplace_back("comments");
-}
-
-}  // namespace
 
 MeshAttributes read_attributes(const SourceBytes& source, const Mesh& mesh) {
   const Layout layout = read_layout(source);

@@ -80,6 +80,7 @@ class BinaryBody : public BodyBase {
   void skip(const Property& property);
   void skip_rows(const Element& element);
   void end_row() {}
+  std::string_view take_line_end() { return {}; }
 
   [[noreturn]] void fail(std::string_view message) const {
     fail_in_binary(source_, element_->name, row_, p_, message);
@@ -123,6 +124,9 @@ class AsciiBody : public BodyBase {
       cursor_.fail(cursor_.position(), "the row has more values than the header declares");
     }
   }
+
+  /// Goes behind the end of the row's line and returns it; empty at the end of the file.
+  std::string_view take_line_end() { return cursor_.take_line_end(); }
 
   [[noreturn]] void fail(std::string_view message) {
     cursor_.skip_to_token();

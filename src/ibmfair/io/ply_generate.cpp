@@ -4,42 +4,13 @@
 #include <fmt/format.h>
 
 #include "ibmfair/io/atomic_file.h"
-#include "ibmfair/io/binary_bytes.h"
 #include "ibmfair/io/generate.h"
 #include "ibmfair/io/normals.h"
 #include "ibmfair/io/ply.h"
-#include "ibmfair/io/ply_body.h"
+#include "ibmfair/io/ply_row_writer.h"
 
 namespace ibmfair::ply {
 namespace {
-
-/// Writes values one after the other, as text with blanks between them or as bytes.
-class RowWriter {
- public:
-  RowWriter(AtomicFile& out, Encoding encoding)
-      : out_(out), ascii_(encoding == Encoding::ascii), swapped_(is_swapped(encoding)) {}
-
-  template <class T>
-  void value(T value) {
-    if (!ascii_) return store(out_, value, swapped_);
-    if (!first_) out_.write(" ");
-    first_ = false;
-    char buffer[real_text_capacity];
-    const auto result = std::to_chars(buffer, buffer + sizeof buffer, value);
-    out_.write({buffer, static_cast<std::size_t>(result.ptr - buffer)});
-  }
-
-  void end_row() {
-    if (ascii_) out_.write("\n");
-    first_ = true;
-  }
-
- private:
-  AtomicFile& out_;
-  bool ascii_;
-  bool swapped_;
-  bool first_ = true;
-};
 
 /// What the file will hold, decided before its header is written.
 struct Contents {

@@ -121,7 +121,7 @@ class HeaderReader {
     if (header_.find(element.name) != nullptr) fail("an element may be declared once only");
     const std::string_view count = word();
     const char* stop = count.data() + count.size();
-    element.count_text = count.data();
+    element.count_text = count;
     if (parse_integer(count.data(), stop, element.count) != stop || count.empty()) {
       fail("the element's count is not an integer");
     }
@@ -175,13 +175,13 @@ void require_room(const SourceBytes& source, const Header& header) {
                                  : element.smallest_row();
     // The last separator may be missing.
     if (row > 0 && element.count > (room + 1) / row) {
-      fail_in_text(source, element.count_text,
+      fail_in_text(source, element.count_text.data(),
                    fmt::format("the file is too short for that many rows of '{}' (it ends {} bytes "
                                "after the header):",
                                element.name, room));
     }
     if (element.count > std::numeric_limits<std::int32_t>::max()) {
-      fail_in_text(source, element.count_text, "too many rows");
+      fail_in_text(source, element.count_text.data(), "too many rows");
     }
   }
 }

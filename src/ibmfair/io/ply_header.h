@@ -38,7 +38,7 @@ struct Element {
   std::string name;
   std::int64_t count = 0;
   std::vector<Property> properties;
-  const char* count_text = nullptr;  ///< where the header gives the count
+  std::string_view count_text;  ///< the count as the header gives it
 
   bool has_lists() const;
   /// Bytes of a binary row whose lists are all empty; the size of every row if there are none.

@@ -1,11 +1,17 @@
-// Writes a PLY file with only the coordinates of moved vertices, and what depends on them, changed.
+// Writes a PLY file with only the coordinates of moved vertices, and what depends on them, changed,
+// and new rows behind its vertices and faces.
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <optional>
 
+#include <fmt/format.h>
+
 #include "ibmfair/io/byte_patcher.h"
+#include "ibmfair/io/extension.h"
 #include "ibmfair/io/normals.h"
 #include "ibmfair/io/ply.h"
+#include "ibmfair/io/ply_append.h"
 #include "ibmfair/io/ply_body.h"
 
 namespace ibmfair::ply {
@@ -18,30 +24,36 @@ struct Treatment {
   Type type = Type::float32;  // that it is stored as afterwards
 };
 
-/// Where a value stands in the file, and where the one before it ended.
-struct Span {
-  const char* before = nullptr;
-  const char* first = nullptr;
-  const char* last = nullptr;
-};
+constexpr std::int64_t largest_of(Type type) {
+  constexpr std::array<std::int64_t, 6> largest{127, 255, 32767, 65535, 2147483647, 4294967295};
+  return largest[static_cast<std::size_t>(type)];
+}
 
 class Patcher {
  public:
   explicit Patcher(const PatchRequest& request)
       : request_(request),
         layout_(read_layout(request.source)),
-        swapped_(is_swapped(layout_.header.encoding)) {
-    plan_positions();
-    if (layout_.normal[0] >= 0) plan_normals();
+        swapped_(is_swapped(layout_.header.encoding)),
+        treatments_(layout_.vertices().properties.size()) {
+    for (std::size_t i = 0; i < treatments_.size(); ++i)
+      treatments_[i].type = layout_.vertices().properties[i].type;
+    const Extension* extension = request.extension;
+    if (request.any_moved || (extension != nullptr && extension->X.rows() > 0)) plan_positions();
+    if (request.any_moved && layout_.normal[0] >= 0) plan_normals();
+    if (extension == nullptr) return;
+    plan_indices();
+    new_vertices_.emplace(request, layout_);
+    new_faces_.emplace(request, layout_);
   }
 
   std::vector<std::string> run(AtomicFile& out) {
     BytePatcher file(request_.source, out);
     patch_header(file);
     if (layout_.header.encoding == Encoding::ascii) {
-      patch_vertices(AsciiBody(request_.source, layout_.header), file);
+      patch_body(AsciiBody(request_.source, layout_.header), file, out);
     } else {
-      patch_vertices(BinaryBody(request_.source, layout_.header), file);
+      patch_body(BinaryBody(request_.source, layout_.header), file, out);
     }
     file.finish();
     return std::move(notes_);
@@ -53,7 +65,6 @@ class Patcher {
   }
 
   void plan_positions() {
-    treatments_.resize(layout_.vertices().properties.size());
     bool rounded = false;
     bool promoted = false;
     for (int c = 0; c < 3; ++c) {
@@ -70,7 +81,8 @@ class Patcher {
     }
     if (promoted)
       notes_.emplace_back("the coordinates are declared double now, to keep them exact");
-    if (rounded) notes_.emplace_back("the coordinates of moved vertices are rounded to float32");
+    if (rounded)
+      notes_.emplace_back("the coordinates of moved and new vertices are rounded to float32");
   }
 
   void plan_normals() {
@@ -89,16 +101,62 @@ class Patcher {
     }
   }
 
+  /// Vertex numbers that their type cannot hold any more get a wider one.
+  void plan_indices() {
+    const Property& indices = index_property();
+    index_type_ = indices.type;
+    const std::int64_t last = layout_.vertices().count + request_.extension->X.rows() - 1;
+    if (last <= largest_of(index_type_)) return;
+    index_type_ = Type::int32;
+    notes_.emplace_back(
+        fmt::format("the faces' vertex numbers are declared int now: {} cannot "
+                    "hold {}",
+                    indices.type_text, last));
+  }
+
+  const Property& index_property() const {
+    return layout_.faces().properties[static_cast<std::size_t>(layout_.indices)];
+  }
+
   void patch_header(BytePatcher& file) const {
+    const std::vector<Element>& elements = layout_.header.elements;
+    for (std::size_t e = 0; e < elements.size(); ++e) {
+      if (e == layout_.vertex) {
+        if (request_.extension != nullptr) {
+          replace_count(elements[e], request_.extension->X.rows(), file);
+        }
+        patch_vertex_properties(file);
+      } else if (e == layout_.face && request_.extension != nullptr) {
+        replace_count(elements[e], request_.extension->F.rows(), file);
+        if (index_type_ != index_property().type) {
+          replace_type(index_property(), "int", "int32", file);
+        }
+      }
+    }
+  }
+
+  static void replace_count(const Element& element, std::int64_t more, BytePatcher& file) {
+    std::string text;
+    append_integer(text, element.count + more);
+    const std::string_view old = element.count_text;
+    if (more > 0) file.replace(old.data(), old.data() + old.size(), std::string_view(text));
+  }
+
+  /// Types have names with and without their size; a file keeps to its own kind.
+  static void replace_type(const Property& property, std::string_view name,
+                           std::string_view sized_name, BytePatcher& file) {
+    const std::string_view old = property.type_text;
+    const bool with_size = std::isdigit(static_cast<unsigned char>(old.back())) != 0;
+    file.replace(old.data(), old.data() + old.size(), with_size ? sized_name : name);
+  }
+
+  void patch_vertex_properties(BytePatcher& file) const {
     for (std::size_t i = 0; i < treatments_.size(); ++i) {
       const Property& property = layout_.vertices().properties[i];
-      const std::string_view type = property.type_text;
       if (treatments_[i].kind == Treatment::Kind::drop) {
         file.remove(property.line.data(), property.line.data() + property.line.size());
       } else if (is_promoted(i)) {
-        const bool with_size = std::isdigit(static_cast<unsigned char>(type.back())) != 0;
-        file.replace(type.data(), type.data() + type.size(),
-                     std::string_view(with_size ? "float64" : "double"));
+        replace_type(property, "double", "float64", file);
       }
     }
   }
@@ -109,25 +167,86 @@ class Patcher {
   }
 
   template <class Body>
-  void patch_vertices(Body body, BytePatcher& file) const {
+  void patch_body(Body body, BytePatcher& file, AtomicFile& out) {
     const std::vector<Element>& elements = layout_.header.elements;
-    for (std::size_t e = 0; e < layout_.vertex; ++e)
-      body.skip_rows(elements[e]);
-    const Element& vertex = layout_.vertices();
-    body.start_element(vertex);
-    std::vector<Span> spans(treatments_.size());
-    for (std::int64_t row = 0; row < vertex.count; ++row) {
+    for (std::size_t e = 0; e < elements.size(); ++e) {
+      if (e == layout_.vertex) {
+        walk_rows(body, elements[e], [&](std::int64_t row, const std::vector<Span>& spans) {
+          patch_row(row, spans, file);
+          if (new_vertices_) new_vertices_->see(row, spans);
+        });
+        if (!request_.extension) return;
+        if (request_.extension->X.rows() == 0) continue;
+        insert_rows(body, file, out,
+                    [&](RowWriter& row) { new_vertices_->write(stored_types(), row); });
+      } else if (e == layout_.face && request_.extension) {
+        walk_rows(body, elements[e], [&](std::int64_t row, const std::vector<Span>& spans) {
+          widen_indices(spans[static_cast<std::size_t>(layout_.indices)], file);
+          new_faces_->see(row, spans);
+        });
+        insert_rows(body, file, out, [&](RowWriter& row) {
+          for (std::string& note : new_faces_->write(index_type_, row))
+            notes_.push_back(std::move(note));
+        });
+      } else {
+        body.skip_rows(elements[e]);
+      }
+    }
+  }
+
+  template <class Body, class Visit>
+  static void walk_rows(Body& body, const Element& element, Visit&& visit) {
+    body.start_element(element);
+    std::vector<Span> spans(element.properties.size());
+    for (std::int64_t row = 0; row < element.count; ++row) {
       body.start_row(row);
       for (std::size_t i = 0; i < spans.size(); ++i) {
         const char* before = body.after_value();
         spans[i].first = body.position();
         // What precedes a row's first value is the end of the line before.
         spans[i].before = i == 0 ? spans[i].first : before;
-        body.skip(vertex.properties[i]);
+        body.skip(element.properties[i]);
         spans[i].last = body.after_value();
       }
-      patch_row(row, spans, file);
+      visit(row, spans);
       body.end_row();
+    }
+  }
+
+  /// Calls write(row) behind the rows that have just been walked over.
+  template <class Body, class Write>
+  void insert_rows(Body& body, BytePatcher& file, AtomicFile& out, Write&& write) const {
+    const bool ascii = layout_.header.encoding == Encoding::ascii;
+    std::string_view line_end = body.take_line_end();
+    file.copy_up_to(body.after_value());
+    if (ascii && line_end.empty()) {
+      line_end = first_line_end(request_.source.view());
+      out.write(line_end);
+    }
+    RowWriter row(out, layout_.header.encoding, line_end);
+    write(row);
+  }
+
+  std::vector<std::optional<Type>> stored_types() const {
+    std::vector<std::optional<Type>> types;
+    for (const Treatment& treatment : treatments_) {
+      types.push_back(treatment.kind == Treatment::Kind::drop ? std::nullopt
+                                                              : std::optional(treatment.type));
+    }
+    return types;
+  }
+
+  void widen_indices(const Span& list, BytePatcher& file) const {
+    const Property& indices = index_property();
+    if (index_type_ == indices.type || layout_.header.encoding == Encoding::ascii) return;
+    const char* first = list.first + size_of(indices.count_type);
+    file.copy_up_to(first);
+    for (const char* p = first; p != list.last; p += size_of(indices.type)) {
+      const double index =
+          number_at({p, p, p + size_of(indices.type)}, indices.type, layout_.header.encoding);
+      char bytes[sizeof(Index)];
+      file.replace(p, p + size_of(indices.type),
+                   bytes_of(static_cast<Index>(index), swapped_, bytes));
     }
   }
 
@@ -155,14 +274,9 @@ class Patcher {
     Vec3 normal;
     for (int c = 0; c < 3; ++c) {
       const int i = layout_.normal[static_cast<std::size_t>(c)];
-      const Span& span = spans[static_cast<std::size_t>(i)];
-      normal[c] = 0.0;
-      if (layout_.header.encoding == Encoding::ascii) {
-        parse_real(span.first, span.last, normal[c]);
-      } else {
-        normal[c] = property(i).type == Type::float32 ? load<float>(span.first, swapped_)
-                                                      : load<double>(span.first, swapped_);
-      }
+      const double value =
+          number_at(spans[static_cast<std::size_t>(i)], property(i).type, layout_.header.encoding);
+      normal[c] = std::isnan(value) ? 0.0 : value;
     }
     return normal;
   }
@@ -187,7 +301,10 @@ class Patcher {
   Layout layout_;
   bool swapped_;
   std::vector<Treatment> treatments_;  // one a vertex property
+  Type index_type_ = Type::int32;      // of the faces' vertex numbers afterwards
   std::optional<RenewedNormals> normals_;
+  std::optional<VertexAppender> new_vertices_;
+  std::optional<FaceAppender> new_faces_;
   std::vector<std::string> notes_;
 };
 

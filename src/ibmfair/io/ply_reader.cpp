@@ -33,7 +33,8 @@ void find_in_vertices(const SourceBytes& source, Layout& layout) {
   const Element& vertex = layout.vertices();
   layout.position = find_all<3>(source, vertex, {"x", "y", "z"});
   if (layout.position[0] < 0) {
-    fail_in_text(source, vertex.count_text, "the vertices have no scalar properties x, y and z;");
+    fail_in_text(source, vertex.count_text.data(),
+                 "the vertices have no scalar properties x, y and z;");
   }
   layout.normal = find_all<3>(source, vertex, {"nx", "ny", "nz"});
   using Names = std::array<std::string_view, 2>;

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <string_view>
 
+#include "ibmfair/io/line_end.h"
 #include "ibmfair/io/numbers.h"
 #include "ibmfair/io/source_bytes.h"
 
@@ -35,6 +36,16 @@ class TokenCursor {
     while (p_ != end_ && is_blank(*p_))
       ++p_;
     return p_ == end_ || is_line_end(*p_) || (comments_ && *p_ == '#');
+  }
+
+  /// Goes behind the end of this line, passing over a comment, and returns that end: empty where
+  /// more follows on the line or the text ends with it.
+  std::string_view take_line_end() {
+    if (!at_line_end()) return {};
+    if (p_ != end_ && !is_line_end(*p_)) skip_comment();
+    const std::string_view line_end = leading_line_end({p_, static_cast<std::size_t>(end_ - p_)});
+    p_ += line_end.size();
+    return line_end;
   }
 
   /// Where the cursor stands; after skip_to_token() the start of a token.

@@ -3,6 +3,9 @@
 
 #include "ibmfair/base/errors.h"
 #include "ibmfair/io/atomic_file.h"
+#include "ibmfair/io/extend_attributes.h"
+#include "ibmfair/io/extend_values.h"
+#include "ibmfair/io/extension.h"
 #include "ibmfair/io/formats.h"
 #include "ibmfair/io/mesh_file.h"
 #include "ibmfair/io/source_bytes.h"
@@ -54,16 +57,16 @@ WriteReport finish(WriteReport report, AtomicFile& out) {
   return report;
 }
 
-}  // namespace
-
-WriteReport write_mesh(const MeshFile& source, const Points& X, const std::string& path,
-                       const WriteOptions& options) {
+/// Both ways of writing a mesh that comes from a file; `extension` may be null.
+WriteReport write(const MeshFile& source, const Points& X, const Extension* extension,
+                  const std::string& path, const WriteOptions& options) {
   const Mesh& mesh = source.mesh();
   if (X.rows() != mesh.X.rows()) {
     throw BadMesh(fmt::format("{} positions for the {} vertices of {}", X.rows(), mesh.X.rows(),
                               source.name()));
   }
   require_finite(X);
+  if (extension != nullptr) require_fit(*extension, mesh);
   const Format& format = choose_format(path, options, &source.format());
   const std::vector<std::uint8_t> moved = find_moved(mesh.X, X);
 
@@ -73,16 +76,39 @@ WriteReport write_mesh(const MeshFile& source, const Points& X, const std::strin
   report.patched = &format == &source.format() && !source.welded();
   AtomicFile out(path, options.overwrite);
   if (!report.patched) {
-    const Mesh target{X, mesh.faces};
     const SourceBytes* flavour = &format == &source.format() ? &source.bytes() : nullptr;
-    report.notes = format.generate({target, source.attributes(), flavour}, out);
-  } else if (report.moved_vertices > 0) {
+    MeshAttributes attributes = source.attributes();
+    if (extension != nullptr) {
+      attributes = extended_attributes(std::move(attributes), mesh, *extension, report.notes);
+      // These are about statements that no other format can take.
+      if (flavour == nullptr) report.notes.clear();
+    }
+    const Mesh target =
+        extension == nullptr ? Mesh{X, mesh.faces} : extended_mesh(mesh, X, *extension);
+    for (std::string& note : format.generate({target, attributes, flavour}, out))
+      report.notes.push_back(std::move(note));
+  } else if (report.moved_vertices > 0 || extension != nullptr) {
     report.notes =
-        format.patch({source.bytes(), mesh, source.has_normals(), X, moved, options.ply_real}, out);
+        format.patch({source.bytes(), mesh, source.has_texture_coordinates(), source.has_normals(),
+                      X, moved, report.moved_vertices > 0, options.ply_real, extension},
+                     out);
   } else {
     out.write(source.bytes().view());
   }
   return finish(std::move(report), out);
+}
+
+}  // namespace
+
+WriteReport write_mesh(const MeshFile& source, const Points& X, const std::string& path,
+                       const WriteOptions& options) {
+  return write(source, X, nullptr, path, options);
+}
+
+WriteReport write_mesh(const MeshFile& source, const Points& X, const Extension& extension,
+                       const std::string& path, const WriteOptions& options) {
+  const bool adds_nothing = extension.X.rows() == 0 && extension.F.rows() == 0;
+  return write(source, X, adds_nothing ? nullptr : &extension, path, options);
 }
 
 WriteReport write_mesh(const Mesh& mesh, const std::string& path, const WriteOptions& options) {
