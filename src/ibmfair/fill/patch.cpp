@@ -16,18 +16,6 @@ void make_unique(std::vector<Index>& values) {
   values.erase(std::unique(values.begin(), values.end()), values.end());
 }
 
-/// The vertices of the triangles at `vertices`, themselves included.
-std::vector<Index> grown(const Topology& topology, const std::vector<Index>& vertices) {
-  std::vector<Index> result = vertices;
-  for (const Index v : vertices) {
-    for (const Index t : topology.stars[v]) {
-      result.insert(result.end(), topology.F.row(t).begin(), topology.F.row(t).end());
-    }
-  }
-  make_unique(result);
-  return result;
-}
-
 std::vector<Index> triangles_at(const Topology& topology, const std::vector<Index>& vertices) {
   std::vector<Index> result;
   for (const Index v : vertices) {
@@ -158,6 +146,17 @@ void measure_spacing(Patch& patch, const std::vector<std::uint8_t>& on_rim) {
 
 }  // namespace
 
+std::vector<Index> grown_by_ring(const Topology& topology, const std::vector<Index>& vertices) {
+  std::vector<Index> result = vertices;
+  for (const Index v : vertices) {
+    for (const Index t : topology.stars[v]) {
+      result.insert(result.end(), topology.F.row(t).begin(), topology.F.row(t).end());
+    }
+  }
+  make_unique(result);
+  return result;
+}
+
 Patch cut_patch(const Points& X, const Topology& topology,
                 const std::vector<std::vector<Index>>& loops, int free_rings) {
   std::vector<Index> rim;
@@ -167,10 +166,10 @@ Patch cut_patch(const Points& X, const Topology& topology,
   make_unique(rim);
   std::vector<Index> free = free_rings > 0 ? rim : std::vector<Index>{};
   for (int ring = 1; ring < free_rings; ++ring) {
-    free = grown(topology, free);
+    free = grown_by_ring(topology, free);
   }
-  const std::vector<Index> centres = free_rings > 0 ? grown(topology, free) : rim;
-  const Numbering local(grown(topology, centres));
+  const std::vector<Index> centres = free_rings > 0 ? grown_by_ring(topology, free) : rim;
+  const Numbering local(grown_by_ring(topology, centres));
 
   Patch patch;
   patch.mesh_vertex = local.vertices();
@@ -210,9 +209,9 @@ Patch cut_region(const Points& X, const Topology& topology, const std::vector<In
     inside[v] = 1;
   }
   const std::vector<Index> own = triangles_at(topology, region);
-  const std::vector<Index> centres = grown(topology, region);
+  const std::vector<Index> centres = grown_by_ring(topology, region);
   std::vector<Index> all = triangles_at(topology, centres);
-  const Numbering local(grown(topology, centres));
+  const Numbering local(grown_by_ring(topology, centres));
 
   Patch patch;
   patch.mesh_vertex = local.vertices();

@@ -37,6 +37,9 @@ struct Patch {
   Index own_size() const { return size() - own_from; }
 };
 
+/// The vertices of the triangles at `vertices`, themselves included, sorted.
+std::vector<Index> grown_by_ring(const Topology& topology, const std::vector<Index>& vertices);
+
 /// Triangulates the polygons `loops` (mesh vertices, none twice in a loop, the mesh to their left)
 /// and cuts out what the fairing of the patch needs to know of the mesh. `free_rings` rings of
 /// vertices outside may move, the loops themselves being the first. Throws BadMesh, with the

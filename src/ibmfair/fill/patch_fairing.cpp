@@ -54,7 +54,7 @@ class Stage {
   Stage(const Patch& patch, const FlowOptions& options, double h, double h_limit)
       : topology_(build_topology(patch.X, all_triangles(patch))),
         held_(held_vertices(patch, topology_)),
-        flow_(patch.X, topology_, held_, options, h, h_limit) {}
+        flow_(patch.X, topology_, held_, options, h, h_limit, patch.own_size() > 0) {}
 
   StationaryFlow& flow() { return flow_; }
 

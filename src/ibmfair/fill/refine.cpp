@@ -1,6 +1,7 @@
 #include "ibmfair/fill/refine.h"
 
 #include <algorithm>
+#include <limits>
 #include <tuple>
 #include <vector>
 
@@ -132,6 +133,13 @@ class Refinement {
 
 bool refine(Patch& patch, const RefineOptions& options) {
   return Refinement(patch, options).run();
+}
+
+void split_taken_edges(Patch& patch) {
+  const double endless = std::numeric_limits<double>::infinity();
+  std::fill(patch.wanted.begin(), patch.wanted.end(), endless);
+  refine(patch, {.coarsening = endless, .most_vertices = std::numeric_limits<Index>::max()});
+  patch.wanted = patch.spacing;
 }
 
 void even_out(Patch& patch, int sweeps) {

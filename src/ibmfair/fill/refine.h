@@ -17,6 +17,9 @@ struct RefineOptions {
 /// where `most_vertices` ended it.
 bool refine(Patch& patch, const RefineOptions& options);
 
+/// Splits only the edges that the mesh has already.
+void split_taken_edges(Patch& patch);
+
 /// `sweeps` times: every free vertex of the patch's own moves half way to the mean of its
 /// neighbours, projected off the normal, then edges are flipped to Delaunay.
 void even_out(Patch& patch, int sweeps);

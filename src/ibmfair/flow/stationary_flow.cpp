@@ -12,6 +12,7 @@ namespace {
 constexpr double least_decrease = 0.1;  // of the predicted decrease, to accept a step
 constexpr double good_decrease = 0.5;   // above, the time step may grow
 constexpr double growth = 16;           // of the time step, and its inverse where a step fails
+constexpr double longest_move = 2;      // along the normal in one step, in edge lengths
 constexpr int most_attempts = 12;
 constexpr int most_steps_with_jacobian = 10;
 constexpr int halvings = 2;  // of a step before the time step shrinks
@@ -35,17 +36,27 @@ Points unknown_normals(const Points& X, const Topology& topology, const Unknowns
 
 StationaryFlow::StationaryFlow(const Points& X, const Topology& topology,
                                const std::vector<std::uint8_t>& held, const FlowOptions& options,
-                               double h, double h_limit)
+                               double h, double h_limit, bool normal_only)
     : problem_(X, topology, held, options),
       folds_(X, topology, problem_.unknowns),
       h_(h),
-      h_limit_(h_limit) {
+      h_limit_(h_limit),
+      normal_only_(normal_only) {
   restart();
+}
+
+/// Without its tangential part, which would only shuffle vertices within the surface.
+void StationaryFlow::project(Points& field) const {
+  if (normal_only_) {
+    const Eigen::VectorXd along = field.cwiseProduct(normals_).rowwise().sum();
+    field = along.asDiagonal() * normals_;
+  }
 }
 
 void StationaryFlow::restart() {
   energy_ = problem_.energy_and_gradient_at(problem_.X, g_);
   normals_ = unknown_normals(problem_.X, problem_.topology, problem_.unknowns);
+  project(g_);
   pairs_.forget();
 }
 
@@ -83,6 +94,7 @@ bool StationaryFlow::advance() {
     const Points step = pairs_.direction(g_, [&](const Points& q) {
       Points d;
       problem_.jacobian().solve(h_ * q, d);
+      project(d);
       return d;
     });
     if (search(step)) {
@@ -98,14 +110,18 @@ bool StationaryFlow::advance() {
 
 bool StationaryFlow::search(const Points& step) {
   const double slope = -g_.cwiseProduct(step).sum();
+  const Eigen::VectorXd along = step.cwiseProduct(normals_).rowwise().sum();
+  const double move =
+      along.size() > 0 ? along.cwiseAbs().cwiseQuotient(edge_length_).maxCoeff() : 0;
   Points Y, gradient;
-  double fraction = 1;
+  double fraction = std::min(1.0, longest_move / move);
   for (int i = 0; i <= halvings; ++i, fraction /= 2) {
     problem_.displace(fraction * step, Y);
     const double trial = problem_.energy_and_gradient_at(Y, gradient);
     const double predicted = (fraction - fraction * fraction / 2) * slope;
     const double ratio = (energy_ - trial) / std::min(predicted, energy_);
     if (ratio >= least_decrease && folds_.new_folds(Y).empty()) {
+      last_move_ = fraction * move;
       accept(fraction * step, Y, gradient, trial);
       adapt(fraction, ratio);
       return true;
@@ -115,13 +131,12 @@ bool StationaryFlow::search(const Points& step) {
 }
 
 void StationaryFlow::accept(const Points& step, Points& Y, Points& gradient, double energy) {
-  const Eigen::VectorXd along = step.cwiseProduct(normals_).rowwise().sum();
-  last_move_ = along.size() > 0 ? along.cwiseAbs().cwiseQuotient(edge_length_).maxCoeff() : 0;
-  pairs_.add(step, gradient - g_);
   problem_.X.swap(Y);
-  g_.swap(gradient);
   energy_ = energy;
   normals_ = unknown_normals(problem_.X, problem_.topology, problem_.unknowns);
+  project(gradient);
+  pairs_.add(step, gradient - g_);
+  g_.swap(gradient);
 }
 
 /// Far from the limit the time step grows and the Jacobian follows the state; at the limit it is

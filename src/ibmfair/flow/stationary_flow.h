@@ -23,7 +23,7 @@ class StationaryFlow {
   /// `options` says which energy; its steps and time are not used. The flow starts at `X` with time
   /// step `h`, which grows up to `h_limit` (length^4). Everything referred to must outlive it.
   StationaryFlow(const Points& X, const Topology& topology, const std::vector<std::uint8_t>& held,
-                 const FlowOptions& options, double h, double h_limit);
+                 const FlowOptions& options, double h, double h_limit, bool normal_only);
 
   /// Takes one step that lowers the energy, in as many attempts as that needs; false, with the
   /// state as it was, where no step does.
@@ -49,6 +49,7 @@ class StationaryFlow {
   const FlowReport& report() const { return problem_.report; }
 
  private:
+  void project(Points& field) const;
   void restart();
   bool renew();
   bool search(const Points& step);
@@ -59,6 +60,7 @@ class StationaryFlow {
   FoldWatch folds_;
   CurvaturePairs pairs_;
   double h_, h_limit_;
+  bool normal_only_;
   double energy_ = 0;
   double last_move_ = 0;
   Points g_;                     // the gradient, one row per unknown

@@ -1,0 +1,333 @@
+#include "ibmfair/fill/fill_holes.h"
+
+#include <algorithm>
+#include <exception>
+#include <optional>
+
+#include "ibmfair/base/errors.h"
+#include "ibmfair/fill/harmonic_extension.h"
+#include "ibmfair/fill/hole_groups.h"
+#include "ibmfair/fill/intersections.h"
+#include "ibmfair/fill/refine.h"
+
+namespace ibmfair {
+namespace {
+
+constexpr Index least_limit = 100'000;  // of new vertices, where none is given
+
+/// What became of holes that were filled together.
+struct GroupResult {
+  std::vector<Index> holes;  // those that `patch` fills
+  std::optional<Patch> patch;
+  std::vector<Index> hole_of_rim;   // per rim edge of the patch
+  std::vector<HoleReport> reports;  // one per hole of the group
+};
+
+HoleReport report_of(Index hole, HoleStatus status, std::string reason = {}) {
+  HoleReport report;
+  report.hole = hole;
+  report.status = status;
+  report.reason = std::move(reason);
+  return report;
+}
+
+class HoleFiller {
+ public:
+  HoleFiller(const Points& X, const Topology& topology, const std::vector<Hole>& holes,
+             const FillOptions& options)
+      : X_(X), topology_(topology), holes_(holes), options_(options) {}
+
+  /// Fills the holes together. Where one of them cannot be triangulated, each is tried alone.
+  std::vector<GroupResult> fill(const std::vector<Index>& group, Index most_vertices) const {
+    try {
+      std::vector<GroupResult> result;
+      result.push_back(fill_together(group, most_vertices));
+      return result;
+    } catch (const BadMesh& error) {
+      if (group.size() == 1) {
+        GroupResult failed;
+        failed.reports.push_back(report_of(group.front(), HoleStatus::failed, error.what()));
+        return {std::move(failed)};
+      }
+    }
+    std::vector<GroupResult> results;
+    for (const Index hole : group) {
+      for (GroupResult& result : fill({hole}, most_vertices / static_cast<Index>(group.size()))) {
+        results.push_back(std::move(result));
+      }
+    }
+    return results;
+  }
+
+ private:
+  GroupResult fill_together(const std::vector<Index>& group, Index most_vertices) const {
+    GroupResult result;
+    result.holes = group;
+    std::vector<std::vector<Index>> loops;
+    for (const Index hole : group) {
+      if (!holes_[hole].closed) {
+        throw BadMesh("its boundary ends at an edge of three or more triangles");
+      }
+      for (auto& loop : simple_loops(holes_[hole].loop)) {
+        result.hole_of_rim.insert(result.hole_of_rim.end(), loop.size(), hole);
+        loops.push_back(std::move(loop));
+      }
+    }
+    result.patch = cut_patch(X_, topology_, loops, options_.rim_smooth);
+    HoleReport report = refined_and_faired(*result.patch, most_vertices);
+    const std::vector<Index> nearest = nearest_rim_edges(*result.patch);
+    for (const Index hole : group) {
+      report.hole = hole;
+      report.seam = audit_seam(*result.patch, nearest, rim_of(result, hole));
+      result.reports.push_back(report);
+    }
+    return result;
+  }
+
+  static std::vector<std::uint8_t> rim_of(const GroupResult& result, Index hole) {
+    std::vector<std::uint8_t> chosen(result.hole_of_rim.size());
+    std::transform(result.hole_of_rim.begin(), result.hole_of_rim.end(), chosen.begin(),
+                   [hole](Index h) { return h == hole ? 1 : 0; });
+    return chosen;
+  }
+
+  HoleReport refined_and_faired(Patch& patch, Index most_vertices) const {
+    HoleReport report = report_of(0, HoleStatus::filled);
+    bool refined = true;
+    if (!options_.refine) {
+      split_taken_edges(patch);
+    } else if (!options_.fair) {
+      refined = refine(patch, {1, false, most_vertices});
+    }
+    if (options_.fair) {
+      try {
+        report.fairing = options_.refine
+                             ? refine_and_fair(patch, options_.fairing, most_vertices, refined)
+                             : fair(patch, options_.fairing);
+      } catch (const FactorizationFailed& error) {
+        report.status = HoleStatus::not_converged;
+        report.reason = error.what();
+        return report;
+      }
+      if (!report.fairing.converged) {
+        report.status = HoleStatus::not_converged;
+        report.reason = "the fairing did not reach its tolerance";
+      }
+    }
+    if (!refined) {
+      report.status = HoleStatus::coarse;
+      report.reason = "the limit of new vertices ended its refinement";
+    }
+    return report;
+  }
+
+  const Points& X_;
+  const Topology& topology_;
+  const std::vector<Hole>& holes_;
+  const FillOptions& options_;
+};
+
+/// A hole of n edges asks for about n^2 vertices; a hostile one must not take what others need.
+std::vector<Index> shares(const std::vector<std::vector<Index>>& groups,
+                          const std::vector<Hole>& holes, Index limit) {
+  std::vector<double> need;
+  double all = 0;
+  for (const auto& group : groups) {
+    double edges = 0;
+    for (const Index h : group) {
+      edges += holes[h].edges();
+    }
+    need.push_back(edges * edges);
+    all += need.back();
+  }
+  std::vector<Index> result;
+  for (const double part : need) {
+    result.push_back(static_cast<Index>(limit * (part / all)));
+  }
+  return result;
+}
+
+/// Puts a group's patch behind what the mesh has by now.
+class Assembly {
+ public:
+  Assembly(const Points& X, Filling& filling) : filling_(filling), vertex_count_(X.rows()) {
+    filling.X = X;
+  }
+
+  void add(GroupResult& group) {
+    for (HoleReport& report : group.reports) {
+      filling_.holes[report.hole] = std::move(report);
+    }
+    if (!group.patch) {
+      return;
+    }
+    Patch& patch = *group.patch;
+    for (Index v = 0; v < patch.own_from; ++v) {
+      if (patch.free[v]) {
+        filling_.X.row(patch.mesh_vertex[v]) = patch.X.row(v);
+      }
+    }
+    const std::vector<Index> nearest = nearest_rim_edges(patch);
+    for (Index t = 0; t < patch.net.size(); ++t) {
+      for (const Index v : patch.net[t]) {
+        corners_.push_back(v < patch.own_from ? patch.mesh_vertex[v]
+                                              : static_cast<Index>(vertex_count_ + own_count_) + v -
+                                                    patch.own_from);
+      }
+      const Index hole = group.hole_of_rim[nearest[t]];
+      filling_.model_triangle.push_back(patch.rim[nearest[t]].mesh_triangle);
+      filling_.hole_of_triangle.push_back(hole);
+      ++filling_.holes[hole].new_triangles;
+    }
+    count_vertices(group, nearest);
+    own_count_ += patch.own_size();
+    filling_.patches.push_back(std::move(patch));
+  }
+
+  void finish() {
+    filling_.new_F = Eigen::Map<const Triangles>(corners_.data(),
+                                                 static_cast<Eigen::Index>(corners_.size() / 3), 3);
+    filling_.new_X.resize(own_count_, 3);
+    Eigen::Index row = 0;
+    for (const Patch& patch : filling_.patches) {
+      filling_.new_X.middleRows(row, patch.own_size()) = patch.X.bottomRows(patch.own_size());
+      row += patch.own_size();
+    }
+  }
+
+ private:
+  void count_vertices(const GroupResult& group, const std::vector<Index>& nearest) {
+    const Patch& patch = *group.patch;
+    std::vector<Index> hole(static_cast<std::size_t>(patch.own_size()), -1);
+    for (Index t = 0; t < patch.net.size(); ++t) {
+      for (const Index v : patch.net[t]) {
+        if (v >= patch.own_from && hole[v - patch.own_from] < 0) {
+          hole[v - patch.own_from] = group.hole_of_rim[nearest[t]];
+          ++filling_.holes[hole[v - patch.own_from]].new_vertices;
+        }
+      }
+    }
+  }
+
+  Filling& filling_;
+  Eigen::Index vertex_count_;
+  Eigen::Index own_count_ = 0;
+  std::vector<Index> corners_;
+};
+
+std::vector<std::vector<GroupResult>> fill_groups(const HoleFiller& filler,
+                                                  const std::vector<std::vector<Index>>& groups,
+                                                  const std::vector<Index>& limits) {
+  std::vector<std::vector<GroupResult>> results(groups.size());
+  std::vector<std::exception_ptr> errors(groups.size());
+  // A single group uses all threads itself.
+#pragma omp parallel for schedule(dynamic) if (groups.size() > 1)
+  for (std::size_t i = 0; i < groups.size(); ++i) {
+    try {
+      results[i] = filler.fill(groups[i], limits[i]);
+    } catch (...) {
+      errors[i] = std::current_exception();
+    }
+  }
+  for (const std::exception_ptr& error : errors) {
+    if (error) {
+      std::rethrow_exception(error);
+    }
+  }
+  return results;
+}
+
+void count_intersections(const Topology& topology, Filling& filling) {
+  Points X(filling.X.rows() + filling.new_X.rows(), 3);
+  X << filling.X, filling.new_X;
+  Triangles F(topology.F.rows() + filling.new_F.rows(), 3);
+  F << topology.F, filling.new_F;
+  const auto first = static_cast<Index>(topology.F.rows());
+  for (const auto& [t, u] : patch_intersections(X, F, first)) {
+    const Index hole = filling.hole_of_triangle[u - first];
+    ++filling.holes[hole].intersections;
+    if (t >= first && filling.hole_of_triangle[t - first] != hole) {
+      ++filling.holes[filling.hole_of_triangle[t - first]].intersections;
+    }
+  }
+}
+
+}  // namespace
+
+std::string_view name_of(HoleStatus status) {
+  switch (status) {
+    case HoleStatus::filled:
+      return "filled";
+    case HoleStatus::not_converged:
+      return "not converged";
+    case HoleStatus::coarse:
+      return "coarse";
+    case HoleStatus::failed:
+      return "failed";
+    case HoleStatus::skipped:
+      return "skipped";
+  }
+  return "unknown";
+}
+
+Filling fill_holes(const Points& X, const Topology& topology, const HoleChoice& choice,
+                   const FillOptions& options) {
+  options.fairing.validate();
+  const std::vector<Hole> holes = find_holes(X, topology);
+  require_known_holes(holes, choice);
+  Filling filling;
+  std::vector<Index> chosen;
+  for (const Hole& hole : holes) {
+    filling.holes.push_back(report_of(hole.id, HoleStatus::skipped, reason_to_skip(hole, choice)));
+    if (filling.holes.back().reason.empty()) {
+      chosen.push_back(hole.id);
+    }
+  }
+  const auto groups = group_holes(topology, holes, chosen, options.rim_smooth);
+  const Index limit = options.most_new_vertices > 0
+                          ? options.most_new_vertices
+                          : std::max(least_limit, static_cast<Index>(X.rows()));
+  auto results =
+      fill_groups(HoleFiller(X, topology, holes, options), groups, shares(groups, holes, limit));
+  Assembly assembly(X, filling);
+  for (auto& group : results) {
+    for (GroupResult& part : group) {
+      assembly.add(part);
+    }
+  }
+  assembly.finish();
+  if (filling.new_F.rows() > 0) {
+    count_intersections(topology, filling);
+  }
+  return filling;
+}
+
+std::vector<Index> Filling::rim() const {
+  std::vector<Index> all;
+  for (const Patch& patch : patches) {
+    const std::vector<Index> part = rim_vertices(patch);
+    all.insert(all.end(), part.begin(), part.end());
+  }
+  std::sort(all.begin(), all.end());
+  all.erase(std::unique(all.begin(), all.end()), all.end());
+  return all;
+}
+
+Eigen::MatrixXd Filling::extend(const Eigen::MatrixXd& at_rim) const {
+  const std::vector<Index> all = rim();
+  Eigen::MatrixXd values(new_X.rows(), at_rim.cols());
+  Eigen::Index row = 0;
+  for (const Patch& patch : patches) {
+    const std::vector<Index> part = rim_vertices(patch);
+    Eigen::MatrixXd own(static_cast<Eigen::Index>(part.size()), at_rim.cols());
+    for (std::size_t i = 0; i < part.size(); ++i) {
+      const auto place = std::lower_bound(all.begin(), all.end(), part[i]) - all.begin();
+      own.row(static_cast<Eigen::Index>(i)) = at_rim.row(place);
+    }
+    values.middleRows(row, patch.own_size()) = extend_harmonically(patch, own);
+    row += patch.own_size();
+  }
+  return values;
+}
+
+}  // namespace ibmfair

@@ -1,0 +1,85 @@
+#include "ibmfair/fill/intersections.h"
+
+#include <algorithm>
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/intersections.h>
+
+#include "ibmfair/fill/box_grid.h"
+
+namespace ibmfair {
+namespace {
+
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+
+Kernel::Point_3 point(const Points& X, Index v) {
+  return {X(v, 0), X(v, 1), X(v, 2)};
+}
+
+/// A triangle turned so that the corners at `from`, `from + 1`, ... come first.
+struct Turned {
+  Kernel::Triangle_3 triangle;
+  Kernel::Segment_3 opposite;  // to the first corner
+
+  Turned(const Points& X, const Triangles& F, Index t, int from)
+      : triangle(point(X, F(t, from)), point(X, F(t, (from + 1) % 3)),
+                 point(X, F(t, (from + 2) % 3))),
+        opposite(triangle[1], triangle[2]) {}
+};
+
+bool intersect(const Points& X, const Triangles& F, Index t, Index u) {
+  int shared = 0, place_t = 0, place_u = 0;
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < 3; ++j) {
+      if (F(t, i) == F(u, j)) {
+        ++shared;
+        place_t = i;
+        place_u = j;
+      }
+    }
+  }
+  if (shared > 1) {
+    return false;
+  }
+  const Turned a(X, F, t, place_t), b(X, F, u, place_u);
+  if (a.triangle.is_degenerate() || b.triangle.is_degenerate()) {
+    return false;
+  }
+  if (shared == 1) {  // they meet in the corner; a second point lies on an edge opposite to it
+    return CGAL::do_intersect(a.opposite, b.triangle) || CGAL::do_intersect(b.opposite, a.triangle);
+  }
+  return CGAL::do_intersect(a.triangle, b.triangle);
+}
+
+BoxGrid::Box box(const Points& X, const Triangles& F, Index t) {
+  BoxGrid::Box result;
+  for (int i = 0; i < 3; ++i) {
+    result.extend(X.row(F(t, i)).transpose());
+  }
+  return result;
+}
+
+}  // namespace
+
+std::vector<std::array<Index, 2>> patch_intersections(const Points& X, const Triangles& F,
+                                                      Index patch_from) {
+  std::vector<BoxGrid::Box> boxes;
+  for (auto t = patch_from; t < F.rows(); ++t) {
+    boxes.push_back(box(X, F, t));
+  }
+  const BoxGrid grid(std::move(boxes));
+  std::vector<std::array<Index, 2>> pairs;
+  std::vector<Index> near;
+  for (Index t = 0; t < F.rows(); ++t) {
+    grid.find(box(X, F, t), near);
+    for (const Index i : near) {
+      const Index u = patch_from + i;
+      if (u > t && intersect(X, F, t, u)) {
+        pairs.push_back({t, u});
+      }
+    }
+  }
+  return pairs;
+}
+
+}  // namespace ibmfair
