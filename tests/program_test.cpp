@@ -59,7 +59,7 @@ json info_of(const Words& shape) {
 }
 
 const std::vector<std::string>& all_commands() {
-  static const std::vector<std::string> names{"smooth", "info", "compare", "make"};
+  static const std::vector<std::string> names{"smooth", "info", "compare", "make", "batch"};
   return names;
 }
 
@@ -72,7 +72,8 @@ TEST(Program, HelpAndVersionGoToStandardOutputAndSucceed) {
     const RunResult more = run_program({command, "--help"});
     EXPECT_EQ(more.exit_code, 0);
     EXPECT_EQ(more.err, "");
-    for (const std::string option : {"--help", "--quiet", "--verbose", "--threads"}) {
+    for (const std::string option :
+         {"--help", "--quiet", "--verbose", "--threads", "--dump-config"}) {
       EXPECT_TRUE(contains(more.out, option)) << command << " " << option;
     }
   }

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "commands/argument_roles.h"
 #include "commands/command.h"
 #include "commands/figure_list.h"
 #include "commands/numeric_options.h"
@@ -231,8 +232,10 @@ ExitCode run_compare(const CompareArguments& arguments, Console& console) {
 Runner declare_compare(CLI::App& app) {
   auto arguments = std::make_shared<CompareArguments>();
   CompareArguments* const a = arguments.get();
-  app.add_option("A", a->a, "mesh file to read; - is standard input")->required();
-  app.add_option("B", a->b, "mesh file to compare it with");
+  app.add_option("A", a->a, "mesh file to read; - is standard input")
+      ->type_name(file_to_read)
+      ->required();
+  app.add_option("B", a->b, "mesh file to compare it with")->type_name(file_to_read);
   app.add_option("--sphere", a->sphere,
                  "compare A with the sphere of this radius, or with the one that fits best (fit)")
       ->type_name("R|fit");

@@ -1,5 +1,7 @@
 #include "commands/numeric_options.h"
 
+#include <cmath>
+
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
@@ -20,6 +22,11 @@ std::string describe(const Range& range) {
                : fmt::format("{} {}", range.above_smallest ? "above" : "at least", range.smallest);
 }
 
+bool contains(const Range& range, double value) {
+  return std::isfinite(value) && value <= range.largest &&
+         (range.above_smallest ? value > range.smallest : value >= range.smallest);
+}
+
 }  // namespace
 
 double parse_real_option(std::string_view name, std::string_view text, const Range& range) {
@@ -28,9 +35,7 @@ double parse_real_option(std::string_view name, std::string_view text, const Ran
   if (parse_real(text.data(), end, value) != end) {
     throw BadOption(fmt::format("{}: '{}' is not a finite number", name, text));
   }
-  const bool inside = (range.above_smallest ? value > range.smallest : value >= range.smallest) &&
-                      value <= range.largest;
-  if (!inside) {
+  if (!contains(range, value)) {
     throw BadOption(
         fmt::format("{}: {} is out of range, it must be {}", name, text, describe(range)));
   }
@@ -74,6 +79,19 @@ CLI::Option* add_parsed_option(CLI::App& app, const std::string& name, const std
                                const std::string& help,
                                const std::function<void(const std::string&)>& set) {
   return app.add_option_function<std::string>(name, set, help)->type_name(type);
+}
+
+void show_default(CLI::Option& option, double value, const Range& range) {
+  if (contains(range, value)) {
+    option.default_str(fmt::format("{}", value));
+  }
+}
+
+void show_default(CLI::Option& option, std::int64_t value, std::int64_t smallest,
+                  std::int64_t largest) {
+  if (value >= smallest && value <= largest) {
+    option.default_str(fmt::format("{}", value));
+  }
 }
 
 }  // namespace ibmfair::commands

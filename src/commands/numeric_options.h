@@ -7,6 +7,7 @@
 #include <limits>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <vector>
 
 namespace CLI {
@@ -43,23 +44,38 @@ CLI::Option* add_parsed_option(CLI::App& app, const std::string& name, const std
                                const std::string& help,
                                const std::function<void(const std::string&)>& set);
 
-/// Declares an option for a number; Target is a number or std::optional of one.
+/// Tells `ibmfair COMMAND --dump-config` what the option is where it is not given; a value that the
+/// option itself would not take stands for none.
+void show_default(CLI::Option& option, double value, const Range& range);
+void show_default(CLI::Option& option, std::int64_t value, std::int64_t smallest,
+                  std::int64_t largest);
+
+/// Declares an option for a number; Target is a number, which is its default, or std::optional of
+/// one.
 template <class Target>
 CLI::Option* add_real(CLI::App& app, const std::string& name, Target& target, Range range,
                       const std::string& help) {
-  return add_parsed_option(app, name, "NUMBER", help, [&target, name, range](const auto& text) {
-    target = parse_real_option(name, text, range);
-  });
+  CLI::Option* option = add_parsed_option(
+      app, name, "NUMBER", help,
+      [&target, name, range](const auto& text) { target = parse_real_option(name, text, range); });
+  if constexpr (std::is_arithmetic_v<Target>) {
+    show_default(*option, static_cast<double>(target), range);
+  }
+  return option;
 }
 
 /// Declares an option for an integer that `Integer`, the type of `smallest`, can hold.
 template <class Target, class Integer>
 CLI::Option* add_integer(CLI::App& app, const std::string& name, Target& target, Integer smallest,
                          Integer largest, const std::string& help) {
-  return add_parsed_option(
-      app, name, "N", help, [&target, name, smallest, largest](const auto& text) {
+  CLI::Option* option =
+      add_parsed_option(app, name, "N", help, [&target, name, smallest, largest](const auto& text) {
         target = static_cast<Integer>(parse_integer_option(name, text, smallest, largest));
       });
+  if constexpr (std::is_arithmetic_v<Target>) {
+    show_default(*option, static_cast<std::int64_t>(target), smallest, largest);
+  }
+  return option;
 }
 
 }  // namespace ibmfair::commands

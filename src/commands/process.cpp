@@ -1,9 +1,12 @@
 #include "commands/process.h"
 
 #include <csignal>
+#include <cstdlib>
 #include <initializer_list>
+#include <string>
 
 #include <fcntl.h>
+#include <sys/prctl.h>
 #include <unistd.h>
 
 namespace ibmfair::commands {
@@ -22,9 +25,20 @@ void keep_open(int descriptor, int unusable_mode) {
   }
 }
 
+void end_with_parent() {
+  const char* parent = std::getenv(parent_variable);
+  if (parent != nullptr) {
+    prctl(PR_SET_PDEATHSIG, SIGKILL);
+    if (std::to_string(getppid()) != parent) {  // it was gone before the kernel was asked
+      _exit(128 + SIGKILL);
+    }
+  }
+}
+
 }  // namespace
 
 void prepare_process() {
+  end_with_parent();
   // The mode is the one that the stream is not used with, so that using it still fails.
   keep_open(STDIN_FILENO, O_WRONLY);
   keep_open(STDOUT_FILENO, O_RDONLY);

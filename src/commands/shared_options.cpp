@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
+#include "commands/argument_roles.h"
 #include "ibmfair/base/errors.h"
 #include "ibmfair/base/version.h"
 #include "ibmfair/io/atomic_file.h"
@@ -12,11 +13,6 @@ namespace ibmfair::commands {
 namespace {
 
 constexpr int report_version = 1;
-
-std::string text_of(const nlohmann::ordered_json& report) {
-  // File names need not be UTF-8; JSON must be.
-  return report.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
-}
 
 }  // namespace
 
@@ -36,7 +32,9 @@ MeshFile read_input(const std::string& path, const InputOptions& options, Consol
 }
 
 void add_output_options(CLI::App& app, OutputOptions& options) {
-  app.add_option("OUT", options.path, "mesh file to write; - is standard output")->required();
+  app.add_option("OUT", options.path, "mesh file to write; - is standard output")
+      ->type_name(file_to_write)
+      ->required();
   app.add_option("--format", options.write.format,
                  "format of the output, where its name does not tell (as for -)")
       ->type_name("NAME");
@@ -51,9 +49,15 @@ void add_strict_option(CLI::App& app, bool& strict) {
 }
 
 void add_report_options(CLI::App& app, ReportOptions& options) {
-  app.add_flag("--json", options.json, "write the figures as JSON to standard output");
+  app.add_flag("--json", options.json, "write the figures as JSON to standard output")
+      ->configurable(false);  // a batch reads them there itself
   app.add_option("--report", options.path, "write the figures as JSON to this file, too")
-      ->type_name("FILE");
+      ->type_name(file_to_write);
+}
+
+std::string text_of(const nlohmann::ordered_json& report) {
+  // File names need not be UTF-8; JSON must be.
+  return report.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }
 
 nlohmann::ordered_json start_report(const std::string& command) {

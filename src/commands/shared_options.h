@@ -53,6 +53,9 @@ void add_report_options(CLI::App& app, ReportOptions& options);
 /// program's version, and the command.
 nlohmann::ordered_json start_report(const std::string& command);
 
+/// A report as text.
+std::string text_of(const nlohmann::ordered_json& report);
+
 /// Throws BadOption where the report and the mesh would both go to standard output, and
 /// CannotWrite where the report's file exists and must not be replaced.
 void check_report(const ReportOptions& options, const std::string& mesh_path, bool overwrite);

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "commands/argument_roles.h"
 #include "commands/command.h"
 #include "commands/defect_warnings.h"
 #include "commands/length.h"
@@ -252,7 +253,7 @@ void add_constraint_options(CLI::App& app, SmoothArguments& a) {
       ->check(CLI::IsMember({"fixed", "position", "free"}))
       ->capture_default_str();
   app.add_option("--fix", a.fix_file, "hold the vertices listed in this file, counted from 0")
-      ->type_name("FILE");
+      ->type_name(file_to_read);
   app.add_option("--mask", a.mask,
                  "move only the vertices of this OBJ group, object or material, or those whose PLY "
                  "property of this name is not zero")
@@ -276,7 +277,7 @@ Runner declare_smooth(CLI::App& app) {
   add_report_options(app, arguments->report);
   app.add_option("--picture", arguments->picture,
                  "draw the mesh before and after into this PNG file")
-      ->type_name("FILE");
+      ->type_name(file_to_write);
   add_overwrite_option(app, arguments->output.write.overwrite);
   return [arguments](Console& console) { return run_smooth(*arguments, console); };
 }

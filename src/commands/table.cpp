@@ -4,6 +4,7 @@
 
 namespace ibmfair::commands {
 
+Runner declare_batch(CLI::App& app);
 Runner declare_compare(CLI::App& app);
 Runner declare_info(CLI::App& app);
 Runner declare_make(CLI::App& app);
@@ -17,6 +18,7 @@ std::span<const Command> command_table() {
       Command{"compare", "measure how far two meshes, or a mesh and an exact surface, are apart",
               declare_compare},
       Command{"make", "make a shape with known exact values", declare_make},
+      Command{"batch", "run commands over many files, resumable", declare_batch},
   };
   return table;
 }

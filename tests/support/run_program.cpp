@@ -170,10 +170,11 @@ bool exchange(pid_t child, Pipe& in, Pipe& out, Pipe& err, const RunOptions& opt
   std::string_view rest = options.input;
   fcntl(in.writer.get(), F_SETFL, O_NONBLOCK);
   bool fed = false;
+  bool signalled = false;
   while (out.reader.open() || err.reader.open()) {
     if (rest.empty() && !fed) {
       fed = true;
-      if (options.signal_number == 0) {
+      if (options.signal_number == 0 || options.signal_when) {
         in.writer.close();
       } else {
         kill(child, options.signal_number);
@@ -182,7 +183,11 @@ bool exchange(pid_t child, Pipe& in, Pipe& out, Pipe& err, const RunOptions& opt
     std::array<pollfd, 3> waits{{{fed ? -1 : in.writer.get(), POLLOUT, 0},
                                  {out.reader.get(), POLLIN, 0},
                                  {err.reader.get(), POLLIN, 0}}};
-    poll(waits.data(), waits.size(), 1000);
+    poll(waits.data(), waits.size(), options.signal_when && !signalled ? 2 : 1000);
+    if (options.signal_when && !signalled && options.signal_when()) {
+      signalled = true;
+      kill(child, options.signal_number);
+    }
     if (clock::now() > end) {
       return false;
     }

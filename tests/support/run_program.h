@@ -3,6 +3,7 @@
 
 #include <chrono>
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -25,6 +26,9 @@ struct RunOptions {
   /// Sent once the program has taken the input, whose end it does not get to see; 0: none. Input of
   /// more than the 64 kB that a pipe holds makes sure that the program is reading by then.
   int signal_number = 0;
+  /// If set, the signal is sent as soon as this is true, which is asked every few milliseconds, and
+  /// the program sees the end of its input.
+  std::function<bool()> signal_when = {};
 };
 
 struct RunResult {

@@ -1,0 +1,68 @@
+#include "commands/batch/batch_options.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "commands/argument_roles.h"
+#include "commands/numeric_options.h"
+#include "ibmfair/base/errors.h"
+#include "ibmfair/base/threads.h"
+
+namespace ibmfair::commands {
+
+namespace {
+
+constexpr std::int64_t most_parts = 1'000'000;
+
+Shard parse_shard(const std::string& text) {
+  const std::size_t slash = text.find('/');
+  if (slash == std::string::npos) {
+    throw BadOption(fmt::format("--shard: '{}' is not of the form I/N, as 3/8", text));
+  }
+  const auto count = parse_integer_option("--shard", text.substr(slash + 1), 1, most_parts);
+  const auto number = parse_integer_option("--shard", text.substr(0, slash), 1, count);
+  return {static_cast<std::size_t>(number), static_cast<std::size_t>(count)};
+}
+
+}  // namespace
+
+std::vector<CLI::Option*> add_batch_options(CLI::App& app, BatchOptions& options) {
+  std::vector<CLI::Option*> added;
+  added.push_back(add_integer(app, "--jobs", options.jobs, 0, largest_thread_count,
+                              "files at a time, which share the cores (default 1; 0 is one a "
+                              "core)"));
+  added.push_back(
+      app.add_flag("--fail-fast", options.fail_fast, "start no further file once one has failed"));
+  added.push_back(app.add_flag("--keep-going")
+                      ->description("go on with the others (default)")
+                      ->excludes(added.back()));
+  added.push_back(app.add_flag("--resume", options.resume,
+                               "skip what is done and unchanged, redo and replace the rest of what "
+                               "an earlier run has made"));
+  added.push_back(add_parsed_option(
+      app, "--shard", "I/N", "run the I-th of N parts of the list, counted from 1",
+      [&options](const std::string& text) { options.shard = parse_shard(text); }));
+  added.push_back(app.add_flag("--dry-run", options.dry_run, "print the commands, run nothing"));
+  added.push_back(app.add_option("--summary", options.summary,
+                                 "write what became of every file to this .csv or .json file")
+                      ->type_name(file_to_write));
+  added.push_back(
+      app.add_option("--journal", options.journal, "keep the record for --resume in this file")
+          ->type_name(file_to_write));
+  for (CLI::Option* option : added) {
+    option->configurable(false);
+  }
+  return added;
+}
+
+std::vector<Item> items_of_shard(std::vector<Item> items, const Shard& shard) {
+  std::vector<Item> part;
+  for (Item& item : items) {
+    if ((item.number - 1) % shard.count == shard.number - 1) {
+      part.push_back(std::move(item));
+    }
+  }
+  return part;
+}
+
+}  // namespace ibmfair::commands

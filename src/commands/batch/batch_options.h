@@ -1,0 +1,43 @@
+// How a batch is run, whichever way it was written down.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "commands/batch/item.h"
+
+namespace CLI {
+class App;
+class Option;
+}  // namespace CLI
+
+namespace ibmfair::commands {
+
+/// A part of a list: items number, number + count, number + 2 count, ...
+struct Shard {
+  std::size_t number = 1;  ///< counted from 1
+  std::size_t count = 1;
+};
+
+struct BatchOptions {
+  int jobs = 1;  ///< items at a time; 0: one a core
+  bool fail_fast = false;
+  bool resume = false;
+  bool dry_run = false;
+  bool dump_config = false;
+  bool json = false;       ///< the summary on standard output
+  bool overwrite = false;  ///< outputs and the summary
+  int threads = 0;         ///< of every item; 0: its share of the cores
+  Shard shard;
+  std::string summary;  ///< a file for the summary; empty: none
+  std::string journal;  ///< empty: the default of the list
+};
+
+/// --jobs, --keep-going, --fail-fast, --resume, --shard, --dry-run, --summary, --journal.
+std::vector<CLI::Option*> add_batch_options(CLI::App& app, BatchOptions& options);
+
+/// The items of that part. Every item is in one part for any count.
+std::vector<Item> items_of_shard(std::vector<Item> items, const Shard& shard);
+
+}  // namespace ibmfair::commands

@@ -1,0 +1,174 @@
+#include "commands/batch/journal.h"
+
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include "commands/exit_code.h"
+#include "ibmfair/base/errors.h"
+
+namespace ibmfair::commands {
+
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::ordered_json;
+
+constexpr const char* shard_mark = "-of-";
+
+ordered_json stamp_json(const FileStamp& stamp) {
+  return {stamp.size, stamp.mtime, stamp.ctime};
+}
+
+FileStamp stamp_from(const ordered_json& json) {
+  return {json.at(0).get<std::int64_t>(), json.at(1).get<std::int64_t>(),
+          json.at(2).get<std::int64_t>()};
+}
+
+ordered_json finished_json(const std::string& key, const Finished& finished) {
+  ordered_json inputs = ordered_json::array();
+  for (const Finished::Input& input : finished.inputs) {
+    inputs.push_back({{"stamp", stamp_json(input.stamp)}, {"hash", input.hash}});
+  }
+  ordered_json outputs = ordered_json::array();
+  for (const FileStamp& output : finished.outputs) {
+    outputs.push_back(stamp_json(output));
+  }
+  const Outcome& outcome = finished.outcome;
+  return {{"event", "end"},
+          {"key", key},
+          {"program", finished.program},
+          {"options", finished.options},
+          {"inputs", inputs},
+          {"outputs", outputs},
+          {"exit_code", outcome.exit_code},
+          {"seconds", outcome.seconds},
+          {"peak_megabytes", outcome.peak_megabytes},
+          {"message", outcome.message},
+          {"figures", outcome.figures}};
+}
+
+Finished finished_from(const ordered_json& json) {
+  Finished finished;
+  finished.program = json.at("program").get<std::string>();
+  finished.options = json.at("options").get<std::string>();
+  for (const ordered_json& input : json.at("inputs")) {
+    finished.inputs.push_back({stamp_from(input.at("stamp")), input.at("hash").get<std::string>()});
+  }
+  for (const ordered_json& output : json.at("outputs")) {
+    finished.outputs.push_back(stamp_from(output));
+  }
+  finished.outcome.exit_code = json.at("exit_code").get<int>();
+  finished.outcome.seconds = json.at("seconds").get<double>();
+  finished.outcome.peak_megabytes = json.at("peak_megabytes").get<double>();
+  finished.outcome.message = json.at("message").get<std::string>();
+  finished.outcome.figures = json.at("figures");
+  return finished;
+}
+
+}  // namespace
+
+Journal::Journal(const std::string& path) : path_(path) {
+  fd_ = open(path.c_str(), O_RDWR | O_CREAT | O_APPEND | O_CLOEXEC, 0666);
+  if (fd_ < 0) {
+    throw CannotWrite(fmt::format("{}: cannot be written: {}", path, std::strerror(errno)));
+  }
+  if (flock(fd_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
+    close(fd_);
+    throw CannotWrite(
+        fmt::format("{}: another batch is writing it now (--journal FILE keeps another)", path));
+  }
+  char last = '\n';
+  const off_t size = lseek(fd_, 0, SEEK_END);
+  if (size > 0 && pread(fd_, &last, 1, size - 1) == 1 && last != '\n') {
+    append("");  // closes the line that a killed run left open
+  }
+}
+
+Journal::~Journal() {
+  close(fd_);
+}
+
+void Journal::append(const std::string& line) {
+  const std::string text = line + "\n";
+  std::size_t done = 0;
+  while (done < text.size()) {
+    const ssize_t count = write(fd_, text.data() + done, text.size() - done);
+    if (count < 0 && errno != EINTR) {
+      throw CannotWrite(fmt::format("{}: cannot be written: {}", path_, std::strerror(errno)));
+    }
+    done += count > 0 ? static_cast<std::size_t>(count) : 0;
+  }
+}
+
+void Journal::add_start(const std::string& key) {
+  const ordered_json json = {{"event", "start"}, {"key", key}};
+  append(json.dump(-1, ' ', false, ordered_json::error_handler_t::replace));
+}
+
+void Journal::add_end(const std::string& key, const Finished& finished) {
+  append(finished_json(key, finished).dump(-1, ' ', false, ordered_json::error_handler_t::replace));
+}
+
+void Journal::read(const std::vector<std::string>& paths) {
+  for (const std::string& path : paths) {
+    std::ifstream file(path, std::ios::binary);
+    std::string line;
+    while (std::getline(file, line)) {
+      try {
+        read_line(line);
+      } catch (const ordered_json::exception&) {
+        continue;  // half-written, or of another version
+      }
+    }
+  }
+}
+
+void Journal::read_line(const std::string& line) {
+  const ordered_json json = ordered_json::parse(line);
+  const auto key = json.at("key").get<std::string>();
+  if (json.at("event") == "start") {
+    started_.insert(key);
+    return;
+  }
+  Finished finished = finished_from(json);
+  if (finished.outcome.exit_code == static_cast<int>(ExitCode::done)) {
+    finished_[key].push_back(std::move(finished));
+  } else if (finished.outcome.exit_code == static_cast<int>(ExitCode::cannot_write)) {
+    started_.erase(key);
+  }
+}
+
+const std::vector<Finished>& Journal::finished(const std::string& key) const {
+  static const std::vector<Finished> none;
+  const auto found = finished_.find(key);
+  return found == finished_.end() ? none : found->second;
+}
+
+std::string journal_of_shard(const std::string& path, std::size_t number, std::size_t count) {
+  return count == 1 ? path : fmt::format("{}.{}{}{}", path, number, shard_mark, count);
+}
+
+std::vector<std::string> journals_of_list(const std::string& path) {
+  std::vector<std::string> paths{path};
+  const fs::path list(path);
+  const std::string prefix = list.filename().string() + ".";
+  std::error_code error;
+  const fs::path folder = list.has_parent_path() ? list.parent_path() : fs::path(".");
+  for (const auto& entry : fs::directory_iterator(folder, error)) {
+    const std::string name = entry.path().filename().string();
+    if (name.starts_with(prefix) && name.find(shard_mark, prefix.size()) != std::string::npos) {
+      paths.push_back(entry.path().string());
+    }
+  }
+  return paths;
+}
+
+}  // namespace ibmfair::commands

@@ -1,0 +1,67 @@
+// The record of a batch: one line of JSON as an item starts and one as it ends, so that a killed
+// batch can tell what is done.
+#pragma once
+
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "commands/batch/file_state.h"
+#include "commands/batch/outcome.h"
+
+namespace ibmfair::commands {
+
+/// What a result was made from, and what it was.
+struct Finished {
+  struct Input {
+    FileStamp stamp;
+    std::string hash;
+  };
+  std::string options;             ///< hash of the effective job
+  std::string program;             ///< version
+  std::vector<Input> inputs;       ///< in the order of Item::reads
+  std::vector<FileStamp> outputs;  ///< in the order of Item::writes
+  Outcome outcome;
+};
+
+/// Only one batch at a time writes to a journal. Lines are appended whole; a line that an
+/// interrupted run left half-written is ignored.
+class Journal {
+ public:
+  /// Opens or makes the file. Throws CannotWrite, also where another batch has it open.
+  explicit Journal(const std::string& path);
+  ~Journal();
+  Journal(const Journal&) = delete;
+  Journal& operator=(const Journal&) = delete;
+
+  /// Reads what earlier runs have left in this file and in others.
+  void read(const std::vector<std::string>& paths);
+
+  /// Notes that from here on what the item writes is the batch's own, under a key for the item.
+  void add_start(const std::string& key);
+
+  /// Notes how it ended. The files of one that could not write are not the batch's own.
+  void add_end(const std::string& key, const Finished& finished);
+
+  /// Whether an earlier run has begun to make this item.
+  bool started(const std::string& key) const { return started_.contains(key); }
+
+  /// What earlier runs have finished with exit code 0.
+  const std::vector<Finished>& finished(const std::string& key) const;
+
+ private:
+  void append(const std::string& line);
+  void read_line(const std::string& line);
+
+  std::string path_;
+  int fd_ = -1;
+  std::set<std::string> started_;
+  std::map<std::string, std::vector<Finished>> finished_;
+};
+
+/// The journal of a part of a list that has several, and all that belong to the same list.
+std::string journal_of_shard(const std::string& path, std::size_t number, std::size_t count);
+std::vector<std::string> journals_of_list(const std::string& path);
+
+}  // namespace ibmfair::commands

@@ -1,0 +1,77 @@
+#include "commands/batch/json_text.h"
+
+#include <algorithm>
+#include <set>
+#include <vector>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "ibmfair/base/errors.h"
+
+namespace ibmfair::commands {
+
+namespace {
+
+using nlohmann::ordered_json;
+
+/// What is left of the parser's message without its own code and place.
+std::string reason_of(const ordered_json::parse_error& error) {
+  const std::string text = error.what();
+  const std::size_t start = text.find("syntax error");
+  return start == std::string::npos ? text : text.substr(start);
+}
+
+[[noreturn]] void fail_at(std::string_view text, const std::string& name,
+                          const ordered_json::parse_error& error) {
+  // The parser counts from 1, and one further where the text ends too early.
+  const std::size_t at = std::min(text.size(), std::max<std::size_t>(error.byte, 1) - 1);
+  const std::string_view before = text.substr(0, at);
+  const auto line = 1 + std::count(before.begin(), before.end(), '\n');
+  const std::size_t column = at - (before.rfind('\n') + 1) + 1;
+  throw BadFile(fmt::format("{}:{}:{}: {}", name, line, column, reason_of(error)));
+}
+
+/// The parser itself would take the last of several values silently.
+class UniqueKeys {
+ public:
+  explicit UniqueKeys(const std::string& name) : name_(name) {}
+
+  bool operator()(int /*depth*/, ordered_json::parse_event_t event, const ordered_json& value) {
+    if (event == ordered_json::parse_event_t::object_start) {
+      open_.emplace_back();
+    } else if (event == ordered_json::parse_event_t::object_end) {
+      open_.pop_back();
+    } else if (event == ordered_json::parse_event_t::key) {
+      const auto key = value.get<std::string>();
+      if (!open_.back().insert(key).second) {
+        throw BadFile(fmt::format("{}: the key '{}' stands twice in one object", name_, key));
+      }
+    }
+    return true;
+  }
+
+ private:
+  const std::string& name_;
+  std::vector<std::set<std::string>> open_;
+};
+
+}  // namespace
+
+ordered_json parse_json_text(std::string_view text, const std::string& name) {
+  try {
+    UniqueKeys unique(name);
+    constexpr bool with_exceptions = true;
+    constexpr bool with_comments = true;
+    return ordered_json::parse(
+        text,
+        [&](int depth, ordered_json::parse_event_t event, const ordered_json& value) {
+          return unique(depth, event, value);
+        },
+        with_exceptions, with_comments);
+  } catch (const ordered_json::parse_error& error) {
+    fail_at(text, name, error);
+  }
+}
+
+}  // namespace ibmfair::commands

@@ -1,0 +1,15 @@
+// JSON that people write.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include <nlohmann/json_fwd.hpp>
+
+namespace ibmfair::commands {
+
+/// Parses a text with `//` and `/* */` comments allowed. Throws BadFile that starts with
+/// `NAME:LINE:COLUMN:` for a syntax error, and one that names the key where an object has it twice.
+nlohmann::ordered_json parse_json_text(std::string_view text, const std::string& name);
+
+}  // namespace ibmfair::commands

@@ -1,0 +1,97 @@
+#include "commands/batch/resume.h"
+
+#include <filesystem>
+
+#include "ibmfair/base/version.h"
+
+namespace ibmfair::commands {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+bool same_inputs(const Item& item, const Finished& record) {
+  if (record.inputs.size() != item.reads.size()) {
+    return false;
+  }
+  for (std::size_t i = 0; i < item.reads.size(); ++i) {
+    const auto stamp = stamp_of(item.reads[i]);
+    const Finished::Input& before = record.inputs[i];
+    const bool same =
+        stamp && (*stamp == before.stamp ||
+                  (stamp->size == before.stamp.size && hash_of_file(item.reads[i]) == before.hash));
+    if (!same) {
+      return false;
+    }
+  }
+  return true;
+}
+
+bool same_outputs(const Item& item, const Finished& record) {
+  if (record.outputs.size() != item.writes.size()) {
+    return false;
+  }
+  for (std::size_t i = 0; i < item.writes.size(); ++i) {
+    const auto stamp = stamp_of(item.writes[i]);
+    const FileStamp& before = record.outputs[i];
+    if (!stamp || stamp->size != before.size || stamp->mtime != before.mtime) {
+      return false;
+    }
+  }
+  return true;
+}
+
+}  // namespace
+
+std::string journal_key(const Item& item, const std::string& journal_path) {
+  if (item.writes.empty()) {
+    return item.command + " " + options_hash(item);
+  }
+  std::error_code error;
+  const fs::path folder = fs::weakly_canonical(fs::absolute(journal_path, error), error);
+  const fs::path file = fs::weakly_canonical(fs::absolute(item.writes.front(), error), error);
+  return file.lexically_relative(folder.parent_path()).string();
+}
+
+std::string options_hash(const Item& item) {
+  nlohmann::ordered_json job = item.job;
+  // Neither changes a byte of the result.
+  job["options"].erase("threads");
+  job["options"].erase("overwrite");
+  return hash_of_text(job.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
+}
+
+Finished begin_record(const Item& item) {
+  Finished record;
+  record.options = options_hash(item);
+  record.program = version();
+  for (const std::string& path : item.reads) {
+    record.inputs.push_back({stamp_of(path).value_or(FileStamp{}), ""});
+  }
+  return record;
+}
+
+bool add_hashes(const Item& item, Finished& record) {
+  for (std::size_t i = 0; i < item.reads.size(); ++i) {
+    const auto hash = hash_of_file(item.reads[i]);
+    if (!hash || stamp_of(item.reads[i]) != record.inputs[i].stamp) {
+      return false;
+    }
+    record.inputs[i].hash = *hash;
+  }
+  return true;
+}
+
+std::optional<Outcome> still_valid(const Item& item, const std::vector<Finished>& records) {
+  for (const Finished& record : records) {
+    if (record.program == version() && record.options == options_hash(item) &&
+        same_outputs(item, record) && same_inputs(item, record)) {
+      Outcome outcome = record.outcome;
+      outcome.status = Status::skipped;
+      return outcome;
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace ibmfair::commands

@@ -1,0 +1,158 @@
+#include "commands/batch/run_batch.h"
+
+#include <algorithm>
+#include <filesystem>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "commands/batch/journal.h"
+#include "commands/batch/run_items.h"
+#include "commands/batch/shell_words.h"
+#include "commands/batch/summary.h"
+#include "commands/batch/temporaries.h"
+#include "commands/effective_job.h"
+#include "commands/shared_options.h"
+#include "ibmfair/base/errors.h"
+#include "ibmfair/base/stopwatch.h"
+#include "ibmfair/base/threads.h"
+#include "ibmfair/io/atomic_file.h"
+
+namespace ibmfair::commands {
+
+namespace {
+
+bool is_csv(const std::string& path) {
+  return std::filesystem::path(path).extension() == ".csv";
+}
+
+/// The summary of a run that is gone on with replaces the one of its first part.
+bool may_replace_summary(const BatchOptions& options) {
+  return options.overwrite || options.resume;
+}
+
+void check_summary(const BatchOptions& options) {
+  if (options.summary.empty()) {
+    return;
+  }
+  if (!is_csv(options.summary) && std::filesystem::path(options.summary).extension() != ".json") {
+    throw BadOption(
+        fmt::format("--summary: '{}' ends neither in .csv nor in .json", options.summary));
+  }
+  require_writable(options.summary, may_replace_summary(options));
+}
+
+RunSettings run_settings(const BatchOptions& options, std::size_t items,
+                         const std::string& journal) {
+  RunSettings settings;
+  const int cores = thread_count();
+  settings.jobs = options.jobs > 0 ? options.jobs : cores;
+  // Fewer items than places leave their cores to the others.
+  const int busy = static_cast<int>(std::min<std::size_t>(settings.jobs, std::max(items, 1UL)));
+  settings.threads = options.threads > 0 ? options.threads : std::max(1, cores / busy);
+  settings.fail_fast = options.fail_fast;
+  settings.resume = options.resume;
+  settings.overwrite = options.overwrite;
+  settings.journal_path = journal;
+  return settings;
+}
+
+void print_commands(const std::vector<Item>& items) {
+  std::string text;
+  for (const Item& item : items) {
+    text += "ibmfair " + shell_words(item.words) + "\n";
+  }
+  write_standard_output(text);
+}
+
+void print_jobs(const std::vector<Item>& items) {
+  std::vector<nlohmann::ordered_json> jobs;
+  jobs.reserve(items.size());
+  for (const Item& item : items) {
+    jobs.push_back(item.job);
+  }
+  write_standard_output(job_file_text(jobs));
+}
+
+void prepare_resume(const std::vector<Item>& items, const std::string& list_journal, bool shared,
+                    Journal& journal, const Console& console) {
+  journal.read(journals_of_list(list_journal));
+  std::set<std::string> folders;
+  for (const Item& item : items) {
+    folders.merge(output_folders(item));
+  }
+  if (const int removed = remove_stale_temporaries(folders, shared); removed > 0) {
+    console.note(fmt::format("removed {} unfinished file{} of a killed run", removed,
+                             removed == 1 ? "" : "s"));
+  }
+}
+
+void write_summary(const BatchOptions& options, const std::vector<Item>& items,
+                   const std::vector<Outcome>& outcomes, double seconds) {
+  const std::string json = text_of(summary_json(items, outcomes, seconds));
+  if (!options.summary.empty()) {
+    AtomicFile file(options.summary, may_replace_summary(options));
+    file.write(is_csv(options.summary) ? summary_csv(items, outcomes) : json);
+    file.commit();
+  }
+  if (options.json) {
+    write_standard_output(json);
+  }
+}
+
+ExitCode exit_code_of(const RunResult& result) {
+  if (result.signal_number != 0) {
+    return static_cast<ExitCode>(128 + result.signal_number);
+  }
+  const bool failed =
+      std::any_of(result.outcomes.begin(), result.outcomes.end(),
+                  [](const Outcome& outcome) { return outcome.status == Status::failed; });
+  return failed ? ExitCode::not_reached : ExitCode::done;
+}
+
+std::string prepare_journal(const BatchOptions& options, const std::string& list_journal) {
+  const std::string path =
+      journal_of_shard(list_journal, options.shard.number, options.shard.count);
+  const auto folder = std::filesystem::path(path).parent_path();
+  if (!folder.empty()) {
+    std::error_code ignored;  // opening the journal will tell
+    std::filesystem::create_directories(folder, ignored);
+  }
+  return path;
+}
+
+}  // namespace
+
+ExitCode run_batch(const std::vector<Job>& jobs, const BatchOptions& options,
+                   const std::string& journal, Console& console) {
+  check_summary(options);
+  const std::vector<Item> all = expand_jobs(jobs);
+  const std::vector<Item> items = items_of_shard(all, options.shard);
+  if (options.dump_config || options.dry_run) {
+    options.dump_config ? print_jobs(items) : print_commands(items);
+    return ExitCode::done;
+  }
+  const std::string list_journal = options.journal.empty() ? journal : options.journal;
+  const std::string own_journal = prepare_journal(options, list_journal);
+  Journal record(own_journal);
+  if (options.resume) {
+    prepare_resume(items, list_journal, options.shard.count > 1, record, console);
+  }
+  double seconds = 0;
+  RunResult result;
+  {
+    const Stopwatch watch(seconds);
+    result = run_items(items, run_settings(options, items.size(), own_journal), record,
+                       [&](std::size_t index, const Outcome& outcome) {
+                         const std::string line = status_line(items[index], outcome, all.size());
+                         outcome.status == Status::failed&& console.level() == Console::Level::quiet
+                             ? console.error(line)
+                             : console.note(line);
+                       });
+  }
+  console.note(summary_table(items, result.outcomes, seconds));
+  write_summary(options, items, result.outcomes, seconds);
+  return exit_code_of(result);
+}
+
+}  // namespace ibmfair::commands

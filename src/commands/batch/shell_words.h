@@ -1,0 +1,12 @@
+// Arguments as one types them.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace ibmfair::commands {
+
+/// The words separated by spaces, quoted where a shell would otherwise take them apart.
+std::string shell_words(const std::vector<std::string>& words);
+
+}  // namespace ibmfair::commands

@@ -1,0 +1,158 @@
+#include "commands/batch/summary.h"
+
+#include <algorithm>
+#include <array>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "commands/shared_options.h"
+
+namespace ibmfair::commands {
+
+namespace {
+
+using nlohmann::ordered_json;
+
+constexpr std::array all_statuses{Status::ok, Status::failed, Status::skipped, Status::interrupted,
+                                  Status::not_run};
+constexpr std::size_t most_lines = 20;
+
+struct Total {
+  std::size_t items = 0;
+  double seconds = 0;
+};
+
+Total total_of(const std::vector<Outcome>& outcomes, Status status) {
+  Total total;
+  for (const Outcome& outcome : outcomes) {
+    if (outcome.status == status) {
+      ++total.items;
+      total.seconds += outcome.seconds;
+    }
+  }
+  return total;
+}
+
+bool is_done(const Outcome& outcome) {
+  return outcome.status == Status::ok || outcome.status == Status::skipped;
+}
+
+/// The columns that every item has, in both formats.
+ordered_json item_json(const Item& item, const Outcome& outcome) {
+  return {{"command", item.command},
+          {"input", item.input},
+          {"output", item.output},
+          {"status", name_of(outcome.status)},
+          {"exit_code", outcome.exit_code},
+          {"seconds", outcome.seconds},
+          {"peak_megabytes", outcome.peak_megabytes},
+          {"message", outcome.message}};
+}
+
+/// Adds the figures; one that is called like a column of every item gets a longer name.
+void add_figures(const ordered_json& figures, ordered_json& row) {
+  static const ordered_json columns = item_json({}, {});
+  for (const auto& [name, value] : figures.items()) {
+    row[columns.contains(name) ? "report." + name : name] = value;
+  }
+}
+
+std::string csv_field(const ordered_json& value) {
+  const std::string text = value.is_string() ? value.get<std::string>() : value.dump();
+  if (text.find_first_of(",\"\r\n") == std::string::npos) {
+    return text;
+  }
+  std::string quoted = "\"";
+  for (const char c : text) {
+    quoted.append(c == '"' ? 2 : 1, c);
+  }
+  return quoted + "\"";
+}
+
+}  // namespace
+
+const char* name_of(Status status) {
+  switch (status) {
+    case Status::ok:
+      return "ok";
+    case Status::failed:
+      return "failed";
+    case Status::skipped:
+      return "skipped";
+    case Status::interrupted:
+      return "interrupted";
+    case Status::not_run:
+      return "not run";
+  }
+  return "unknown";
+}
+
+std::string status_line(const Item& item, const Outcome& outcome, std::size_t total) {
+  std::string line = fmt::format("[{}/{}] {:<7} {:7.2f} s  {}", item.number, total,
+                                 name_of(outcome.status), outcome.seconds, item.label());
+  if (outcome.status == Status::failed) {
+    line += fmt::format(" (exit code {})", outcome.exit_code);
+  }
+  return outcome.message.empty() ? line : line + ": " + outcome.message;
+}
+
+std::string summary_table(const std::vector<Item>& items, const std::vector<Outcome>& outcomes,
+                          double seconds) {
+  std::string text =
+      fmt::format("{} of {} done in {:.2f} s\n",
+                  std::count_if(outcomes.begin(), outcomes.end(), is_done), items.size(), seconds);
+  text += fmt::format("  {:<12}{:>8}{:>12}", "", "items", "seconds");
+  for (const Status status : all_statuses) {
+    if (const Total total = total_of(outcomes, status); total.items > 0) {
+      text += fmt::format("\n  {:<12}{:>8}{:>12.2f}", name_of(status), total.items, total.seconds);
+    }
+  }
+  std::size_t lines = 0;
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    if (!is_done(outcomes[i]) && outcomes[i].status != Status::not_run && ++lines <= most_lines) {
+      text += "\n  " + status_line(items[i], outcomes[i], items.size());
+    }
+  }
+  return lines <= most_lines ? text : text + fmt::format("\n  and {} more", lines - most_lines);
+}
+
+ordered_json summary_json(const std::vector<Item>& items, const std::vector<Outcome>& outcomes,
+                          double seconds) {
+  ordered_json json = start_report("batch");
+  json["seconds"] = seconds;
+  for (const Status status : all_statuses) {
+    json["counts"][name_of(status)] = total_of(outcomes, status).items;
+  }
+  json["items"] = ordered_json::array();
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    ordered_json row = item_json(items[i], outcomes[i]);
+    row["figures"] = outcomes[i].figures;
+    json["items"].push_back(std::move(row));
+  }
+  return json;
+}
+
+std::string summary_csv(const std::vector<Item>& items, const std::vector<Outcome>& outcomes) {
+  ordered_json columns = item_json({}, {});
+  for (const Outcome& outcome : outcomes) {
+    add_figures(outcome.figures, columns);
+  }
+  std::string text;
+  for (const auto& [name, value] : columns.items()) {
+    text += (text.empty() ? "" : ",") + csv_field(name);
+  }
+  text += "\r\n";
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    ordered_json row = item_json(items[i], outcomes[i]);
+    add_figures(outcomes[i].figures, row);
+    std::string line;
+    for (const auto& [name, value] : columns.items()) {
+      line += (name == "command" ? "" : ",") + (row.contains(name) ? csv_field(row[name]) : "");
+    }
+    text += line + "\r\n";
+  }
+  return text;
+}
+
+}  // namespace ibmfair::commands

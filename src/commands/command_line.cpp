@@ -1,0 +1,204 @@
+#include "commands/command_line.h"
+
+#include <algorithm>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "commands/effective_job.h"
+#include "commands/help_format.h"
+#include "commands/many_files.h"
+#include "commands/numeric_options.h"
+#include "commands/suggest.h"
+#include "ibmfair/base/threads.h"
+#include "ibmfair/base/version.h"
+
+namespace ibmfair::commands {
+
+namespace {
+
+/// What the frame itself takes from the arguments.
+struct FrameOptions {
+  bool quiet = false;
+  bool verbose = false;
+  bool dump_config = false;
+  int threads = 0;
+};
+
+struct Declared {
+  CLI::App* app;
+  Runner run;
+};
+
+std::string version_text() {
+  std::string text = fmt::format("ibmfair {}\n", version());
+  for (const Component& component : component_versions()) {
+    text += fmt::format("  {} {}\n", component.name, component.version);
+  }
+  return text;
+}
+
+void add_frame_options(CLI::App& app, FrameOptions& options) {
+  CLI::Option* quiet = app.add_flag("-q,--quiet", options.quiet, "print errors only");
+  app.add_flag("-v,--verbose", options.verbose, "print details")->excludes(quiet);
+  add_integer(app, "--threads", options.threads, 0, largest_thread_count,
+              "threads to compute with; 0, the default, is one a core")
+      ->default_str("");  // a job takes its share of the cores where it does not say
+  if (app.get_option_no_throw("--dump-config") == nullptr) {
+    app.add_flag(
+        "--dump-config", options.dump_config,
+        "print these arguments and all defaults as a job for `ibmfair batch`, run nothing");
+  }
+  for (const char* name : {"--quiet", "--verbose", "--dump-config"}) {
+    app.get_option(name)->configurable(false);
+  }
+}
+
+std::vector<std::string> command_names() {
+  std::vector<std::string> names;
+  for (const Command& command : command_table()) {
+    names.emplace_back(command.name);
+  }
+  return names;
+}
+
+std::string unknown_command(const std::string& name) {
+  return fmt::format("unknown command '{}'{}", name, suggestion(name, command_names()));
+}
+
+std::vector<std::string> option_names(const CLI::App& app) {
+  std::vector<std::string> names;
+  for (const CLI::Option* option : app.get_options()) {
+    for (const std::string& name : option->get_lnames()) {
+      names.push_back("--" + name);
+    }
+    for (const std::string& name : option->get_snames()) {
+      names.push_back("-" + name);
+    }
+  }
+  return names;
+}
+
+/// What the user should read instead of the parser's own words: an option that nobody knows is the
+/// likely cause of whatever else the parser complains about.
+std::string explain(const CLI::ParseError& error, const CLI::App& app) {
+  const auto chosen = app.get_subcommands();
+  if (chosen.empty()) {
+    for (const std::string& word : app.remaining()) {
+      if (!word.starts_with('-')) {
+        return unknown_command(word);
+      }
+      return fmt::format("unknown option '{}' before the command{}", word,
+                         suggestion(word, option_names(app)));
+    }
+    return "no command given";
+  }
+  const CLI::App& command = *chosen.front();
+  for (const std::string& word : command.remaining()) {
+    const std::string name = word.substr(0, word.find('='));
+    if (name.size() > 1 && name.starts_with('-')) {
+      return fmt::format("{}: unknown option '{}'{}", command.get_name(), name,
+                         suggestion(name, option_names(command)));
+    }
+  }
+  if (!command.remaining().empty()) {
+    return fmt::format("{}: '{}' is one argument too many{}", command.get_name(),
+                       command.remaining().front(), many_files_hint(command));
+  }
+  return fmt::format("{}: {}", command.get_name(), error.what());
+}
+
+Console::Level level_of(const FrameOptions& options) {
+  if (options.quiet) {
+    return Console::Level::quiet;
+  }
+  return options.verbose ? Console::Level::verbose : Console::Level::normal;
+}
+
+}  // namespace
+
+struct CommandLine::Parts {
+  CLI::App app{"Fairs triangle meshes: removes noise and ripples without shrinking the shape."};
+  FrameOptions options;
+  std::vector<Declared> declared;
+
+  Parts() {
+    app.name("ibmfair");
+    app.set_help_flag("-h,--help", "print this help");
+    app.set_version_flag("--version", version_text,
+                         "print the versions of the program and its parts");
+    app.require_subcommand(1);
+    app.footer("`ibmfair COMMAND --help` tells more about one of them.");
+    app.formatter(std::make_shared<HelpFormatter>());
+  }
+
+  void declare(const Command& command, bool many_files) {
+    CLI::App* sub = app.add_subcommand(std::string(command.name), std::string(command.summary));
+    sub->footer("")->group("Commands");
+    Runner run = command.declare(*sub);
+    declared.push_back({sub, take_many_files(*sub, std::move(run), many_files)});
+    add_frame_options(*sub, options);
+  }
+
+  const Declared& chosen() const {
+    return declared.size() == 1 ? declared.front()
+                                : *std::find_if(declared.begin(), declared.end(),
+                                                [](const auto& d) { return d.app->parsed(); });
+  }
+};
+
+CommandLine::CommandLine(bool many_files) : parts_(std::make_unique<Parts>()) {
+  for (const Command& command : command_table()) {
+    parts_->declare(command, many_files);
+  }
+}
+
+CommandLine::CommandLine(std::string_view command) : parts_(std::make_unique<Parts>()) {
+  const auto table = command_table();
+  const auto row = std::find_if(table.begin(), table.end(),
+                                [&](const Command& known) { return known.name == command; });
+  if (row == table.end()) {
+    throw BadOption(unknown_command(std::string(command)));
+  }
+  parts_->declare(*row, false);
+}
+
+CommandLine::~CommandLine() = default;
+
+std::optional<std::string> CommandLine::parse(std::vector<std::string> words) {
+  std::reverse(words.begin(), words.end());  // as the parser wants them
+  try {
+    parts_->app.parse(std::move(words));
+  } catch (const CLI::CallForVersion& version) {
+    return version.what();
+  } catch (const CLI::CallForHelp&) {
+    return parts_->app.help();
+  } catch (const CLI::ParseError& error) {
+    throw Misuse(explain(error, parts_->app));
+  }
+  return std::nullopt;
+}
+
+CLI::App& CommandLine::command() {
+  return *parts_->chosen().app;
+}
+
+std::string CommandLine::help_hint() const {
+  const auto chosen = parts_->app.get_subcommands();
+  return fmt::format("`ibmfair {}--help` lists what there is",
+                     chosen.empty() ? "" : chosen.front()->get_name() + " ");
+}
+
+ExitCode CommandLine::run(Console& console) {
+  const Declared& chosen = parts_->chosen();
+  const FrameOptions& options = parts_->options;
+  if (options.dump_config) {
+    write_standard_output(job_file_text({effective_job(*chosen.app)}));
+    return ExitCode::done;
+  }
+  console.set_level(level_of(options));
+  set_thread_count(options.threads);
+  return chosen.run(console);
+}
+
+}  // namespace ibmfair::commands

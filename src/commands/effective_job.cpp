@@ -1,0 +1,71 @@
+#include "commands/effective_job.h"
+
+#include <algorithm>
+
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+
+#include "commands/argument_roles.h"
+#include "commands/shared_options.h"
+
+namespace ibmfair::commands {
+
+namespace {
+
+using nlohmann::ordered_json;
+
+/// A number where that is written the same way, so that it reads back as the text it was.
+ordered_json value_json(const std::string& text) {
+  ordered_json number = ordered_json::parse(text, nullptr, false);
+  return number.is_number() && number.dump() == text ? number : ordered_json(text);
+}
+
+ordered_json values_json(const CLI::Option& option) {
+  const std::vector<std::string>& texts = option.results();
+  const auto convert = [&](const std::string& text) {
+    return role_of(option) == Role::value ? value_json(text) : ordered_json(text);
+  };
+  if (texts.size() == 1) {
+    return convert(texts.front());
+  }
+  ordered_json list = ordered_json::array();
+  for (const std::string& text : texts) {
+    list.push_back(convert(text));
+  }
+  return list;
+}
+
+/// Giving a default as if it had been chosen would clash with an option that takes its place.
+bool gives_way(const CLI::Option& option) {
+  const auto excluded = option.get_excludes();
+  return std::any_of(excluded.begin(), excluded.end(),
+                     [](const CLI::Option* other) { return other->count() > 0; });
+}
+
+}  // namespace
+
+ordered_json effective_job(const CLI::App& command) {
+  ordered_json job = {{"command", command.get_name()}};
+  ordered_json options = ordered_json::object();
+  for (const CLI::Option* option : command.get_options()) {
+    ordered_json& place = option->get_positional() ? job : options;
+    if (!option->get_configurable()) {
+      continue;
+    }
+    if (is_flag(*option)) {
+      place[key_of(*option)] = option->count() > 0;
+    } else if (option->count() > 0) {
+      place[key_of(*option)] = values_json(*option);
+    } else if (!option->get_default_str().empty() && !gives_way(*option)) {
+      place[key_of(*option)] = value_json(option->get_default_str());
+    }
+  }
+  job["options"] = std::move(options);
+  return job;
+}
+
+std::string job_file_text(const std::vector<ordered_json>& jobs) {
+  return text_of({{"jobs", jobs}});
+}
+
+}  // namespace ibmfair::commands

@@ -1,0 +1,22 @@
+// A command's parsed arguments as a job for `ibmfair batch`.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <nlohmann/json_fwd.hpp>
+
+namespace CLI {
+class App;
+}
+
+namespace ibmfair::commands {
+
+/// `{"command": ..., "input": ..., "output": ..., "options": {...}}` with what was given and every
+/// default that is known beforehand. Running it is running the command with these arguments.
+nlohmann::ordered_json effective_job(const CLI::App& command);
+
+/// The job file that holds these jobs.
+std::string job_file_text(const std::vector<nlohmann::ordered_json>& jobs);
+
+}  // namespace ibmfair::commands
