@@ -146,17 +146,6 @@ TEST(Extension, MovesTheRimAsWithoutOne) {
   }
 }
 
-TEST(Extension, IsLostBySomeoneWhoForgetsIt) {
-  // The laws above compare with the extension's own numbers; here is what they would be without.
-  MeshFiles files;
-  for (const auto& [name, bytes] : rich_files()) {
-    const MeshFile file = MeshFiles::read(bytes, name);
-    const Tents tents(file.mesh(), {0});
-    EXPECT_NE(files.write(file, file.mesh().X, tents.extension, name),
-              files.write(file, file.mesh().X, name));
-  }
-}
-
 TEST(Extension, AttributesSurviveTheWayThroughAnotherFormat) {
   MeshFiles files;
   const auto& [name, bytes] = rich_files().front();

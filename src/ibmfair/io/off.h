@@ -59,7 +59,8 @@ std::array<std::int64_t, 3> extended_counts(const PatchRequest& request, const L
 Eigen::MatrixXd extend_columns(const PatchRequest& request, const Layout& layout,
                                const Eigen::MatrixXd& at_rim);
 
-/// Appends a number that counts to 1, always with a point, so that nobody takes 1 for one of 255.
+/// Appends a blank, unless the line is empty, and a number that counts to 1, always with a point,
+/// so that nobody takes 1 for one of 255.
 void append_fraction(std::string& line, double value);
 
 /// Writes the patch of a binary file. Returns notes.

@@ -140,13 +140,14 @@ class TextPatcher {
       for (std::size_t c = 0; c < row_.size(); ++c) {
         const double number = c < 3 ? extension.X(v, static_cast<Eigen::Index>(c))
                                     : columns(v, static_cast<Eigen::Index>(c - 3));
-        line += ' ';
-        if (c < first || c >= last) {
-          append_real(line, number);
-        } else if (fractions_) {
+        if (c >= first && c < last && fractions_) {
           append_fraction(line, number);
-        } else {
+        } else if (c >= first && c < last) {
+          line += ' ';
           append_integer(line, std::llround(number));
+        } else {
+          line += ' ';
+          append_real(line, number);
         }
       }
     });
