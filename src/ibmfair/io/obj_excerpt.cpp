@@ -48,8 +48,9 @@ Excerpt::Excerpt(const SourceBytes& source, const Mesh& mesh, const std::vector<
   Eigen::Index next_vertex = 0;
   Index vertex = 0;
   Index face = 0;
+  const bool plain = ObjScanner::has_plain_lines(source);
   ObjScanner scan(source);
-  while (scan.next_statement()) {
+  for (; scan.next_statement(); plain ? scan.skip_plain_line() : void()) {
     const std::string_view keyword = scan.keyword();
     if (keyword == "v") {
       if (next_vertex < wanted_vertices &&

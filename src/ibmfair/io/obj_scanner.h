@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <cstring>
 #include <string_view>
 
 #include "ibmfair/io/numbers.h"
@@ -76,6 +77,18 @@ class ObjScanner {
 
   /// All that is left of the statement, without surrounding blanks.
   std::string_view rest();
+
+  /// Goes to the end of the line, several times as fast as next_statement() would; for texts only
+  /// in which has_plain_lines().
+  void skip_plain_line() {
+    p_ = static_cast<const char*>(std::memchr(p_, '\n', static_cast<std::size_t>(end_ - p_) + 1));
+  }
+
+  /// Whether every line ends with LF and none is continued.
+  static bool has_plain_lines(const SourceBytes& source) {
+    return source.view().find('\r') == std::string_view::npos &&
+           source.view().find('\\') == std::string_view::npos;
+  }
 
   /// Where the statement begins, and where the line after it begins.
   const char* statement_start() const { return keyword_.data(); }

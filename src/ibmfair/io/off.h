@@ -4,11 +4,13 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "ibmfair/io/formats.h"
+#include "ibmfair/io/token_cursor.h"
 
 namespace ibmfair::off {
 
@@ -43,9 +45,12 @@ struct Layout {
 /// Throws BadFile, also where the file is too short for the counts it claims.
 Layout read_layout(const SourceBytes& source);
 
-/// Reads the rows of a text, setting faces_end_lines for good; returns whether a face has a colour.
+/// Reads the faces' rows of a text, the cursor standing behind those of the vertices, and sets
+/// faces_end_lines for good. Calls `colour`, where given, for each face that has one, with its
+/// numbers as they are written; where faces do not end lines after all these calls are void.
 /// Throws BadFile.
-bool read_text_body(const SourceBytes& source, Layout& layout, Mesh& mesh);
+void read_text_faces(TokenCursor& cursor, Layout& layout, Polygons& faces,
+                     const std::function<void(Index, std::string_view)>& colour);
 
 /// Reads a binary body, finding out its byte order and dialect. Throws BadFile.
 Mesh read_binary_body(const SourceBytes& source, Layout& layout);

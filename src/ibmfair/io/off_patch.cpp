@@ -1,5 +1,6 @@
 // Writes an OFF file with only the coordinates of moved vertices, and their normals, changed, and
 // new rows behind its vertices and faces.
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <utility>
@@ -29,8 +30,6 @@ class TextPatcher {
     if (request.extension == nullptr) return;
     rim_ = sorted_once(request.extension->rim);
     at_rim_.resize(static_cast<Eigen::Index>(rim_.size()), layout_.extra_columns());
-    Mesh unused;
-    read_text_body(request.source, layout_, unused);
   }
 
   void run() {
@@ -109,13 +108,10 @@ class TextPatcher {
   template <class AppendRow>
   void insert_rows(Eigen::Index count, bool end_lines, AppendRow&& append_row) {
     if (count == 0) return;
-    const char* last = cursor_.position();
+    TokenCursor place = cursor_;
     std::string_view line_end;
-    if (end_lines) {
-      line_end = cursor_.take_line_end();
-      last = cursor_.position();
-    }
-    file_.copy_up_to(last);
+    if (end_lines) line_end = place.take_line_end();
+    file_.copy_up_to(place.position());
     if (end_lines && line_end.empty()) {
       line_end = first_line_end(request_.source.view());
       out_.write(line_end);
@@ -156,27 +152,25 @@ class TextPatcher {
   void insert_faces() {
     const Extension& extension = *request_.extension;
     const std::vector<Index> models = sorted_once(extension.model_face);
-    std::vector<std::string> colours;  // of the model faces, as they are written
-    for (std::int64_t f = 0; f < layout_.face_count; ++f) {
-      const std::int64_t count = cursor_.integer();
-      for (std::int64_t i = 0; i < count; ++i)
-        cursor_.token();
-      std::string colour;
-      while (layout_.faces_end_lines && !cursor_.at_line_end())
-        colour.append(" ").append(cursor_.token());
-      if (colours.size() < models.size() && models[colours.size()] == f) {
-        colours.push_back(std::move(colour));
+    std::vector<Token> colours(models.size());  // as they are written
+    Polygons unused;
+    read_text_faces(cursor_, layout_, unused, [&](Index face, Token colour) {
+      const auto model = std::lower_bound(models.begin(), models.end(), face);
+      if (model != models.end() && *model == face) {
+        colours[static_cast<std::size_t>(model - models.begin())] = colour;
       }
-    }
-    insert_rows(
-        extension.F.rows(), layout_.faces_end_lines, [&](Eigen::Index f, std::string& line) {
-          line += " 3";
-          for (const Index v : extension.F.row(f)) {
-            line += ' ';
-            append_integer(line, v);
-          }
-          line += colours[position_in(models, extension.model_face[static_cast<std::size_t>(f)])];
-        });
+    });
+    insert_rows(extension.F.rows(), layout_.faces_end_lines,
+                [&](Eigen::Index f, std::string& line) {
+                  line += " 3";
+                  for (const Index v : extension.F.row(f)) {
+                    line += ' ';
+                    append_integer(line, v);
+                  }
+                  const Index model = extension.model_face[static_cast<std::size_t>(f)];
+                  const Token colour = colours[position_in(models, model)];
+                  if (layout_.faces_end_lines && !colour.empty()) line.append(" ").append(colour);
+                });
   }
 
   const PatchRequest& request_;

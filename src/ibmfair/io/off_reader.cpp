@@ -1,5 +1,6 @@
 // Reads positions and faces of a text OFF file, and what its vertices hold besides.
 #include <exception>
+#include <functional>
 #include <limits>
 
 #include <fmt/format.h>
@@ -46,21 +47,34 @@ void read_corners(const Layout& layout, TokenCursor& cursor, Polygons& faces) {
   faces.first.push_back(end);
 }
 
-/// Reads the faces and returns whether any has a colour.
-bool read_faces(const Layout& layout, TokenCursor cursor, Polygons& faces) {
-  bool coloured = false;
+using ColourVisitor = std::function<void(Index, std::string_view)>;
+
+void read_faces(TokenCursor& cursor, const Layout& layout, Polygons& faces,
+                const ColourVisitor& colour) {
   for (std::int64_t f = 0; f < layout.face_count; ++f) {
     read_corners(layout, cursor, faces);
-    if (!layout.faces_end_lines) continue;
-    int columns = 0;
-    for (; !cursor.at_line_end(); ++columns)
-      cursor.token();
-    coloured = coloured || columns > 0;
-    if (columns > most_colour_columns) {
-      cursor.fail(cursor.position(), "a face's colour has at most four numbers; more");
+    if (!layout.faces_end_lines || cursor.at_line_end()) continue;
+    const char* first = cursor.position();
+    const char* last = first;
+    for (int columns = 0; !cursor.at_line_end(); ++columns) {
+      const std::string_view token = cursor.token();
+      if (columns == most_colour_columns) {
+        cursor.fail(token.data(), "a face's colour has at most four numbers; more");
+      }
+      last = cursor.position();
+    }
+    if (colour) {
+      colour(static_cast<Index>(f), {first, static_cast<std::size_t>(last - first)});
     }
   }
-  return coloured;
+}
+
+void read_text_body(const SourceBytes& source, Layout& layout, Mesh& mesh,
+                    const ColourVisitor& colour = {}) {
+  make_room(mesh, layout.vertex_count, layout.face_count, 3 * layout.face_count);
+  TokenCursor cursor(source, layout.body, true);
+  read_vertices(layout, cursor, mesh.X);
+  read_text_faces(cursor, layout, mesh.faces, colour);
 }
 
 /// Copies the numbers that follow each position into the attributes.
@@ -93,20 +107,20 @@ void read_vertex_attributes(const SourceBytes& source, const Layout& layout,
 
 // Colours make it necessary to trust in lines; a file in which that fails may still be a plain
 // stream of numbers.
-bool read_text_body(const SourceBytes& source, Layout& layout, Mesh& mesh) {
-  make_room(mesh, layout.vertex_count, layout.face_count, 3 * layout.face_count);
-  TokenCursor cursor(source, layout.body, true);
-  read_vertices(layout, cursor, mesh.X);
+void read_text_faces(TokenCursor& cursor, Layout& layout, Polygons& faces,
+                     const ColourVisitor& colour) {
+  const TokenCursor start = cursor;
   layout.faces_end_lines = cursor.at_line_end();
-  if (!layout.faces_end_lines) return read_faces(layout, cursor, mesh.faces);
+  if (!layout.faces_end_lines) return read_faces(cursor, layout, faces, colour);
   try {
-    return read_faces(layout, cursor, mesh.faces);
+    read_faces(cursor, layout, faces, colour);
   } catch (const BadFile&) {
     const std::exception_ptr first_failure = std::current_exception();
     layout.faces_end_lines = false;
-    mesh.faces = {};
+    faces = {};
+    cursor.go_back(start);
     try {
-      return read_faces(layout, cursor, mesh.faces);
+      read_faces(cursor, layout, faces, colour);
     } catch (const BadFile&) {
       std::rethrow_exception(first_failure);
     }
@@ -137,7 +151,9 @@ MeshAttributes read_attributes(const SourceBytes& source, const Mesh& mesh) {
     return attributes;
   }
   Mesh again;
-  if (read_text_body(source, layout, again)) attributes.uncarried.emplace_back("face colours");
+  bool face_colours = false;
+  read_text_body(source, layout, again, [&](Index, std::string_view) { face_colours = true; });
+  if (face_colours && layout.faces_end_lines) attributes.uncarried.emplace_back("face colours");
   read_vertex_attributes(source, layout, attributes);
   attributes.opacity = layout.colour_channels == 4;
   if (attributes.byte_colours) {

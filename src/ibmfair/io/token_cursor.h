@@ -80,6 +80,9 @@ class TokenCursor {
     return {start, static_cast<std::size_t>(p_ - start)};
   }
 
+  /// Goes to where another cursor over the same text stands.
+  void go_back(const TokenCursor& there) { p_ = there.p_; }
+
   /// Bytes between the cursor and the end of the text.
   std::int64_t remaining() const { return end_ - p_; }
 
