@@ -71,8 +71,12 @@ ExitCode run_many_files(CLI::App& command, const ManyFiles& many, Console& conso
   Job job{"", command.get_name(), many.inputs, given_settings(command)};
   job.settings.push_back({"output", true, {output_pattern(many)}});
   BatchOptions options = many.options;
-  const CLI::Option* json = command.get_option_no_throw("--json");
-  options.json = json != nullptr && json->count() > 0;
+  const auto given = [&](const char* name) {
+    const CLI::Option* option = command.get_option_no_throw(name);
+    return option != nullptr && option->count() > 0;
+  };
+  options.json = given("--json");
+  options.overwrite = given("--overwrite");
   return run_batch({job}, options, many.folder + "/.ibmfair-batch.journal", console);
 }
 

@@ -117,7 +117,7 @@ void Journal::add_end(const std::string& key, const Finished& finished) {
   append(finished_json(key, finished).dump(-1, ' ', false, ordered_json::error_handler_t::replace));
 }
 
-void Journal::read(const std::vector<std::string>& paths) {
+JournalRecord::JournalRecord(const std::vector<std::string>& paths) {
   for (const std::string& path : paths) {
     std::ifstream file(path, std::ios::binary);
     std::string line;
@@ -131,7 +131,7 @@ void Journal::read(const std::vector<std::string>& paths) {
   }
 }
 
-void Journal::read_line(const std::string& line) {
+void JournalRecord::read_line(const std::string& line) {
   const ordered_json json = ordered_json::parse(line);
   const auto key = json.at("key").get<std::string>();
   if (json.at("event") == "start") {
@@ -146,7 +146,7 @@ void Journal::read_line(const std::string& line) {
   }
 }
 
-const std::vector<Finished>& Journal::finished(const std::string& key) const {
+const std::vector<Finished>& JournalRecord::finished(const std::string& key) const {
   static const std::vector<Finished> none;
   const auto found = finished_.find(key);
   return found == finished_.end() ? none : found->second;

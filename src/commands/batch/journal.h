@@ -25,8 +25,27 @@ struct Finished {
   Outcome outcome;
 };
 
-/// Only one batch at a time writes to a journal. Lines are appended whole; a line that an
-/// interrupted run left half-written is ignored.
+/// What earlier runs have left, in the journals of all parts of the list. A line that a killed run
+/// left half-written is ignored.
+class JournalRecord {
+ public:
+  JournalRecord() = default;
+  explicit JournalRecord(const std::vector<std::string>& paths);
+
+  /// Whether a run has begun to make this item, so that what it writes is the batch's own.
+  bool started(const std::string& key) const { return started_.contains(key); }
+
+  /// What runs have finished with exit code 0.
+  const std::vector<Finished>& finished(const std::string& key) const;
+
+ private:
+  void read_line(const std::string& line);
+
+  std::set<std::string> started_;
+  std::map<std::string, std::vector<Finished>> finished_;
+};
+
+/// Appends whole lines to a file that only one batch at a time writes.
 class Journal {
  public:
   /// Opens or makes the file. Throws CannotWrite, also where another batch has it open.
@@ -35,8 +54,7 @@ class Journal {
   Journal(const Journal&) = delete;
   Journal& operator=(const Journal&) = delete;
 
-  /// Reads what earlier runs have left in this file and in others.
-  void read(const std::vector<std::string>& paths);
+  const std::string& path() const { return path_; }
 
   /// Notes that from here on what the item writes is the batch's own, under a key for the item.
   void add_start(const std::string& key);
@@ -44,20 +62,11 @@ class Journal {
   /// Notes how it ended. The files of one that could not write are not the batch's own.
   void add_end(const std::string& key, const Finished& finished);
 
-  /// Whether an earlier run has begun to make this item.
-  bool started(const std::string& key) const { return started_.contains(key); }
-
-  /// What earlier runs have finished with exit code 0.
-  const std::vector<Finished>& finished(const std::string& key) const;
-
  private:
   void append(const std::string& line);
-  void read_line(const std::string& line);
 
   std::string path_;
   int fd_ = -1;
-  std::set<std::string> started_;
-  std::map<std::string, std::vector<Finished>> finished_;
 };
 
 /// The journal of a part of a list that has several, and all that belong to the same list.

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "commands/batch/journal.h"
+#include "commands/batch/resume.h"
 #include "commands/batch/run_items.h"
 #include "commands/batch/shell_words.h"
 #include "commands/batch/summary.h"
@@ -42,8 +43,7 @@ void check_summary(const BatchOptions& options) {
   require_writable(options.summary, may_replace_summary(options));
 }
 
-RunSettings run_settings(const BatchOptions& options, std::size_t items,
-                         const std::string& journal) {
+RunSettings run_settings(const BatchOptions& options, std::size_t items) {
   RunSettings settings;
   const int cores = thread_count();
   settings.jobs = options.jobs > 0 ? options.jobs : cores;
@@ -53,14 +53,17 @@ RunSettings run_settings(const BatchOptions& options, std::size_t items,
   settings.fail_fast = options.fail_fast;
   settings.resume = options.resume;
   settings.overwrite = options.overwrite;
-  settings.journal_path = journal;
   return settings;
 }
 
-void print_commands(const std::vector<Item>& items) {
+/// Prints what would be run; of a list that is gone on with, what is left of it.
+void print_commands(const std::vector<Item>& items, const JournalRecord& earlier,
+                    const std::string& journal) {
   std::string text;
   for (const Item& item : items) {
-    text += "ibmfair " + shell_words(item.words) + "\n";
+    if (!still_valid(item, earlier.finished(journal_key(item, journal)))) {
+      text += "ibmfair " + shell_words(item.words) + "\n";
+    }
   }
   write_standard_output(text);
 }
@@ -74,9 +77,7 @@ void print_jobs(const std::vector<Item>& items) {
   write_standard_output(job_file_text(jobs));
 }
 
-void prepare_resume(const std::vector<Item>& items, const std::string& list_journal, bool shared,
-                    Journal& journal, const Console& console) {
-  journal.read(journals_of_list(list_journal));
+void clear_away_temporaries(const std::vector<Item>& items, bool shared, const Console& console) {
   std::set<std::string> folders;
   for (const Item& item : items) {
     folders.merge(output_folders(item));
@@ -110,15 +111,26 @@ ExitCode exit_code_of(const RunResult& result) {
   return failed ? ExitCode::not_reached : ExitCode::done;
 }
 
-std::string prepare_journal(const BatchOptions& options, const std::string& list_journal) {
-  const std::string path =
-      journal_of_shard(list_journal, options.shard.number, options.shard.count);
+void make_folder_of(const std::string& path) {
   const auto folder = std::filesystem::path(path).parent_path();
   if (!folder.empty()) {
-    std::error_code ignored;  // opening the journal will tell
+    std::error_code ignored;  // opening the file will tell
     std::filesystem::create_directories(folder, ignored);
   }
-  return path;
+}
+
+RunResult run_and_tell(const std::vector<Item>& items, std::size_t total,
+                       const BatchOptions& options, const JournalRecord& earlier, Journal& journal,
+                       const Console& console) {
+  const auto tell = [&](std::size_t index, const Outcome& outcome) {
+    const std::string line = status_line(items[index], outcome, total);
+    if (outcome.status == Status::failed && console.level() == Console::Level::quiet) {
+      console.error(line);
+    } else {
+      console.note(line);
+    }
+  };
+  return run_items(items, run_settings(options, items.size()), earlier, journal, tell);
 }
 
 }  // namespace
@@ -128,27 +140,31 @@ ExitCode run_batch(const std::vector<Job>& jobs, const BatchOptions& options,
   check_summary(options);
   const std::vector<Item> all = expand_jobs(jobs);
   const std::vector<Item> items = items_of_shard(all, options.shard);
-  if (options.dump_config || options.dry_run) {
-    options.dump_config ? print_jobs(items) : print_commands(items);
+  if (options.dump_config) {
+    print_jobs(items);
     return ExitCode::done;
   }
   const std::string list_journal = options.journal.empty() ? journal : options.journal;
-  const std::string own_journal = prepare_journal(options, list_journal);
+  const std::string own_journal =
+      journal_of_shard(list_journal, options.shard.number, options.shard.count);
+  JournalRecord earlier;
+  if (options.resume) {
+    earlier = JournalRecord(journals_of_list(list_journal));
+  }
+  if (options.dry_run) {
+    print_commands(items, earlier, own_journal);
+    return ExitCode::done;
+  }
+  make_folder_of(own_journal);
   Journal record(own_journal);
   if (options.resume) {
-    prepare_resume(items, list_journal, options.shard.count > 1, record, console);
+    clear_away_temporaries(items, options.shard.count > 1, console);
   }
   double seconds = 0;
   RunResult result;
   {
     const Stopwatch watch(seconds);
-    result = run_items(items, run_settings(options, items.size(), own_journal), record,
-                       [&](std::size_t index, const Outcome& outcome) {
-                         const std::string line = status_line(items[index], outcome, all.size());
-                         outcome.status == Status::failed&& console.level() == Console::Level::quiet
-                             ? console.error(line)
-                             : console.note(line);
-                       });
+    result = run_and_tell(items, all.size(), options, earlier, record, console);
   }
   console.note(summary_table(items, result.outcomes, seconds));
   write_summary(options, items, result.outcomes, seconds);

@@ -57,9 +57,13 @@ std::string signal_text(int signal_number) {
 
 class ItemRunner {
  public:
-  ItemRunner(const std::vector<Item>& items, const RunSettings& settings, Journal& journal,
-             const OutcomeObserver& observe)
-      : items_(items), settings_(settings), journal_(journal), observe_(observe) {
+  ItemRunner(const std::vector<Item>& items, const RunSettings& settings,
+             const JournalRecord& earlier, Journal& journal, const OutcomeObserver& observe)
+      : items_(items),
+        settings_(settings),
+        earlier_(earlier),
+        journal_(journal),
+        observe_(observe) {
     result_.outcomes.resize(items.size());
   }
 
@@ -89,10 +93,10 @@ class ItemRunner {
 
   void start(std::size_t index) {
     const Item& item = items_[index];
-    Running running{index, journal_key(item, settings_.journal_path), begin_record(item)};
-    const bool ours = settings_.resume && journal_.started(running.key);
+    Running running{index, journal_key(item, journal_.path()), begin_record(item)};
+    const bool ours = settings_.resume && earlier_.started(running.key);
     if (settings_.resume) {
-      if (const auto outcome = still_valid(item, journal_.finished(running.key))) {
+      if (const auto outcome = still_valid(item, earlier_.finished(running.key))) {
         return conclude(index, *outcome);
       }
     }
@@ -205,6 +209,7 @@ class ItemRunner {
 
   const std::vector<Item>& items_;
   const RunSettings& settings_;
+  const JournalRecord& earlier_;
   Journal& journal_;
   const OutcomeObserver& observe_;
   Interrupts interrupts_;
@@ -225,9 +230,10 @@ std::set<std::string> output_folders(const Item& item) {
   return folders;
 }
 
-RunResult run_items(const std::vector<Item>& items, const RunSettings& settings, Journal& journal,
+RunResult run_items(const std::vector<Item>& items, const RunSettings& settings,
+                    const JournalRecord& earlier, Journal& journal,
                     const OutcomeObserver& observe) {
-  return ItemRunner(items, settings, journal, observe).run();
+  return ItemRunner(items, settings, earlier, journal, observe).run();
 }
 
 }  // namespace ibmfair::commands

@@ -14,9 +14,8 @@ struct RunSettings {
   int jobs = 1;     ///< at a time, at least 1
   int threads = 1;  ///< of every item that does not say
   bool fail_fast = false;
-  bool resume = false;
+  bool resume = false;  ///< what `earlier` runs have done is skipped or replaced
   bool overwrite = false;
-  std::string journal_path;
 };
 
 /// Called as each item ends, in the order in which they do, with its place in the list.
@@ -29,8 +28,8 @@ struct RunResult {
 
 /// Throws CannotWrite where the journal cannot be written. Whatever happens, no process is left
 /// behind.
-RunResult run_items(const std::vector<Item>& items, const RunSettings& settings, Journal& journal,
-                    const OutcomeObserver& observe);
+RunResult run_items(const std::vector<Item>& items, const RunSettings& settings,
+                    const JournalRecord& earlier, Journal& journal, const OutcomeObserver& observe);
 
 /// The folders that the item writes to.
 std::set<std::string> output_folders(const Item& item);
