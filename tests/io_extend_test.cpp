@@ -1,4 +1,6 @@
 // The laws of writing a mesh with an extension, over formats and classes of meshes.
+#include <filesystem>
+#include <limits>
 #include <stdexcept>
 
 #include <fmt/format.h>
@@ -6,6 +8,7 @@
 
 #include "ibmfair/base/errors.h"
 #include "ibmfair/io/formats.h"
+#include "ibmfair/io/source_bytes.h"
 #include "support/extensions.h"
 #include "support/files.h"
 #include "support/mesh_io.h"
@@ -176,6 +179,28 @@ TEST(Extension, AttributesSurviveTheWayThroughAnotherFormat) {
   EXPECT_EQ(direct.colours[6], (std::array{0.25, 0.25, 0.5, 1.0}));
 }
 
+TEST(Extension, OfEveryReadableFileIsReadBack) {
+  MeshFiles files;
+  int read = 0;
+  for (const auto& [name, bytes] : rich_files()) {
+    for (std::size_t i = 0; i < bytes.size(); i += 5) {
+      std::string changed = bytes;
+      changed[i] = "9 \n#.\\-/f\xFF"[i / 5 % 10];
+      try {
+        const MeshFile file = MeshFiles::read(changed, name);
+        ++read;
+        const Tents tents(file.mesh(), {0});
+        files.write(file, file.mesh().X, tents.extension, name);
+        SCOPED_TRACE(changed);
+        expect_extended(read_mesh(files.path(name)), file.mesh(), file.mesh().X, tents.extension);
+      } catch (const BadFile& error) {
+        EXPECT_EQ(std::string(error.what()).find(files.path(name)), std::string::npos);
+      }
+    }
+  }
+  EXPECT_GT(read, 50);
+}
+
 TEST(Extension, OfAWeldedFileIsGenerated) {
   MeshFiles files;
   const MeshFile file = MeshFiles::read(
@@ -228,6 +253,27 @@ TEST(Extension, LeavesTheTargetAloneWhereItFails) {
     EXPECT_EQ(read_bytes(files.path(name)), "old");
   }
   EXPECT_EQ(files.entries(), rich_files().size());
+}
+
+TEST(RealFiles, AreExtended) {
+  int count = 0;
+  MeshFiles files;
+  for (const std::string folder : {"models", "holes"}) {
+    for (const std::string& path : shared_meshes(folder)) {
+      if (std::filesystem::file_size(path) > 700000) continue;
+      SCOPED_TRACE(path);
+      const MeshFile file = read_mesh(path);
+      const Tents tents(file.mesh(), some_faces(file.mesh(), 501));
+      const std::string copy = "copy." + std::string(file.format().name);
+      const std::string out = files.write(file, file.mesh().X, tents.extension, copy);
+      expect_extended(read_mesh(files.path(copy)), file.mesh(), file.mesh().X, tents.extension);
+      if (file.format().name == "obj") {
+        EXPECT_TRUE(out.starts_with(file.bytes().view()));
+      }
+      ++count;
+    }
+  }
+  if (count == 0) GTEST_SKIP() << "no ../shared/meshes";
 }
 
 }  // namespace
