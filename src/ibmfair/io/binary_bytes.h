@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <cstring>
 #include <string_view>
 
@@ -19,6 +20,12 @@ T load(const char* p, bool swapped) {
   T value;
   std::memcpy(&value, bytes, sizeof(T));
   return value;
+}
+
+/// The integer of type T stored at `p`, as a count or an index.
+template <class T>
+std::int64_t load_integer(const char* p, bool swapped) {
+  return static_cast<std::int64_t>(load<T>(p, swapped));
 }
 
 /// The bytes of `value`, in reverse order if `swapped`; valid as long as `buffer` is.

@@ -33,7 +33,7 @@ double BinaryBody::real(Type type) {
 std::int64_t BinaryBody::count(const Property& list) {
   require(size_of(list.count_type));
   const std::int64_t count = with_type(list.count_type, [&](auto of) {
-    return static_cast<std::int64_t>(load<typename decltype(of)::type>(p_, swapped_));
+    return load_integer<typename decltype(of)::type>(p_, swapped_);
   });
   if (count < 0) fail("a list with a negative count");
   p_ += size_of(list.count_type);
@@ -49,7 +49,7 @@ void BinaryBody::indices(Type type, std::int64_t count, std::int64_t smallest, s
   with_type(type, [&](auto of) {
     using T = typename decltype(of)::type;
     for (const char* last = p_ + count * sizeof(T); p_ != last; p_ += sizeof(T)) {
-      const auto index = static_cast<std::int64_t>(load<T>(p_, swapped_));
+      const std::int64_t index = load_integer<T>(p_, swapped_);
       if (index < smallest || index >= limit) fail(out_of_range(index, limit));
       out.push_back(static_cast<Index>(index));
     }
