@@ -92,31 +92,66 @@ class HoleFiller {
   }
 
   HoleReport refined_and_faired(Patch& patch, Index most_vertices) const {
-    HoleReport report = report_of(0, HoleStatus::filled);
-    bool refined = true;
-    if (!options_.refine) {
-      split_taken_edges(patch);
-    } else if (!options_.fair) {
-      refined = refine(patch, {1, false, most_vertices});
-    }
     if (options_.fair) {
-      try {
-        report.fairing = options_.refine
-                             ? refine_and_fair(patch, options_.fairing, most_vertices, refined)
-                             : fair(patch, options_.fairing);
-      } catch (const FactorizationFailed& error) {
-        report.status = HoleStatus::not_converged;
-        report.reason = error.what();
-        return report;
-      }
-      if (!report.fairing.converged) {
-        report.status = HoleStatus::not_converged;
-        report.reason = "the fairing did not reach its tolerance";
-      }
+      return options_.refine ? refined_while_faired(patch, most_vertices) : faired(patch);
     }
+    bool refined = true;
+    if (options_.refine) {
+      refined = refine(patch, {1, false, most_vertices});
+    } else {
+      split_taken_edges(patch);
+    }
+    return concluded({}, true, refined);
+  }
+
+  HoleReport faired(Patch& patch) const {
+    split_taken_edges(patch);
+    try {
+      const FairingReport fairing = fair(patch, options_.fairing);
+      return concluded(fairing, fairing.converged, true);
+    } catch (const FactorizationFailed& error) {
+      return report_of(0, HoleStatus::not_converged, error.what());
+    }
+  }
+
+  /// Where the way from coarse to fine does not end at a stationary surface, as at a rim with a
+  /// sharp tip that few triangles cannot follow, the fine level alone may.
+  HoleReport refined_while_faired(Patch& patch, Index most_vertices) const {
+    Patch second = patch;
+    const HoleReport report = refined_while_faired(patch, most_vertices, options_.fairing);
+    if (report.status != HoleStatus::not_converged || report.fairing.levels == 1) {
+      return report;
+    }
+    FairingOptions options = options_.fairing;
+    options.most_levels = 1;
+    const HoleReport again = refined_while_faired(second, most_vertices, options);
+    if (again.status == HoleStatus::not_converged) {
+      return report;
+    }
+    patch = std::move(second);
+    return again;
+  }
+
+  static HoleReport refined_while_faired(Patch& patch, Index most_vertices,
+                                         const FairingOptions& options) {
+    bool refined = true;
+    try {
+      const FairingReport fairing = refine_and_fair(patch, options, most_vertices, refined);
+      return concluded(fairing, fairing.converged, refined);
+    } catch (const FactorizationFailed& error) {
+      return report_of(0, HoleStatus::not_converged, error.what());
+    }
+  }
+
+  static HoleReport concluded(const FairingReport& fairing, bool converged, bool refined) {
+    HoleReport report = report_of(0, HoleStatus::filled);
+    report.fairing = fairing;
     if (!refined) {
       report.status = HoleStatus::coarse;
       report.reason = "the limit of new vertices ended its refinement";
+    } else if (!converged) {
+      report.status = HoleStatus::not_converged;
+      report.reason = "the fairing did not reach its tolerance";
     }
     return report;
   }

@@ -11,6 +11,18 @@
 namespace ibmfair {
 namespace {
 
+/// Whether two different vertices of the loop have the same coordinates.
+bool meets_a_place_twice(const Points& X, std::vector<Index> loop) {
+  const auto before = [&](Index a, Index b) {
+    return std::lexicographical_compare(X.row(a).begin(), X.row(a).end(), X.row(b).begin(),
+                                        X.row(b).end());
+  };
+  std::sort(loop.begin(), loop.end(), before);
+  return std::adjacent_find(loop.begin(), loop.end(), [&](Index a, Index b) {
+           return a != b && X.row(a) == X.row(b);
+         }) != loop.end();
+}
+
 Hole measured(const Points& X, const Topology& topology, Index id) {
   const BoundaryLoop& loop = topology.boundary_loops[static_cast<std::size_t>(id)];
   Hole hole;
@@ -18,6 +30,7 @@ Hole measured(const Points& X, const Topology& topology, Index id) {
   hole.loop = loop.vertices;
   hole.closed = loop.closed;
   hole.simple = loop.simple;
+  hole.touches_itself = meets_a_place_twice(X, loop.vertices);
   hole.component = topology.component[loop.vertices.front()];
   for (Index i = 0; i < hole.edges(); ++i) {
     const Index next = (i + 1) % static_cast<Index>(hole.loop.size());

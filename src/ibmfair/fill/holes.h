@@ -11,14 +11,15 @@ namespace ibmfair {
 
 /// A boundary loop with its measures.
 struct Hole {
-  Index id = 0;               ///< its place in Topology::boundary_loops: by smallest vertex
-  std::vector<Index> loop;    ///< vertices in order; the mesh lies to the left
-  double perimeter = 0;       ///< length
-  double diameter = 0;        ///< of the bounding box (its diagonal), length
-  bool closed = true;         ///< false where a non-manifold edge interrupts the loop
-  bool simple = true;         ///< no vertex is met twice
-  Index component = 0;        ///< of the mesh
-  bool outer_border = false;  ///< the edge of a sheet rather than a hole; see `border_share`
+  Index id = 0;                 ///< its place in Topology::boundary_loops: by smallest vertex
+  std::vector<Index> loop;      ///< vertices in order; the mesh lies to the left
+  double perimeter = 0;         ///< length
+  double diameter = 0;          ///< of the bounding box (its diagonal), length
+  bool closed = true;           ///< false where a non-manifold edge interrupts the loop
+  bool simple = true;           ///< no vertex is met twice
+  bool touches_itself = false;  ///< two of its vertices lie at one place: welding would join them
+  Index component = 0;          ///< of the mesh
+  bool outer_border = false;    ///< the edge of a sheet rather than a hole; see `border_share`
   /// The area that the loop spans (the length of its vector area) over the area of its component,
   /// for the longest loop of a component; 0 for the others. About 1 for a flat sheet, 1/2 for a
   /// half sphere, small for a hole in a closed surface.

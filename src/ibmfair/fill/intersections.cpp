@@ -31,7 +31,8 @@ bool intersect(const Points& X, const Triangles& F, Index t, Index u) {
   int shared = 0, place_t = 0, place_u = 0;
   for (int i = 0; i < 3; ++i) {
     for (int j = 0; j < 3; ++j) {
-      if (F(t, i) == F(u, j)) {
+      // Vertices at one place are one: where a mesh is cut open, the two sides touch.
+      if (F(t, i) == F(u, j) || X.row(F(t, i)) == X.row(F(u, j))) {
         ++shared;
         place_t = i;
         place_u = j;

@@ -124,18 +124,17 @@ void mark_taken(Patch& patch, const std::vector<std::uint8_t>& on_rim,
   }
 }
 
-/// The mean length of the mesh's edges at each vertex of the rim.
-void measure_spacing(Patch& patch, const std::vector<std::uint8_t>& on_rim) {
-  std::vector<double> count(on_rim.size(), 0);
-  patch.spacing.assign(on_rim.size(), 0);
-  for (const auto x : patch.surroundings.rowwise()) {
-    for (int i = 0; i < 3; ++i) {
-      const Index a = x[i], b = x[(i + 1) % 3];
-      const double length = (patch.X.row(a) - patch.X.row(b)).norm();
-      for (const Index v : {a, b}) {
-        patch.spacing[v] += on_rim[v] ? length : 0;
-        count[v] += 1;
-      }
+/// The mean length of the rim's edges at each vertex of the rim. Those that lead away from it do
+/// not count: where the mesh has long thin triangles, they would make the patch too coarse to turn
+/// with the rim.
+void measure_spacing(Patch& patch) {
+  std::vector<double> count(patch.mesh_vertex.size(), 0);
+  patch.spacing.assign(count.size(), 0);
+  for (const RimEdge& edge : patch.rim) {
+    const double length = (patch.X.row(edge.a) - patch.X.row(edge.b)).norm();
+    for (const Index v : {edge.a, edge.b}) {
+      patch.spacing[v] += length;
+      count[v] += 1;
     }
   }
   for (std::size_t v = 0; v < count.size(); ++v) {
@@ -199,7 +198,7 @@ Patch cut_patch(const Points& X, const Topology& topology,
   }
   patch.one_disc = discs.size() == 1;
   mark_taken(patch, on_rim, discs);
-  measure_spacing(patch, on_rim);
+  measure_spacing(patch);
   return patch;
 }
 
@@ -224,7 +223,6 @@ Patch cut_region(const Points& X, const Topology& topology, const std::vector<In
   for (const Index v : patch.mesh_vertex) {
     patch.free.push_back(inside[v] && !topology.defective[v] ? 1 : 0);
   }
-  measure_spacing(patch, std::vector<std::uint8_t>(patch.mesh_vertex.size(), 1));
   return patch;
 }
 

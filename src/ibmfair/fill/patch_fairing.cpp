@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
-#include <numeric>
 
 #include "ibmfair/base/errors.h"
 #include "ibmfair/energy/bending_energy.h"
@@ -15,9 +14,11 @@
 namespace ibmfair {
 namespace {
 
-constexpr double first_cutoff = 20;         // of the flow's first step, in mean edge lengths
-constexpr double limit_growth = 1 << 24;    // of the time step: beyond, a step is Gauss-Newton's
-constexpr double coarse_rim = 20;           // edges of the coarsest level's rim, about
+constexpr double first_cutoff = 20;       // of the flow's first step, in mean edge lengths
+constexpr double limit_growth = 1 << 24;  // of the time step: beyond, a step is Gauss-Newton's
+constexpr double coarse_rim = 20;         // edges of the coarsest level's rim, about
+constexpr int most_late_refinements = 3;
+constexpr double late_share = 0.05;         // of new vertices that makes fairing once more worth it
 constexpr double small_move = 0.01;         // along the normal, in edge lengths: settled
 constexpr double coarse_small_move = 0.05;  // the same where a finer level follows
 
@@ -36,16 +37,26 @@ std::vector<std::uint8_t> held_vertices(const Patch& patch, const Topology& topo
   return held;
 }
 
-double mean_rim_spacing(const Patch& patch) {
+double mean_edge_length(const Patch& patch) {
+  double sum = 0;
+  for (Index t = 0; t < patch.net.size(); ++t) {
+    for (int i = 0; i < 3; ++i) {
+      sum += (patch.X.row(patch.net.start({t, i})) - patch.X.row(patch.net.end({t, i}))).norm();
+    }
+  }
+  return sum / (3.0 * patch.net.size());
+}
+
+/// The length in which the first time step is measured.
+double first_length(const Patch& patch) {
+  if (patch.rim.empty()) {
+    return mean_edge_length(patch);
+  }
   double sum = 0;
   for (const RimEdge& edge : patch.rim) {
     sum += patch.spacing[edge.a];
   }
-  if (!patch.rim.empty()) {
-    return sum / static_cast<double>(patch.rim.size());
-  }
-  return std::accumulate(patch.spacing.begin(), patch.spacing.end(), 0.0) /
-         static_cast<double>(patch.spacing.size());
+  return sum / static_cast<double>(patch.rim.size());
 }
 
 /// The flow on the patch's present triangles.
@@ -69,7 +80,7 @@ class PatchFairing {
   PatchFairing(Patch& patch, const FairingOptions& options)
       : patch_(patch),
         options_(options),
-        h_(time_for_cutoff(first_cutoff * mean_rim_spacing(patch))),
+        h_(time_for_cutoff(first_cutoff * first_length(patch))),
         h_limit_(h_ * limit_growth) {
     flow_options_.laplacian = options.laplacian;
     flow_options_.mass = options.mass;
@@ -95,7 +106,6 @@ class PatchFairing {
     conclude();
   }
 
-  FairingReport result() { return report_; }
   FairingReport& report() { return report_; }
 
  private:
@@ -162,28 +172,54 @@ class PatchFairing {
 
 void FairingOptions::validate() const {
   bending_model(laplacian);
-  if (!(tolerance > 0) || most_steps < 1) {
-    throw BadOption("the tolerance must be positive and there must be at least one step");
+  if (!(tolerance > 0) || most_steps < 1 || most_levels < 1) {
+    throw BadOption(
+        "the tolerance must be positive and there must be at least one step and one level");
   }
 }
 
 FairingReport fair(Patch& patch, const FairingOptions& options) {
   PatchFairing fairing(patch, options);
   fairing.run(false, true);
-  return fairing.result();
+  return fairing.report();
 }
+
+namespace {
+
+/// A patch that bulged out has longer edges than before. Where shorter ones do not settle, it stays
+/// as it was.
+void refine_late(Patch& patch, PatchFairing& fairing, Index most_vertices) {
+  for (int i = 0; i < most_late_refinements && fairing.report().converged; ++i) {
+    const Patch settled = patch;
+    const FairingReport report = fairing.report();
+    if (refine(patch, {1, true, most_vertices}) &&
+        patch.own_size() - settled.own_size() > late_share * settled.own_size()) {
+      fairing.run(false, true);
+      if (fairing.report().converged) {
+        continue;
+      }
+    }
+    patch = settled;
+    fairing.report() = report;
+    return;
+  }
+}
+
+}  // namespace
 
 FairingReport refine_and_fair(Patch& patch, const FairingOptions& options, Index most_vertices,
                               bool& refined) {
   PatchFairing fairing(patch, options);
   const double rim = static_cast<double>(patch.rim.size());
-  const int coarsest = std::max(0, static_cast<int>(std::log2(rim / coarse_rim)));
+  const int coarsest =
+      std::clamp(static_cast<int>(std::log2(rim / coarse_rim)), 0, options.most_levels - 1);
   refined = true;
   for (int level = coarsest; level >= 0 && refined; --level) {
     refined = refine(patch, {std::ldexp(1.0, level), level < coarsest, most_vertices});
     fairing.run(level == coarsest, level == 0 || !refined);
   }
-  return fairing.result();
+  refine_late(patch, fairing, most_vertices);
+  return fairing.report();
 }
 
 }  // namespace ibmfair

@@ -13,6 +13,7 @@ struct FairingOptions {
   bool mass = true;                    ///< with the mass matrix in the energy
   double tolerance = 1e-3;             ///< of the normal gradient, relative to its start
   int most_steps = 100;                ///< at one level of refinement
+  int most_levels = 32;                ///< of refinement
 
   /// Throws BadOption where a value cannot be used.
   void validate() const;

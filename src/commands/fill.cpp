@@ -1,0 +1,334 @@
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+#include <optional>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "commands/argument_roles.h"
+#include "commands/command.h"
+#include "commands/defect_warnings.h"
+#include "commands/fill_report.h"
+#include "commands/length.h"
+#include "commands/shared_options.h"
+#include "commands/vertex_list.h"
+#include "ibmfair/base/errors.h"
+#include "ibmfair/base/stopwatch.h"
+#include "ibmfair/energy/bending_energy.h"
+#include "ibmfair/fill/fill_holes.h"
+#include "ibmfair/fill/fill_region.h"
+#include "ibmfair/io/atomic_file.h"
+#include "ibmfair/io/extension.h"
+#include "ibmfair/io/formats.h"
+#include "ibmfair/picture/png.h"
+#include "ibmfair/picture/render.h"
+
+namespace ibmfair::commands {
+namespace {
+
+struct FillArguments {
+  std::string input;
+  InputOptions reading;
+  OutputOptions output;
+  ReportOptions report;
+  bool strict = false;
+  bool allow_intersections = false;
+  std::string picture;
+
+  HoleChoice choice;
+  std::optional<Length> max_perimeter, max_diameter;
+  FillOptions fill;
+  bool no_fair = false, no_refine = false, no_mass = false;
+  std::string region;
+};
+
+/// What both ways of running share.
+struct Input {
+  MeshFile file;
+  Triangulation triangulation;
+  Topology topology;
+};
+
+FillOptions fill_options(const FillArguments& arguments) {
+  FillOptions options = arguments.fill;
+  options.fair = !arguments.no_fair;
+  options.refine = !arguments.no_refine;
+  options.fairing.mass = !arguments.no_mass;
+  return options;
+}
+
+HoleChoice hole_choice(const FillArguments& arguments, const Points& X, const Topology& topology) {
+  HoleChoice choice = arguments.choice;
+  if (arguments.max_perimeter) {
+    choice.longest_perimeter = arguments.max_perimeter->on(X, topology);
+  }
+  if (arguments.max_diameter) {
+    choice.largest_diameter = arguments.max_diameter->on(X, topology);
+  }
+  return choice;
+}
+
+/// A file of vertex numbers, or the name of something in the mesh file. The vertices of an OBJ
+/// group include those that it shares with its neighbours: they are the inner ring that stays.
+std::vector<std::uint8_t> region_of(const FillArguments& arguments, const Input& input) {
+  if (std::filesystem::is_regular_file(arguments.region)) {
+    std::vector<std::uint8_t> region(static_cast<std::size_t>(input.topology.vertex_count), 0);
+    for (const Index v : read_vertex_list(arguments.region, input.topology.vertex_count)) {
+      region[v] = 1;
+    }
+    return region;
+  }
+  const std::vector<std::uint8_t> named = input.file.vertex_mask(arguments.region);
+  return input.file.format().name == "obj" ? inner_vertices(input.topology, named) : named;
+}
+
+Extension extension_of(const Filling& filling, const Triangulation& triangulation) {
+  Extension extension;
+  extension.X = filling.new_X;
+  extension.F = filling.new_F;
+  for (const Index triangle : filling.model_triangle) {
+    extension.model_face.push_back(triangulation.face[triangle]);
+  }
+  extension.rim = filling.rim();
+  extension.extend = [&filling](const Eigen::MatrixXd& at_rim) { return filling.extend(at_rim); };
+  return extension;
+}
+
+/// What was asked for and not achieved, as one sentence; empty if everything was.
+std::string shortfall(const Filling& filling, bool allow_intersections) {
+  std::int64_t open = 0, rough = 0, folds = 0, intersections = 0;
+  for (const HoleReport& hole : filling.holes) {
+    open += hole.status == HoleStatus::failed ? 1 : 0;
+    rough += hole.status == HoleStatus::not_converged || hole.status == HoleStatus::coarse ? 1 : 0;
+    folds += hole.seam.folds;
+    intersections += hole.intersections;
+  }
+  std::vector<std::string> parts;
+  const auto add = [&parts](std::int64_t count, const char* text) {
+    if (count > 0) {
+      parts.push_back(fmt::format("{} {}", count, text));
+    }
+  };
+  add(open, "left open");
+  add(rough, "not brought to the end");
+  add(folds, "folded hinges");
+  add(allow_intersections ? 0 : intersections, "intersecting pairs of triangles");
+  return parts.empty() ? std::string() : fmt::format("holes: {}", fmt::join(parts, ", "));
+}
+
+void tell(const WriteReport& written, const Console& console) {
+  for (const std::string& note : written.notes) {
+    console.note(note);
+  }
+}
+
+/// The filled mesh with the patches in another colour.
+void draw(const FillArguments& arguments, const Points& X, const Triangles& F,
+          Eigen::Index patch_from) {
+  if (arguments.picture.empty()) {
+    return;
+  }
+  RenderOptions options;
+  options.paint.triangle.assign(static_cast<std::size_t>(F.rows()), options.paint.front);
+  std::fill(options.paint.triangle.begin() + patch_from, options.paint.triangle.end(),
+            Rgb{240, 190, 120});
+  AtomicFile file(arguments.picture, arguments.output.write.overwrite);
+  file.write(encode_png(render(X, F, options)));
+  file.commit();
+}
+
+void draw(const FillArguments& arguments, const Topology& topology, const Filling& filling) {
+  Points X(filling.X.rows() + filling.new_X.rows(), 3);
+  X << filling.X, filling.new_X;
+  Triangles F(topology.F.rows() + filling.new_F.rows(), 3);
+  F << topology.F, filling.new_F;
+  draw(arguments, X, F, topology.F.rows());
+}
+
+ExitCode conclude(const std::string& missed, bool strict, const Console& console) {
+  if (missed.empty()) {
+    return ExitCode::done;
+  }
+  console.warning(missed + (strict ? "; nothing was written (--strict)" : ""));
+  return ExitCode::not_reached;
+}
+
+ExitCode fill(const FillArguments& arguments, const Input& input, FillSeconds& seconds,
+              nlohmann::ordered_json& report, Console& console) {
+  const Points& X = input.file.mesh().X;
+  Filling filling;
+  {
+    const Stopwatch watch(seconds.fill);
+    filling = fill_holes(X, input.topology, hole_choice(arguments, X, input.topology),
+                         fill_options(arguments));
+  }
+  const std::string missed = shortfall(filling, arguments.allow_intersections);
+  if (missed.empty() || !arguments.strict) {
+    const Stopwatch watch(seconds.write);
+    tell(filling.new_F.rows() > 0
+             ? write_mesh(input.file, filling.X, extension_of(filling, input.triangulation),
+                          arguments.output.path, arguments.output.write)
+             : write_mesh(input.file, X, arguments.output.path, arguments.output.write),
+         console);
+    draw(arguments, input.topology, filling);
+  }
+  const std::vector<Hole> holes = find_holes(X, input.topology);
+  const auto touching = std::count_if(holes.begin(), holes.end(),
+                                      [](const Hole& hole) { return hole.touches_itself; });
+  if (touching > 0) {
+    console.note(
+        fmt::format("{} of the holes meet a place twice as different vertices; --weld "
+                    "joins those, and mostly fills such holes better",
+                    touching));
+  }
+  add_filling(report, filling, holes, seconds);
+  const auto filled = std::count_if(filling.holes.begin(), filling.holes.end(),
+                                    [](const HoleReport& hole) { return hole.new_triangles > 0; });
+  console.note(
+      filling.holes.empty()
+          ? fmt::format("{}: no holes, the mesh is closed", arguments.input)
+          : fmt::format("{} -> {}, {} of {} holes filled: {} new vertices, {} new "
+                        "triangles\n{}",
+                        arguments.input, arguments.output.path, filled, filling.holes.size(),
+                        filling.new_X.rows(), filling.new_F.rows(),
+                        fill_text(filling, seconds, console.level() == Console::Level::verbose)));
+  return conclude(missed, arguments.strict, console);
+}
+
+ExitCode fair_again(const FillArguments& arguments, const Input& input, FillSeconds& seconds,
+                    nlohmann::ordered_json& report, Console& console) {
+  Points X = input.file.mesh().X;
+  RegionReport region;
+  {
+    const Stopwatch watch(seconds.fill);
+    region = fair_region(X, input.topology, region_of(arguments, input),
+                         fill_options(arguments).fairing);
+  }
+  std::string missed;
+  if (!region.fairing.converged) {
+    missed = "the fairing did not reach its tolerance";
+  } else if (region.folds > 0) {
+    missed = fmt::format("{} hinges of the region are folded", region.folds);
+  }
+  if (missed.empty() || !arguments.strict) {
+    const Stopwatch watch(seconds.write);
+    tell(write_mesh(input.file, X, arguments.output.path, arguments.output.write), console);
+    draw(arguments, X, input.topology.F, input.topology.F.rows());
+  }
+  add_region(report, region, seconds);
+  console.note(fmt::format("{} -> {}, region '{}' faired\n{}", arguments.input,
+                           arguments.output.path, arguments.region, region_text(region, seconds)));
+  return conclude(missed, arguments.strict, console);
+}
+
+Input read(const FillArguments& arguments, FillSeconds& seconds, Console& console) {
+  Input input;
+  {
+    const Stopwatch watch(seconds.read);
+    input.file = read_input(arguments.input, arguments.reading, console);
+  }
+  const Stopwatch watch(seconds.topology);
+  input.triangulation = triangulate(input.file.mesh());
+  input.topology = build_topology(input.file.mesh().X, input.triangulation.F);
+  return input;
+}
+
+ExitCode run_fill(const FillArguments& arguments, Console& console) {
+  const bool overwrite = arguments.output.write.overwrite;
+  require_writable(arguments.output.path, overwrite);
+  check_report(arguments.report, arguments.output.path, overwrite);
+  if (!arguments.picture.empty()) {
+    require_writable(arguments.picture, overwrite);
+  }
+  FillSeconds seconds;
+  const Input input = read(arguments, seconds, console);
+  warn_of_defects(input.topology, arguments.strict, console);
+  nlohmann::ordered_json report = start_report("fill");
+  report["input"] = arguments.input;
+  report["output"] = arguments.output.path;
+  const ExitCode code = arguments.region.empty()
+                            ? fill(arguments, input, seconds, report, console)
+                            : fair_again(arguments, input, seconds, report, console);
+  report["defects"] = defects_json(input.topology);
+  deliver_report(arguments.report, overwrite, report);
+  return code;
+}
+
+std::vector<Index> parse_ids(const std::string& text) {
+  std::vector<Index> ids;
+  std::size_t begin = 0;
+  while (begin <= text.size()) {
+    const std::size_t end = std::min(text.find(',', begin), text.size());
+    ids.push_back(static_cast<Index>(parse_integer_option("--only", text.substr(begin, end - begin),
+                                                          0, std::numeric_limits<Index>::max())));
+    begin = end + 1;
+  }
+  return ids;
+}
+
+void add_choice_options(CLI::App& app, FillArguments& a) {
+  constexpr Index most = std::numeric_limits<Index>::max();
+  app.add_flag("--all", a.choice.all,
+               "fill outer borders of open sheets, too (left open otherwise)");
+  add_parsed_option(app, "--only", "ID,...", "fill only these holes, as `ibmfair holes` lists them",
+                    [&a](const std::string& text) { a.choice.only = parse_ids(text); });
+  add_integer(app, "--max-edges", a.choice.most_edges, Index{1}, most,
+              "leave holes of more edges open");
+  add_length(app, "--max-perimeter", a.max_perimeter, Length::Unit::absolute,
+             "leave holes of a longer perimeter open: in the mesh's units, or with e in mean edge "
+             "lengths, or with % of the bounding box's diagonal");
+  add_length(app, "--max-diameter", a.max_diameter, Length::Unit::absolute,
+             "the same for the diagonal of a hole's bounding box");
+  app.add_option("--region", a.region,
+                 "fair a part of the mesh again instead: the inner vertices of an OBJ group, "
+                 "object or material, the vertices whose PLY property is not zero, or those "
+                 "listed in a file, counted from 0")
+      ->type_name(name_or_file_to_read);
+}
+
+void add_fairing_options(CLI::App& app, FillArguments& a) {
+  constexpr Index most = std::numeric_limits<Index>::max();
+  app.add_flag("--no-fair", a.no_fair, "triangulate and refine only");
+  app.add_flag("--no-refine", a.no_refine, "add no vertices");
+  add_integer(app, "--rim-smooth", a.fill.rim_smooth, 0, 1000,
+              "let N rings of vertices outside move, too, the rim being the first (default 0)");
+  std::vector<std::string> names;
+  for (const BendingModel& model : bending_models()) {
+    names.emplace_back(model.name);
+  }
+  app.add_option("--laplacian", a.fill.fairing.laplacian, "member of the family of energies")
+      ->check(CLI::IsMember(names))
+      ->capture_default_str();
+  app.add_flag("--no-mass", a.no_mass, "leave the mass matrix out of the energy");
+  add_real(app, "--tolerance", a.fill.fairing.tolerance, positive,
+           "normal gradient at which a patch is stationary, relative to its start (default 1e-3)");
+  add_integer(app, "--max-steps", a.fill.fairing.most_steps, 1, 1'000'000,
+              "steps at each level of refinement before giving up (default 100)");
+  add_integer(app, "--max-new-vertices", a.fill.most_new_vertices, Index{1}, most,
+              "in all holes together (default: as many as the mesh has, at least 100000)");
+  app.add_flag("--allow-intersections", a.allow_intersections,
+               "do not fail where a patch passes through itself or the mesh");
+}
+
+}  // namespace
+
+Runner declare_fill(CLI::App& app) {
+  auto arguments = std::make_shared<FillArguments>();
+  app.add_option("IN", arguments->input, "mesh file to read; - is standard input")->required();
+  add_output_options(app, arguments->output);
+  add_choice_options(app, *arguments);
+  add_fairing_options(app, *arguments);
+  add_input_options(app, arguments->reading);
+  app.add_flag("--strict", arguments->strict,
+               "write nothing unless everything was achieved; fail (exit code 4) where the mesh "
+               "has defects");
+  add_report_options(app, arguments->report);
+  app.add_option("--picture", arguments->picture, "draw the filled mesh into this PNG file")
+      ->type_name(file_to_write);
+  add_overwrite_option(app, arguments->output.write.overwrite);
+  return [arguments](Console& console) { return run_fill(*arguments, console); };
+}
+
+}  // namespace ibmfair::commands

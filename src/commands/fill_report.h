@@ -1,0 +1,31 @@
+// What `fill` tells of a run: a line a hole for people, JSON for programs.
+#pragma once
+
+#include <string>
+
+#include <nlohmann/json_fwd.hpp>
+
+#include "ibmfair/fill/fill_holes.h"
+#include "ibmfair/fill/fill_region.h"
+
+namespace ibmfair::commands {
+
+/// Wall time of the command's stages.
+struct FillSeconds {
+  double read = 0, topology = 0, fill = 0, write = 0;
+};
+
+/// One line for each hole that was not skipped, all of them with `detailed`, else the first few,
+/// after one line about all.
+std::string fill_text(const Filling& filling, const FillSeconds& seconds, bool detailed);
+
+/// Adds the fields that the holes fill.
+void add_filling(nlohmann::ordered_json& report, const Filling& filling,
+                 const std::vector<Hole>& holes, const FillSeconds& seconds);
+
+/// The same for a region.
+std::string region_text(const RegionReport& region, const FillSeconds& seconds);
+void add_region(nlohmann::ordered_json& report, const RegionReport& region,
+                const FillSeconds& seconds);
+
+}  // namespace ibmfair::commands

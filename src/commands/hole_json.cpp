@@ -1,0 +1,20 @@
+#include "commands/hole_json.h"
+
+#include <nlohmann/json.hpp>
+
+namespace ibmfair::commands {
+
+nlohmann::ordered_json hole_json(const Hole& hole) {
+  return {{"id", hole.id},
+          {"edges", hole.edges()},
+          {"perimeter", hole.perimeter},
+          {"diameter", hole.diameter},
+          {"closed_loop", hole.closed},
+          {"simple", hole.simple},
+          {"touches_itself", hole.touches_itself},
+          {"component", hole.component},
+          {"outer_border", hole.outer_border},
+          {"border_share", hole.border_share}};
+}
+
+}  // namespace ibmfair::commands

@@ -1,0 +1,87 @@
+#include "ibmfair/fill/holes.h"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "commands/command.h"
+#include "commands/hole_json.h"
+#include "commands/shared_options.h"
+#include "ibmfair/mesh/topology.h"
+
+namespace ibmfair::commands {
+namespace {
+
+struct HolesArguments {
+  std::string path;
+  InputOptions input;
+  ReportOptions report;
+  bool overwrite = false;
+};
+
+std::string remark(const Hole& hole) {
+  std::string text;
+  if (!hole.closed) {
+    text = "ends at an edge of three or more triangles";
+  } else if (!hole.simple) {
+    text = "meets a vertex twice";
+  } else if (hole.touches_itself) {
+    text = "meets a place twice, as different vertices (--weld joins them)";
+  }
+  if (hole.outer_border) {
+    text += fmt::format("{}outer border: spans {:.0f} % of its component's area",
+                        text.empty() ? "" : ", ", 100 * hole.border_share);
+  }
+  return text;
+}
+
+std::string to_text(const std::vector<Hole>& holes) {
+  std::string text = fmt::format("{:>6}{:>8}{:>14}{:>14}{:>10}  {}\n", "hole", "edges", "perimeter",
+                                 "diameter", "vertex", "remark");
+  for (const Hole& hole : holes) {
+    text += fmt::format("{:>6}{:>8}{:>14.6g}{:>14.6g}{:>10}  {}\n", hole.id, hole.edges(),
+                        hole.perimeter, hole.diameter, hole.loop.front(), remark(hole));
+  }
+  return text;
+}
+
+ExitCode run_holes(const HolesArguments& arguments, Console& console) {
+  check_report(arguments.report, {}, arguments.overwrite);
+  const MeshFile file = read_input(arguments.path, arguments.input, console);
+  const Mesh& mesh = file.mesh();
+  const std::vector<Hole> holes = find_holes(mesh.X, build_topology(mesh.X, triangulate(mesh).F));
+
+  nlohmann::ordered_json report = start_report("holes");
+  report["file"] = file.name();
+  report["holes"] = nlohmann::ordered_json::array();
+  for (const Hole& hole : holes) {
+    report["holes"].push_back(hole_json(hole));
+    report["holes"].back()["vertices"] = hole.loop;
+  }
+  deliver_report(arguments.report, arguments.overwrite, report);
+  if (!arguments.report.json) {
+    if (holes.empty()) {
+      console.note("no holes: the mesh is closed");
+    } else {
+      write_standard_output(to_text(holes));
+    }
+  }
+  return ExitCode::done;
+}
+
+}  // namespace
+
+Runner declare_holes(CLI::App& app) {
+  auto arguments = std::make_shared<HolesArguments>();
+  app.add_option("IN", arguments->path, "mesh file to read; - is standard input")->required();
+  add_input_options(app, arguments->input);
+  add_report_options(app, arguments->report);
+  add_overwrite_option(app, arguments->overwrite);
+  return [arguments](Console& console) { return run_holes(*arguments, console); };
+}
+
+}  // namespace ibmfair::commands
