@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 
+#include "support/mesh_io.h"
+
 namespace ibmfair::test {
 namespace {
 
@@ -61,6 +63,14 @@ Tents::Tents(const Mesh& mesh, const std::vector<Index>& faces) {
   extension.extend = [W = weights](const Eigen::MatrixXd& at_rim) -> Eigen::MatrixXd {
     return W * at_rim;
   };
+}
+
+std::string with_tent(std::string_view bytes, const std::string& name, Index face,
+                      WriteReport* report, const WriteOptions& options) {
+  MeshFiles files;
+  const MeshFile file = MeshFiles::read(bytes, name);
+  return files.write(file, file.mesh().X, Tents(file.mesh(), {face}).extension, name, options,
+                     report);
 }
 
 std::vector<Index> some_faces(const Mesh& mesh, Index step) {

@@ -1,6 +1,8 @@
 // Something to append to a mesh, with weights in place of the solver that extends functions.
 #pragma once
 
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "ibmfair/io/extension.h"
@@ -17,6 +19,10 @@ struct Tents {
   Extension extension;
   Eigen::MatrixXd weights;  ///< #new vertices x #rim, what `extension.extend` multiplies by
 };
+
+/// The bytes of a mesh file called `name`, written in its own format with a tent over one face.
+std::string with_tent(std::string_view bytes, const std::string& name, Index face = 0,
+                      WriteReport* report = nullptr, const WriteOptions& options = {});
 
 /// Every `step`-th face of a mesh.
 std::vector<Index> some_faces(const Mesh& mesh, Index step);

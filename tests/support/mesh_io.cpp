@@ -90,6 +90,12 @@ std::vector<int> different_lines(std::string_view a, std::string_view b) {
   return lines;
 }
 
+std::string replaced(std::string text, const std::string& what, const std::string& by) {
+  for (std::size_t at = 0; (at = text.find(what, at)) != std::string::npos; at += by.size())
+    text.replace(at, what.size(), by);
+  return text;
+}
+
 std::string to_bytes(double value, int size, bool big_endian, bool real) {
   std::string bytes(static_cast<std::size_t>(size), '\0');
   if (real && size == 4) {

@@ -50,6 +50,9 @@ Points mostly_moved(const Points& X);
 /// numbers of lines differ.
 std::vector<int> different_lines(std::string_view a, std::string_view b);
 
+/// The text with every `what` replaced.
+std::string replaced(std::string text, const std::string& what, const std::string& by);
+
 /// The bytes of a number as a binary file holds it.
 std::string to_bytes(double value, int size, bool big_endian, bool real);
 
