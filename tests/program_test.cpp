@@ -59,7 +59,8 @@ json info_of(const Words& shape) {
 }
 
 const std::vector<std::string>& all_commands() {
-  static const std::vector<std::string> names{"smooth", "info", "compare", "make", "batch"};
+  static const std::vector<std::string> names{"smooth",  "fill", "holes", "info",
+                                              "compare", "make", "batch"};
   return names;
 }
 
