@@ -19,6 +19,7 @@
 #include "ibmfair/energy/bending_energy.h"
 #include "ibmfair/fill/fill_holes.h"
 #include "ibmfair/fill/fill_region.h"
+#include "ibmfair/flow/held_vertices.h"
 #include "ibmfair/io/atomic_file.h"
 #include "ibmfair/io/extension.h"
 #include "ibmfair/io/formats.h"
@@ -43,6 +44,9 @@ struct FillArguments {
   bool no_fair = false, no_refine = false, no_mass = false;
   std::string region;
 };
+
+/// The region of all vertices but the two rings along open boundaries.
+constexpr const char* everything = "@all";
 
 /// What both ways of running share.
 struct Input {
@@ -73,6 +77,13 @@ HoleChoice hole_choice(const FillArguments& arguments, const Points& X, const To
 /// A file of vertex numbers, or the name of something in the mesh file. The vertices of an OBJ
 /// group include those that it shares with its neighbours: they are the inner ring that stays.
 std::vector<std::uint8_t> region_of(const FillArguments& arguments, const Input& input) {
+  if (arguments.region == everything) {
+    std::vector<std::uint8_t> region = held_vertices(input.topology, BoundaryCondition::fixed);
+    for (std::uint8_t& flag : region) {
+      flag = flag ? 0 : 1;
+    }
+    return region;
+  }
   if (std::filesystem::is_regular_file(arguments.region)) {
     std::vector<std::uint8_t> region(static_cast<std::size_t>(input.topology.vertex_count), 0);
     for (const Index v : read_vertex_list(arguments.region, input.topology.vertex_count)) {
@@ -281,10 +292,12 @@ void add_choice_options(CLI::App& app, FillArguments& a) {
              "lengths, or with % of the bounding box's diagonal");
   add_length(app, "--max-diameter", a.max_diameter, Length::Unit::absolute,
              "the same for the diagonal of a hole's bounding box");
-  app.add_option("--region", a.region,
-                 "fair a part of the mesh again instead: the inner vertices of an OBJ group, "
-                 "object or material, the vertices whose PLY property is not zero, or those "
-                 "listed in a file, counted from 0")
+  app.add_option(
+         "--region", a.region,
+         "fair a part of the mesh again instead: the inner vertices of an OBJ group, "
+         "object or material, the vertices whose PLY property is not zero, or those "
+         "listed in a file, counted from 0; @all are all but the two rings of vertices along "
+         "open boundaries")
       ->type_name(name_or_file_to_read);
 }
 

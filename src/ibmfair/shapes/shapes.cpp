@@ -10,12 +10,14 @@
 #include "ibmfair/base/errors.h"
 #include "ibmfair/shapes/grids.h"
 #include "ibmfair/shapes/polyhedra.h"
+#include "ibmfair/shapes/six_sided_hole.h"
 
 namespace ibmfair {
 
 namespace {
 
 constexpr std::array<std::string_view, 2> split{"subdivide", "refine-face"};
+constexpr std::array<std::string_view, 1> levels{"subdivide"};
 constexpr std::array<std::string_view, 4> grid{"ratio", "rows", "columns", "straight"};
 
 template <TriangleMesh (*make)(const Subdivision&)>
@@ -28,6 +30,11 @@ Mesh rows_of(TriangleMesh (*make)(double, const GridSize&), double default_ratio
              const ShapeSettings& settings) {
   TriangleMesh mesh = make(settings.ratio.value_or(default_ratio),
                            {settings.rows, settings.columns, settings.straight});
+  return mesh_from_triangles(std::move(mesh.X), mesh.F);
+}
+
+Mesh six_sided_hole(const ShapeSettings& settings) {
+  TriangleMesh mesh = make_six_sided_hole(settings.subdivide.value_or(4));
   return mesh_from_triangles(std::move(mesh.X), mesh.F);
 }
 
@@ -68,6 +75,8 @@ std::span<const Shape> shapes() {
       Shape{"icosphere", "all vertices on the unit sphere", split, polyhedron<make_icosphere>},
       Shape{"cube", "flat faces, side 2", split, polyhedron<make_cube>},
       Shape{"hexagon", "flat and six-sided, radius 1", split, polyhedron<make_hexagon>},
+      Shape{"six-sided-hole", "two rings of a smooth surface around a trivial filling", levels,
+            six_sided_hole},
       Shape{"torus", "about the z axis, radii 1 and 1/RATIO (sqrt 2)", grid, torus},
       Shape{"cylinder", "open, about the z axis, radius 1, height RATIO (2)", grid, cylinder},
       Shape{"plane", "flat, width 1, height RATIO (1)", grid, plane},
