@@ -18,9 +18,9 @@ constexpr double first_cutoff = 20;       // of the flow's first step, in mean e
 constexpr double limit_growth = 1 << 24;  // of the time step: beyond, a step is Gauss-Newton's
 constexpr double coarse_rim = 20;         // edges of the coarsest level's rim, about
 constexpr int most_late_refinements = 3;
-constexpr double late_share = 0.05;         // of new vertices that makes fairing once more worth it
-constexpr double small_move = 0.01;         // along the normal, in edge lengths: settled
-constexpr double coarse_small_move = 0.05;  // the same where a finer level follows
+constexpr double late_share = 0.05;   // of new vertices that makes fairing once more worth it
+constexpr double small_move = 0.001;  // along the normal, in edge lengths: settled
+constexpr double coarse_small_move = 0.005;  // the same where a finer level follows
 
 Triangles all_triangles(const Patch& patch) {
   Triangles F(patch.surroundings.rows() + patch.net.size(), 3);

@@ -30,7 +30,7 @@ struct FairingReport {
 
 /// Takes the patch's free vertices to the stationary point of E_b on its present triangles, all
 /// others held. Converged means that the normal gradient fell below the tolerance and that the last
-/// step moved no vertex along its normal by more than a hundredth of the edges there.
+/// step moved no vertex along its normal by more than a thousandth of the edges there.
 FairingReport fair(Patch& patch, const FairingOptions& options);
 
 /// Refines the patch to the edge length of the mesh around and fairs it, from coarse to fine: edges

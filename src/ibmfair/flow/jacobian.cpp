@@ -1,5 +1,6 @@
 #include "ibmfair/flow/jacobian.h"
 
+#include "ibmfair/base/parallel.h"
 #include "ibmfair/base/stopwatch.h"
 #include "ibmfair/mesh/geometry.h"
 
@@ -17,7 +18,7 @@ Jacobian::Jacobian(BendingEnergy& energy, const Topology& topology, const Unknow
       D_(Eigen::VectorXd::Ones(unknowns.size())),
       damping_(D_) {}
 
-void Jacobian::refactor(const Points& X, double h) {
+void Jacobian::refactor(const Points& X, double h, const Points* directions) {
   {
     const Stopwatch watch(report_.seconds.assemble);
     energy_.linearise(X, weights_);
@@ -34,6 +35,9 @@ void Jacobian::refactor(const Points& X, double h) {
     for (Index u = 0; u < unknowns_.size(); ++u) {
       J_.value[J_.column_first[u]] += D_[u];
     }
+    if (directions != nullptr) {
+      restrict_to(*directions);
+    }
   }
   if (!symbolic_) {
     const Stopwatch watch(report_.seconds.analyse);
@@ -47,6 +51,15 @@ void Jacobian::refactor(const Points& X, double h) {
   factor_->factor(J_);
   h_ = h;
   ++report_.factorizations;
+}
+
+void Jacobian::restrict_to(const Points& directions) {
+  parallel_for(J_.size(), [&](std::int64_t j) {
+    // The diagonal comes first, and stays: where a direction is zero, it keeps J definite.
+    for (std::int64_t k = J_.column_first[j] + 1; k < J_.column_first[j + 1]; ++k) {
+      J_.value[k] *= directions.row(j).dot(directions.row(J_.row[k]));
+    }
+  });
 }
 
 void Jacobian::solve(const Points& B, Points& Y) {

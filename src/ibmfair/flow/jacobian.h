@@ -19,8 +19,9 @@ class Jacobian {
            const FlowOptions& options, FlowReport& report);
 
   /// Takes `X` as the reference and `h` as the time step; assembles and factors. Throws
-  /// FactorizationFailed, OutOfMemory.
-  void refactor(const Points& X, double h);
+  /// FactorizationFailed, OutOfMemory. With `directions` n (a unit vector or zero for each unknown)
+  /// every vertex may move along its own only: J then acts on lengths, J_ij <n_i, n_j>.
+  void refactor(const Points& X, double h, const Points* directions = nullptr);
 
   /// Y = J^-1 B, one row per unknown.
   void solve(const Points& B, Points& Y);
@@ -36,6 +37,8 @@ class Jacobian {
   const Eigen::VectorXd& damping() const { return damping_; }
 
  private:
+  void restrict_to(const Points& directions);
+
   BendingEnergy& energy_;
   const Topology& topology_;
   const Unknowns& unknowns_;

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double least_decrease = 0.1;  // of the predicted decrease, to accept a step
 constexpr double good_decrease = 0.5;   // above, the time step may grow
-constexpr double growth = 16;           // of the time step, and its inverse where a step fails
+constexpr double growth = 256;          // of the time step, and its inverse where a step fails
 constexpr double longest_move = 2;      // along the normal in one step, in edge lengths
 constexpr int most_attempts = 12;
 constexpr int most_steps_with_jacobian = 10;
@@ -74,7 +74,7 @@ double StationaryFlow::normal_gradient() const {
 bool StationaryFlow::renew() {
   pairs_.forget();
   try {
-    problem_.jacobian().refactor(problem_.X, h_);
+    problem_.jacobian().refactor(problem_.X, h_, normal_only_ ? &normals_ : nullptr);
   } catch (const FactorizationFailed&) {
     h_ /= growth;
     return false;
@@ -91,12 +91,7 @@ bool StationaryFlow::advance() {
     if (fresh && !renew()) {
       continue;
     }
-    const Points step = pairs_.direction(g_, [&](const Points& q) {
-      Points d;
-      problem_.jacobian().solve(h_ * q, d);
-      project(d);
-      return d;
-    });
+    const Points step = pairs_.direction(g_, [&](const Points& q) { return solve(q); });
     if (search(step)) {
       return true;
     }
@@ -106,6 +101,18 @@ bool StationaryFlow::advance() {
     stale_ = true;
   }
   return false;
+}
+
+Points StationaryFlow::solve(const Points& q) {
+  Points d;
+  if (!normal_only_) {
+    problem_.jacobian().solve(h_ * q, d);
+    return d;
+  }
+  Points lengths = Points::Zero(q.rows(), 3);
+  lengths.col(0) = h_ * q.cwiseProduct(normals_).rowwise().sum();
+  problem_.jacobian().solve(lengths, d);
+  return d.col(0).asDiagonal() * normals_;
 }
 
 bool StationaryFlow::search(const Points& step) {

@@ -52,6 +52,7 @@ class StationaryFlow {
   void project(Points& field) const;
   void restart();
   bool renew();
+  Points solve(const Points& q);
   bool search(const Points& step);
   void accept(const Points& step, Points& Y, Points& gradient, double energy);
   void adapt(double fraction, double ratio);
