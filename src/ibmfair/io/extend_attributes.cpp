@@ -162,6 +162,7 @@ std::vector<Statement> statements_before_new_faces(const std::vector<Statement>&
                                        {"usemtl", "", "material"},
                                        {"s", "s off", "smoothing group"}}};
   std::vector<Timeline> timelines;
+  timelines.reserve(kinds.size());
   for (const Kind& kind : kinds)
     timelines.emplace_back(kind.keyword, kind.none, of_source);
 

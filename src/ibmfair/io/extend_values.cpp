@@ -166,8 +166,8 @@ std::vector<Index> nearest_source_vertices(const Extension& extension, Index sou
       if (v < source_vertices) reach(f, v);
     }
   }
-  for (std::size_t i = 0; i < queue.size(); ++i) {
-    const std::size_t v = queue[i];
+  for (std::size_t done = 0; done < queue.size();) {
+    const std::size_t v = queue[done++];
     for (std::size_t k = around.first[v]; k < around.first[v + 1]; ++k)
       reach(around.face[k], nearest[v]);
   }

@@ -204,12 +204,14 @@ std::vector<std::string> patch_binary(const PatchRequest& request, const Layout&
   Eigen::MatrixXd at_rim(rim.size(), layout.extra_columns());
   patch_vertices(request, layout, rim, at_rim, out);
   const char* rest = first_face(layout);
+  bool rounded = request.any_moved;
   if (request.extension != nullptr) {
     append_vertices(request, layout, rim, at_rim, out);
     rest = append_faces(request, layout, out);
+    rounded = rounded || request.extension->X.rows() > 0;
   }
   out.write({rest, static_cast<std::size_t>(source.end() - rest)});
-  if (!request.any_moved && request.extension->X.rows() == 0) return {};
+  if (!rounded) return {};
   return {
       "binary OFF stores coordinates as float32; those of moved and new vertices are rounded to "
       "that"};

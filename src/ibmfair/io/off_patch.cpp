@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
-#include <utility>
 
 #include "ibmfair/io/byte_patcher.h"
 #include "ibmfair/io/extend_values.h"
@@ -34,7 +33,7 @@ class TextPatcher {
 
   void run() {
     patch_counts();
-    row_.resize(static_cast<std::size_t>(3 + layout_.extra_columns()));
+    row_.resize(3 + static_cast<std::size_t>(layout_.extra_columns()));
     for (std::int64_t v = 0; v < layout_.vertex_count; ++v) {
       for (Token& token : row_)
         token = cursor_.token();
@@ -81,21 +80,19 @@ class TextPatcher {
     if (!normals_ || !normals_->is_stale(v)) return;
     const Vec3 renewed = normals_->renew(v, {value(3), value(4), value(5)});
     for (int c = 0; c < 3; ++c)
-      replace(row_[static_cast<std::size_t>(3 + c)], renewed[c]);
+      replace(row_[3 + static_cast<std::size_t>(c)], renewed[c]);
   }
 
-  /// The columns of colours, as numbers of a row's tokens.
-  std::pair<std::size_t, std::size_t> colours() const {
+  /// Whether a number of a vertex's row is part of its colour.
+  bool is_colour(std::size_t column) const {
     const std::size_t first = layout_.normal ? 6 : 3;
-    return {first,
-            first + (layout_.colour ? static_cast<std::size_t>(layout_.colour_channels) : 0)};
+    return column >= first && column < first + static_cast<std::size_t>(layout_.colour_channels);
   }
 
   void remember_vertex(std::int64_t v) {
-    const auto [first, last] = colours();
-    for (std::size_t c = first; c < last; ++c) {
+    for (std::size_t c = 3; c < row_.size(); ++c) {
       // Whole numbers count to 255, fractions to 1.
-      if (row_[c].find('.') != Token::npos) fractions_ = true;
+      if (is_colour(c) && row_[c].find('.') != Token::npos) fractions_ = true;
     }
     const auto at = static_cast<std::size_t>(next_rim_);
     if (at == rim_.size() || rim_[at] != v) return;
@@ -130,15 +127,14 @@ class TextPatcher {
     const Extension& extension = *request_.extension;
     const Eigen::MatrixXd columns =
         extend_columns(request_, layout_, in_order_of_rim(extension, rim_, at_rim_));
-    const auto [first, last] = colours();
     const bool end_lines = TokenCursor(cursor_).at_line_end();
     insert_rows(extension.X.rows(), end_lines, [&](Eigen::Index v, std::string& line) {
       for (std::size_t c = 0; c < row_.size(); ++c) {
         const double number = c < 3 ? extension.X(v, static_cast<Eigen::Index>(c))
                                     : columns(v, static_cast<Eigen::Index>(c - 3));
-        if (c >= first && c < last && fractions_) {
+        if (is_colour(c) && fractions_) {
           append_fraction(line, number);
-        } else if (c >= first && c < last) {
+        } else if (is_colour(c)) {
           line += ' ';
           append_integer(line, std::llround(number));
         } else {
