@@ -35,7 +35,7 @@ std::string key_of(const CLI::Option& option) {
   if (!option.get_positional()) {
     return option.get_lnames().front();
   }
-  std::string name = option.get_single_name();
+  const std::string& name = option.get_single_name();
   if (name == "IN") {
     return "input";
   }

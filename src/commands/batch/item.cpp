@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include "commands/argument_roles.h"
 #include "commands/batch/input_names.h"
@@ -11,6 +12,7 @@
 #include "commands/batch/name_pattern.h"
 #include "commands/command_line.h"
 #include "commands/effective_job.h"
+#include "commands/shared_options.h"
 #include "ibmfair/base/errors.h"
 
 namespace ibmfair::commands {
@@ -70,7 +72,7 @@ Item make_item(const Job& job, const std::string& input) {
   item.words = words_for(command, settings);
   line.parse(item.words);
   collect_files(command, item);
-  item.job = effective_job(command);
+  item.job = text_of(effective_job(command));
   const auto has = [&](const char* name) { return command.get_option_no_throw(name) != nullptr; };
   item.takes_overwrite = has("--overwrite");
   item.overwrite = item.takes_overwrite && command.count("--overwrite") > 0;

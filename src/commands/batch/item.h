@@ -4,8 +4,6 @@
 #include <string>
 #include <vector>
 
-#include <nlohmann/json.hpp>
-
 #include "commands/batch/job.h"
 
 namespace ibmfair::commands {
@@ -17,7 +15,7 @@ struct Item {
   std::string command, input, output;  ///< the files as the arguments name them; empty: has none
   std::vector<std::string> reads;      ///< all files that its result depends on
   std::vector<std::string> writes;     ///< all files that it makes, the output first
-  nlohmann::ordered_json job;          ///< as commands/effective_job.h has it
+  std::string job;                     ///< JSON, as commands/effective_job.h has it
 
   bool overwrite = false;        ///< among its options
   bool takes_overwrite = false;  ///< has such an option

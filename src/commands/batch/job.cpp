@@ -1,6 +1,7 @@
 #include "commands/batch/job.h"
 
 #include <CLI/CLI.hpp>
+#include <fmt/format.h>
 
 #include "commands/argument_roles.h"
 
@@ -18,7 +19,7 @@ void add_option_words(const CLI::Option& option, const Setting& setting,
     if (value.empty()) {
       words.insert(words.end(), {name, value});
     } else {
-      words.push_back(name + "=" + value);
+      words.push_back(fmt::format("{}={}", name, value));
     }
   }
 }

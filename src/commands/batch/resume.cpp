@@ -2,6 +2,8 @@
 
 #include <filesystem>
 
+#include <nlohmann/json.hpp>
+
 #include "ibmfair/base/version.h"
 
 namespace ibmfair::commands {
@@ -54,11 +56,11 @@ std::string journal_key(const Item& item, const std::string& journal_path) {
 }
 
 std::string options_hash(const Item& item) {
-  nlohmann::ordered_json job = item.job;
+  nlohmann::ordered_json job = nlohmann::ordered_json::parse(item.job);
   // Neither changes a byte of the result.
   job["options"].erase("threads");
   job["options"].erase("overwrite");
-  return hash_of_text(job.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
+  return hash_of_text(job.dump());
 }
 
 Finished begin_record(const Item& item) {

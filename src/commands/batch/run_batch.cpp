@@ -72,7 +72,7 @@ void print_jobs(const std::vector<Item>& items) {
   std::vector<nlohmann::ordered_json> jobs;
   jobs.reserve(items.size());
   for (const Item& item : items) {
-    jobs.push_back(item.job);
+    jobs.push_back(nlohmann::ordered_json::parse(item.job));
   }
   write_standard_output(job_file_text(jobs));
 }

@@ -59,7 +59,7 @@ void add_figures(const ordered_json& figures, ordered_json& row) {
 }
 
 std::string csv_field(const ordered_json& value) {
-  const std::string text = value.is_string() ? value.get<std::string>() : value.dump();
+  std::string text = value.is_string() ? value.get<std::string>() : value.dump();
   if (text.find_first_of(",\"\r\n") == std::string::npos) {
     return text;
   }
