@@ -57,9 +57,10 @@ Tents::Tents(const Mesh& mesh, const std::vector<Index>& faces) {
     extension.model_face.resize(triangles.size(), f);
   }
   extension.F.resize(static_cast<Eigen::Index>(triangles.size()), 3);
-  for (std::size_t f = 0; f < triangles.size(); ++f)
-    extension.F.row(static_cast<Eigen::Index>(f)) =
-        Eigen::Map<const Eigen::Matrix<Index, 1, 3>>(triangles[f].data());
+  for (std::size_t f = 0; f < triangles.size(); ++f) {
+    for (std::size_t i = 0; i < 3; ++i)
+      extension.F(static_cast<Eigen::Index>(f), static_cast<Eigen::Index>(i)) = triangles[f][i];
+  }
   extension.extend = [W = weights](const Eigen::MatrixXd& at_rim) -> Eigen::MatrixXd {
     return W * at_rim;
   };
