@@ -18,7 +18,7 @@ constexpr double first_cutoff = 20;       // of the flow's first step, in mean e
 constexpr double limit_growth = 1 << 24;  // of the time step: beyond, a step is Gauss-Newton's
 constexpr double coarse_rim = 20;         // edges of the coarsest level's rim, about
 constexpr int most_late_refinements = 3;
-constexpr double late_share = 0.05;   // of new vertices that makes fairing once more worth it
+constexpr double late_share = 0.05;   // of edges too long that makes fairing once more worth it
 constexpr double small_move = 0.001;  // along the normal, in edge lengths: settled
 constexpr double coarse_small_move = 0.005;  // the same where a finer level follows
 
@@ -189,19 +189,20 @@ namespace {
 /// A patch that bulged out has longer edges than before. Where shorter ones do not settle, it stays
 /// as it was.
 void refine_late(Patch& patch, PatchFairing& fairing, Index most_vertices) {
-  for (int i = 0; i < most_late_refinements && fairing.report().converged; ++i) {
+  for (int i = 0; i < most_late_refinements && fairing.report().converged &&
+                  count_long_edges(patch) > late_share * patch.own_size();
+       ++i) {
     const Patch settled = patch;
     const FairingReport report = fairing.report();
-    if (refine(patch, {1, true, most_vertices}) &&
-        patch.own_size() - settled.own_size() > late_share * settled.own_size()) {
+    const bool refined = refine(patch, {1, true, most_vertices});
+    if (refined) {
       fairing.run(false, true);
-      if (fairing.report().converged) {
-        continue;
-      }
     }
-    patch = settled;
-    fairing.report() = report;
-    return;
+    if (!refined || !fairing.report().converged) {
+      patch = settled;
+      fairing.report() = report;
+      return;
+    }
   }
 }
 

@@ -135,6 +135,19 @@ bool refine(Patch& patch, const RefineOptions& options) {
   return Refinement(patch, options).run();
 }
 
+Index count_long_edges(const Patch& patch) {
+  Index count = 0;
+  for (Index t = 0; t < patch.net.size(); ++t) {
+    for (int i = 0; i < 3; ++i) {
+      const Index a = patch.net.start({t, i}), b = patch.net.end({t, i});
+      const double wanted = (patch.spacing[a] + patch.spacing[b]) / 2;
+      const bool is_long = (patch.X.row(a) - patch.X.row(b)).norm() > too_long * wanted;
+      count += a < b && is_long && patch.net.other_side({t, i}).triangle >= 0 ? 1 : 0;
+    }
+  }
+  return count;
+}
+
 void split_taken_edges(Patch& patch) {
   const double endless = std::numeric_limits<double>::infinity();
   std::fill(patch.wanted.begin(), patch.wanted.end(), endless);

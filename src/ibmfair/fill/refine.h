@@ -17,6 +17,9 @@ struct RefineOptions {
 /// where `most_vertices` ended it.
 bool refine(Patch& patch, const RefineOptions& options);
 
+/// The number of edges of the patch that `refine` with no coarsening would split at once.
+Index count_long_edges(const Patch& patch);
+
 /// Splits only the edges that the mesh has already.
 void split_taken_edges(Patch& patch);
 
