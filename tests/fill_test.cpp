@@ -114,14 +114,17 @@ TEST(Fill, ClosesEveryOpenMeshWithoutTouchingIt) {
   }
 }
 
-TEST(Fill, SameBytesForAnyNumberOfThreads) {
-  const State state(holed_meshes().back().mesh);
+TEST(Fill, SameBytesForAnyNumberOfThreadsAndEveryTime) {
+  const State state(with_many_holes(sphere(4)));
+  ASSERT_GT(state.topology.boundary_loops.size(), 10u);
   omp_set_num_threads(1);
   const Filling one = fill_all(state);
-  omp_set_num_threads(2);
-  const Filling two = fill_all(state);
-  EXPECT_EQ(one.new_X, two.new_X);
-  EXPECT_EQ(one.new_F, two.new_F);
+  for (const int threads : {1, 2, 2}) {
+    omp_set_num_threads(threads);
+    const Filling again = fill_all(state);
+    EXPECT_EQ(again.new_X, one.new_X);
+    EXPECT_EQ(again.new_F, one.new_F);
+  }
 }
 
 TEST(Fill, DoesNotDependOnScaleOrPlace) {

@@ -96,6 +96,13 @@ Mesh with_square_hole(const Mesh& sheet, Index cells) {
   }));
 }
 
+Mesh with_many_holes(const Mesh& mesh) {
+  return without_unused_vertices(with_faces(mesh, [&](Index f) {
+    const auto corners = mesh.faces[f];
+    return std::none_of(corners.begin(), corners.end(), [](Index v) { return v % 100 == 0; });
+  }));
+}
+
 std::vector<NamedMesh> holed_meshes() {
   const Mesh ball = sphere(2);
   std::vector<NamedMesh> meshes{{"one triangle", without_triangles(ball, {7})},

@@ -21,6 +21,9 @@ Mesh without_cap(const Mesh& mesh, double degrees);
 /// within `cells` cells of the sheet's centre, in both directions.
 Mesh with_square_hole(const Mesh& sheet, Index cells);
 
+/// Without the faces around every hundredth vertex: many holes of five and six edges.
+Mesh with_many_holes(const Mesh& mesh);
+
 /// Closed surfaces with holes of three edges and more, apart from each other, touching in a vertex,
 /// sharing a pinched vertex, and in more than one component.
 std::vector<NamedMesh> holed_meshes();

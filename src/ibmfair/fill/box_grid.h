@@ -32,6 +32,8 @@ class BoxGrid {
   Box all_;
   double size_ = 1;  // of a cell
   std::unordered_map<std::uint64_t, std::vector<Index>> cells_;
+  std::vector<std::uint8_t>
+      maybe_;  // by a hash of the cell: false where the cell is empty for sure
 };
 
 }  // namespace ibmfair

@@ -15,11 +15,12 @@ namespace {
 
 constexpr Index least_limit = 100'000;  // of new vertices, where none is given
 
-/// What became of holes that were filled together.
+/// Holes that are filled together, and what becomes of them.
 struct GroupResult {
   std::vector<Index> holes;  // those that `patch` fills
   std::optional<Patch> patch;
   std::vector<Index> hole_of_rim;   // per rim edge of the patch
+  Index most_vertices = 0;          // that the patch may have
   std::vector<HoleReport> reports;  // one per hole of the group
 };
 
@@ -37,32 +38,47 @@ class HoleFiller {
              const FillOptions& options)
       : X_(X), topology_(topology), holes_(holes), options_(options) {}
 
-  /// Fills the holes together. Where one of them cannot be triangulated, each is tried alone.
-  std::vector<GroupResult> fill(const std::vector<Index>& group, Index most_vertices) const {
+  /// Triangulates the holes of a group together, or each alone where one of them cannot be.
+  std::vector<GroupResult> cut(const std::vector<Index>& group, Index most_vertices) const {
+    std::vector<GroupResult> results;
     try {
-      std::vector<GroupResult> result;
-      result.push_back(fill_together(group, most_vertices));
-      return result;
+      results.push_back(cut_together(group, most_vertices));
+      return results;
     } catch (const BadMesh& error) {
       if (group.size() == 1) {
-        GroupResult failed;
-        failed.reports.push_back(report_of(group.front(), HoleStatus::failed, error.what()));
-        return {std::move(failed)};
+        results.emplace_back();
+        results.back().reports.push_back(
+            report_of(group.front(), HoleStatus::failed, error.what()));
+        return results;
       }
     }
-    std::vector<GroupResult> results;
     for (const Index hole : group) {
-      for (GroupResult& result : fill({hole}, most_vertices / static_cast<Index>(group.size()))) {
-        results.push_back(std::move(result));
+      for (GroupResult& part : cut({hole}, most_vertices / static_cast<Index>(group.size()))) {
+        results.push_back(std::move(part));
       }
     }
     return results;
   }
 
+  /// Refines, fairs and judges what was triangulated.
+  void finish(GroupResult& group) const {
+    if (!group.patch) {
+      return;
+    }
+    HoleReport report = refined_and_faired(*group.patch, group.most_vertices);
+    const std::vector<Index> nearest = nearest_rim_edges(*group.patch);
+    for (const Index hole : group.holes) {
+      report.hole = hole;
+      report.seam = audit_seam(*group.patch, nearest, rim_of(group, hole));
+      group.reports.push_back(report);
+    }
+  }
+
  private:
-  GroupResult fill_together(const std::vector<Index>& group, Index most_vertices) const {
+  GroupResult cut_together(const std::vector<Index>& group, Index most_vertices) const {
     GroupResult result;
     result.holes = group;
+    result.most_vertices = most_vertices;
     std::vector<std::vector<Index>> loops;
     for (const Index hole : group) {
       if (!holes_[hole].closed) {
@@ -74,13 +90,6 @@ class HoleFiller {
       }
     }
     result.patch = cut_patch(X_, topology_, loops, options_.rim_smooth);
-    HoleReport report = refined_and_faired(*result.patch, most_vertices);
-    const std::vector<Index> nearest = nearest_rim_edges(*result.patch);
-    for (const Index hole : group) {
-      report.hole = hole;
-      report.seam = audit_seam(*result.patch, nearest, rim_of(result, hole));
-      result.reports.push_back(report);
-    }
     return result;
   }
 
@@ -250,16 +259,23 @@ class Assembly {
   std::vector<Index> corners_;
 };
 
-std::vector<std::vector<GroupResult>> fill_groups(const HoleFiller& filler,
-                                                  const std::vector<std::vector<Index>>& groups,
-                                                  const std::vector<Index>& limits) {
-  std::vector<std::vector<GroupResult>> results(groups.size());
-  std::vector<std::exception_ptr> errors(groups.size());
-  // A single group uses all threads itself.
-#pragma omp parallel for schedule(dynamic) if (groups.size() > 1)
+std::vector<GroupResult> fill_groups(const HoleFiller& filler,
+                                     const std::vector<std::vector<Index>>& groups,
+                                     const std::vector<Index>& limits) {
+  // CGAL breaks ties between triangulations by addresses in memory, which depend on what other
+  // threads allocate: one after the other, before anything runs in parallel.
+  std::vector<GroupResult> results;
   for (std::size_t i = 0; i < groups.size(); ++i) {
+    for (GroupResult& result : filler.cut(groups[i], limits[i])) {
+      results.push_back(std::move(result));
+    }
+  }
+  std::vector<std::exception_ptr> errors(results.size());
+  // A single group uses all threads itself.
+#pragma omp parallel for schedule(dynamic) if (results.size() > 1)
+  for (std::size_t i = 0; i < results.size(); ++i) {
     try {
-      results[i] = filler.fill(groups[i], limits[i]);
+      filler.finish(results[i]);
     } catch (...) {
       errors[i] = std::current_exception();
     }
@@ -325,10 +341,8 @@ Filling fill_holes(const Points& X, const Topology& topology, const HoleChoice& 
   auto results =
       fill_groups(HoleFiller(X, topology, holes, options), groups, shares(groups, holes, limit));
   Assembly assembly(X, filling);
-  for (auto& group : results) {
-    for (GroupResult& part : group) {
-      assembly.add(part);
-    }
+  for (GroupResult& group : results) {
+    assembly.add(group);
   }
   assembly.finish();
   if (filling.new_F.rows() > 0) {

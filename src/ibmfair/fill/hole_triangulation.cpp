@@ -4,6 +4,7 @@
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/triangulate_hole.h>
+#include <CGAL/Random.h>
 
 namespace ibmfair {
 namespace {
@@ -31,6 +32,9 @@ std::vector<Point> points(const Points& X) {
 }  // namespace
 
 Triangles triangulate_hole(const Points& loop, const Points& apex) {
+  // The Delaunay triangulation shuffles its points, and where they lie on a sphere the order
+  // decides: by default the seed is the time, and every thread goes on from its last hole.
+  CGAL::get_default_random() = CGAL::Random(0);
   std::vector<Corners> found;
   CGAL::Polygon_mesh_processing::triangulate_hole_polyline(
       points(loop), points(apex), std::back_inserter(found),

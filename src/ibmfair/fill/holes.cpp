@@ -125,8 +125,9 @@ std::vector<std::vector<Index>> simple_loops(const std::vector<Index>& loop) {
   std::unordered_map<Index, std::size_t> place;  // of the vertices in `open`
   for (const Index v : loop) {
     if (const auto met = place.find(v); met != place.end()) {
-      loops.emplace_back(open.begin() + static_cast<std::ptrdiff_t>(met->second), open.end());
-      while (open.size() > met->second) {
+      const std::size_t first = met->second;
+      loops.emplace_back(open.begin() + static_cast<std::ptrdiff_t>(first), open.end());
+      while (open.size() > first) {
         place.erase(open.back());
         open.pop_back();
       }

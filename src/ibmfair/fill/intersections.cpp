@@ -69,16 +69,26 @@ std::vector<std::array<Index, 2>> patch_intersections(const Points& X, const Tri
     boxes.push_back(box(X, F, t));
   }
   const BoxGrid grid(std::move(boxes));
-  std::vector<std::array<Index, 2>> pairs;
-  std::vector<Index> near;
-  for (Index t = 0; t < F.rows(); ++t) {
-    grid.find(box(X, F, t), near);
-    for (const Index i : near) {
-      const Index u = patch_from + i;
-      if (u > t && intersect(X, F, t, u)) {
-        pairs.push_back({t, u});
+  // In blocks, so that threads share the work and the order stays.
+  constexpr Index block = 4096;
+  std::vector<std::vector<std::array<Index, 2>>> found((F.rows() + block - 1) / block);
+#pragma omp parallel for schedule(dynamic)
+  for (std::size_t b = 0; b < found.size(); ++b) {
+    std::vector<Index> near;
+    const Index first = static_cast<Index>(b) * block;
+    for (Index t = first; t < std::min<Eigen::Index>(F.rows(), first + block); ++t) {
+      grid.find(box(X, F, t), near);
+      for (const Index i : near) {
+        const Index u = patch_from + i;
+        if (u > t && intersect(X, F, t, u)) {
+          found[b].push_back({t, u});
+        }
       }
     }
+  }
+  std::vector<std::array<Index, 2>> pairs;
+  for (const auto& part : found) {
+    pairs.insert(pairs.end(), part.begin(), part.end());
   }
   return pairs;
 }
