@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 
 #include "ibmfair/base/errors.h"
-#include "ibmfair/io/huge_pages.h"
+#include "ibmfair/io/make_room.h"
 #include "ibmfair/io/obj.h"
 #include "ibmfair/io/obj_scanner.h"
 

@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "ibmfair/base/errors.h"
-#include "ibmfair/io/huge_pages.h"
+#include "ibmfair/io/make_room.h"
 #include "ibmfair/io/off.h"
 #include "ibmfair/io/token_cursor.h"
 

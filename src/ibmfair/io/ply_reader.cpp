@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "ibmfair/io/huge_pages.h"
+#include "ibmfair/io/make_room.h"
 #include "ibmfair/io/ply.h"
 #include "ibmfair/io/ply_body.h"
 

@@ -10,7 +10,7 @@
 #include <unistd.h>
 
 #include "ibmfair/base/errors.h"
-#include "ibmfair/io/huge_pages.h"
+#include "ibmfair/base/huge_pages.h"
 
 namespace ibmfair {
 namespace {

@@ -1,16 +1,8 @@
-#include "ibmfair/io/huge_pages.h"
+#include "ibmfair/io/make_room.h"
 
-#include <sys/mman.h>
+#include "ibmfair/base/huge_pages.h"
 
 namespace ibmfair {
-
-void advise_huge_pages(void* start, std::size_t bytes) {
-  constexpr std::size_t page = std::size_t{1} << 21;
-  // The advice holds for whole pages inside of the buffer.
-  const std::size_t before = (page - reinterpret_cast<std::uintptr_t>(start) % page) % page;
-  if (bytes < before + page) return;
-  madvise(static_cast<char*>(start) + before, (bytes - before) / page * page, MADV_HUGEPAGE);
-}
 
 void make_room(Mesh& mesh, std::int64_t vertices, std::int64_t faces, std::int64_t corners) {
   mesh.X.resize(vertices, 3);
