@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 
 #include "ibmfair/base/errors.h"
+#include "ibmfair/base/threads.h"
 #include "ibmfair/energy/hessian.h"
+#include "ibmfair/shapes/shapes.h"
 #include "support/meshes.h"
 #include "support/states.h"
 
@@ -25,19 +27,6 @@ SymmetricMatrix example(const State& state) {
   return J;
 }
 
-Points multiply(const SymmetricMatrix& J, const Points& X) {
-  Points B = Points::Zero(X.rows(), 3);
-  for (std::int64_t j = 0; j < J.size(); ++j) {
-    for (std::int64_t k = J.column_first[j]; k < J.column_first[j + 1]; ++k) {
-      B.row(J.row[k]) += J.value[k] * X.row(j);
-      if (J.row[k] != j) {
-        B.row(j) += J.value[k] * X.row(J.row[k]);
-      }
-    }
-  }
-  return B;
-}
-
 TEST(Cholesky, SolvesUnderEveryOrdering) {
   for (const auto& [name, mesh] : all_meshes()) {
     const SymmetricMatrix J = example(State(mesh));
@@ -52,6 +41,44 @@ TEST(Cholesky, SolvesUnderEveryOrdering) {
       solver.solve(multiply(J, X), Y);
       EXPECT_LT((Y - X).norm(), 1e-8 * X.norm()) << name;
     }
+  }
+}
+
+TEST(Cholesky, Float32SolvesToItsPrecisionWhateverTheScaleOfTheRows) {
+  for (const auto& [name, mesh] : all_meshes()) {
+    SymmetricMatrix J = example(State(mesh));
+    for (double scale : {1e-30, 1.0, 1e30}) {
+      SymmetricMatrix scaled = J;
+      for (double& value : scaled.value) {
+        value *= scale;
+      }
+      const SymbolicCholesky symbolic(scaled);
+      CholeskyFactor factor(symbolic, Precision::float32);
+      factor.factor(scaled);
+      const Points X = random_directions(J.size());
+      Points Y;
+      CholeskySolver(factor).solve(multiply(scaled, X), Y);
+      EXPECT_LT((multiply(J, Y) - multiply(J, X)).norm(), 1e-4 * multiply(J, X).norm()) << name;
+    }
+  }
+}
+
+TEST(Cholesky, SolvesToTheSameBytesForAnyNumberOfThreads) {
+  const Mesh mesh = make_shape("icosphere", {.subdivide = 5});
+  const SymmetricMatrix J = example(State(mesh));
+  const Points B = random_directions(J.size());
+  for (const Precision precision : {Precision::float32, Precision::float64}) {
+    std::vector<Points> solutions(3);
+    for (const int threads : {1, 2, 3}) {
+      set_thread_count(threads);
+      const SymbolicCholesky symbolic(J, Ordering::metis);
+      CholeskyFactor factor(symbolic, precision);
+      factor.factor(J);
+      CholeskySolver(factor).solve(B, solutions[threads - 1]);
+    }
+    set_thread_count(0);
+    EXPECT_EQ(solutions[0], solutions[1]);
+    EXPECT_EQ(solutions[0], solutions[2]);
   }
 }
 

@@ -7,6 +7,19 @@
 
 namespace ibmfair {
 
+Points multiply(const SymmetricMatrix& J, const Points& X) {
+  Points Y = Points::Zero(X.rows(), 3);
+  for (std::int64_t j = 0; j < J.size(); ++j) {
+    const std::int64_t diagonal = J.column_first[j];
+    Y.row(j) += J.value[diagonal] * X.row(j);
+    for (std::int64_t k = diagonal + 1; k < J.column_first[j + 1]; ++k) {
+      Y.row(J.row[k]) += J.value[k] * X.row(j);
+      Y.row(j) += J.value[k] * X.row(J.row[k]);
+    }
+  }
+  return Y;
+}
+
 Unknowns::Unknowns(const std::vector<std::uint8_t>& fixed) : unknown(fixed.size(), -1) {
   for (std::size_t v = 0; v < fixed.size(); ++v) {
     if (!fixed[v]) {

@@ -19,6 +19,9 @@ struct SymmetricMatrix {
   std::int64_t size() const { return static_cast<std::int64_t>(column_first.size()) - 1; }
 };
 
+/// J X for X n x 3.
+Points multiply(const SymmetricMatrix& J, const Points& X);
+
 /// Numbers the vertices that are solved for.
 struct Unknowns {
   std::vector<Index> vertex;   ///< the vertex of each unknown, in increasing order

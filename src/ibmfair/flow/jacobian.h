@@ -1,4 +1,6 @@
-// The constant Jacobian of the flow, J = D + h S(X_ref): assembled, factored and solved with.
+// The constant Jacobian of the flow, J = D + h S(X_ref): assembled, factored and solved with. It is
+// inexact by design ([W07] section 3.2), so float32 does for its factor as long as solves are good
+// to a part in a thousand; where they are not, float64 takes over.
 #pragma once
 
 #include <cstdint>
@@ -38,6 +40,7 @@ class Jacobian {
 
  private:
   void restrict_to(const Points& directions);
+  void factor(Precision precision);
 
   BendingEnergy& energy_;
   const Topology& topology_;
@@ -49,6 +52,8 @@ class Jacobian {
   StencilWeights weights_;
   Eigen::VectorXd D_, damping_;
   double h_ = 0;
+  Precision precision_ = Precision::float32;
+  bool tried_ = false;  // the factor has solved well
   std::optional<SymbolicCholesky> symbolic_;
   std::optional<CholeskyFactor> factor_;
   std::optional<CholeskySolver> solver_;

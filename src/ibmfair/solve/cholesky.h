@@ -1,5 +1,6 @@
-// Sparse Cholesky factorization by CHOLMOD (supernodal, 64-bit indices), in its three parts:
-// analyse once per pattern, factor once per matrix, solve once per step.
+// Sparse Cholesky factorization in its three parts: analyse once per pattern, factor once per
+// matrix, solve once per step. CHOLMOD analyses; the numbers are computed and used by the
+// multifrontal method (solve/multifrontal.h).
 #pragma once
 
 #include <cstdint>
@@ -8,11 +9,9 @@
 
 #include "ibmfair/base/types.h"
 #include "ibmfair/energy/hessian.h"
+#include "ibmfair/solve/ordering.h"
 
 namespace ibmfair {
-
-/// The order of elimination: automatic compares the predicted cost of AMD and METIS.
-enum class Ordering : std::uint8_t { automatic, amd, metis };
 
 /// What the analysis predicts.
 struct FactorForecast {
@@ -24,25 +23,28 @@ struct FactorForecast {
 /// The symbolic analysis of a pattern: fill-reducing order, elimination tree, supernodes.
 class SymbolicCholesky {
  public:
-  /// Uses the pattern of `J` only. Throws FactorizationFailed or OutOfMemory.
+  /// The order may depend on the values of `J`, everything else on its pattern only. Throws
+  /// FactorizationFailed or OutOfMemory.
   explicit SymbolicCholesky(const SymmetricMatrix& J, Ordering ordering = Ordering::automatic);
-  ~SymbolicCholesky();
-  SymbolicCholesky(SymbolicCholesky&&) noexcept;
-  SymbolicCholesky& operator=(SymbolicCholesky&&) noexcept;
 
   const FactorForecast& forecast() const { return forecast_; }
 
  private:
   friend class CholeskyFactor;
   struct State;
-  std::unique_ptr<State> state_;
+  std::shared_ptr<const State> state_;  // factors keep it alive
   FactorForecast forecast_;
 };
+
+/// Of the numbers in a factor. Half as many bytes are read and multiplied in about half the time:
+/// enough for a Jacobian that is inexact by design, while its condition number is below about 1e6.
+enum class Precision : std::uint8_t { float32, float64 };
 
 /// The factor L L^T of a matrix with the analysed pattern.
 class CholeskyFactor {
  public:
-  explicit CholeskyFactor(const SymbolicCholesky& symbolic);
+  explicit CholeskyFactor(const SymbolicCholesky& symbolic,
+                          Precision precision = Precision::float64);
   ~CholeskyFactor();
   CholeskyFactor(CholeskyFactor&&) noexcept;
   CholeskyFactor& operator=(CholeskyFactor&&) noexcept;
@@ -61,12 +63,14 @@ class CholeskyFactor {
 /// Solves with one factor, three right-hand sides at a time, in workspaces that are kept.
 class CholeskySolver {
  public:
+  /// Refers to the factor.
   explicit CholeskySolver(const CholeskyFactor& factor);
   ~CholeskySolver();
   CholeskySolver(CholeskySolver&&) noexcept;
   CholeskySolver& operator=(CholeskySolver&&) noexcept;
 
-  /// Y = J^-1 B for B with a row for each unknown and three columns; Y may be B.
+  /// Y = J^-1 B for B with a row for each unknown and three columns; Y may be B. The same bytes
+  /// for any number of threads.
   void solve(const Points& B, Points& Y);
 
  private:

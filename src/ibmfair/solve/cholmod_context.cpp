@@ -1,7 +1,6 @@
 #include "ibmfair/solve/cholmod_context.h"
 
 #include <fmt/format.h>
-#include <omp.h>
 
 #include "ibmfair/base/errors.h"
 
@@ -21,7 +20,7 @@ CholmodContext::~CholmodContext() {
   cholmod_l_finish(&common_);
 }
 
-void CholmodContext::check(const char* stage, std::int64_t failed_unknown) const {
+void CholmodContext::check(const char* stage) const {
   switch (common_.status) {
     case CHOLMOD_OK:
       return;
@@ -29,27 +28,9 @@ void CholmodContext::check(const char* stage, std::int64_t failed_unknown) const
       throw OutOfMemory(fmt::format("out of memory in the sparse {}", stage));
     case CHOLMOD_TOO_LARGE:
       throw OutOfMemory(fmt::format("the sparse {} is larger than its index type", stage));
-    case CHOLMOD_NOT_POSDEF:
-      throw FactorizationFailed(fmt::format(
-          "the Jacobian is not positive definite at unknown {}: a triangle there has (almost) no "
-          "area, or a coordinate is not finite",
-          failed_unknown));
     default:
       throw FactorizationFailed(fmt::format("the sparse {} failed (CHOLMOD status {})", stage,
                                             static_cast<int>(common_.status)));
-  }
-}
-
-// Inside of a parallel region loops are serial anyway, and the setting is everyone's.
-SerialRegion::SerialRegion() : levels_(omp_get_max_active_levels()) {
-  if (!omp_in_parallel()) {
-    omp_set_max_active_levels(0);
-  }
-}
-
-SerialRegion::~SerialRegion() {
-  if (!omp_in_parallel()) {
-    omp_set_max_active_levels(levels_);
   }
 }
 

@@ -1,0 +1,255 @@
+#include "ibmfair/solve/multifrontal.h"
+
+#include <algorithm>
+#include <cmath>
+#include <ranges>
+
+#include <omp.h>
+
+#include "ibmfair/base/parallel.h"
+#include "ibmfair/base/threads.h"
+#include "ibmfair/solve/flush_subnormals.h"
+#include "ibmfair/solve/front_kernels.h"
+#include "ibmfair/solve/update_stack.h"
+
+namespace ibmfair {
+namespace {
+
+auto supernodes_of(const Branch& branch) {
+  return std::views::iota(branch.first, branch.last);
+}
+
+/// Threads that share the branches, when that pays: from so many entries of the factor on.
+std::size_t workers(const Supernodes& nodes, std::int64_t least_entries) {
+  const bool serial =
+      nodes.branches.size() < 2 || nodes.entries() < least_entries || omp_in_parallel() != 0;
+  return serial ? 1 : static_cast<std::size_t>(thread_count());
+}
+
+constexpr std::int64_t worth_sharing_factor = 200'000, worth_sharing_solve = 2'000'000;
+
+}  // namespace
+
+/// One factorization: what it reads, and where updates wait.
+template <class Real>
+class FrontalFactor<Real>::Pass {
+ public:
+  Pass(const Supernodes& nodes, const SymmetricMatrix& J, const EliminatedColumns& columns,
+       const std::vector<double>& scale, Real* values)
+      : nodes_(nodes), J_(J), columns_(columns), scale_(scale), values_(values) {
+    update_.resize(static_cast<std::size_t>(nodes.size()));
+    const auto square = [&](Index s) {
+      return std::int64_t{nodes_.rows_below(s)} * nodes_.rows_below(s);
+    };
+    for (const Branch& branch : nodes.branches) {
+      stacks_.emplace_back(stack_size(nodes, supernodes_of(branch), square));
+    }
+    stacks_.emplace_back(stack_size(nodes, nodes.trunk, square));
+  }
+
+  /// Factors the supernodes in `list`, those of branch b or (b = #branches) of the trunk; returns
+  /// -1 or the column at which the matrix is not positive definite.
+  template <class List>
+  Index run(const List& list, std::size_t b, std::vector<Index>& place) {
+    UpdateStack<Real> stack(nodes_, update_, stacks_[b].data());
+    for (const Index s : list) {
+      const std::int64_t below = nodes_.rows_below(s);
+      Real* const block = values_ + nodes_.first_entry[s];
+      Real* const update = stack.push(s, below * below);
+      gather_matrix(s, block, place);
+      for (Index j = 0; j < below; ++j) {
+        std::fill(update + j * below + j, update + (j + 1) * below, Real(0));
+      }
+      for (const Index child : nodes_.children[s]) {
+        add_update(child, s, block, update);
+      }
+      if (const Index bad = factor_front(nodes_.rows(s), nodes_.columns(s), block, update);
+          bad >= 0) {
+        return nodes_.first_column[s] + bad;
+      }
+      stack.take_room_of_children(s, below * below);
+    }
+    return -1;
+  }
+
+ private:
+  void gather_matrix(Index s, Real* block, std::vector<Index>& place) const {
+    const Index rows = nodes_.rows(s);
+    const Index* const row = nodes_.row.data() + nodes_.first_row[s];
+    for (Index i = 0; i < rows; ++i) {
+      place[row[i]] = i;
+    }
+    std::fill(block, block + std::int64_t{rows} * nodes_.columns(s), Real(0));
+    for (Index j = nodes_.first_column[s]; j < nodes_.first_column[s + 1]; ++j, block += rows) {
+      for (std::int64_t k = columns_.first[j]; k < columns_.first[j + 1]; ++k) {
+        const Index i = columns_.row[k];
+        block[place[i]] = static_cast<Real>(J_.value[columns_.source[k]] * scale_[i] * scale_[j]);
+      }
+    }
+  }
+
+  /// Adds the lower triangle of the child's update where its rows are among those of s.
+  void add_update(Index child, Index s, Real* block, Real* update) const {
+    const Index columns = nodes_.columns(s), rows = nodes_.rows(s), below = rows - columns;
+    const Index side = nodes_.rows_below(child);
+    const Index* const place =
+        nodes_.place_in_parent.data() + nodes_.first_row[child] + nodes_.columns(child);
+    const Real* from = update_[child];
+    for (Index j = 0; j < side; ++j, from += side) {
+      Real* const to = place[j] < columns
+                           ? block + std::int64_t{place[j]} * rows
+                           : update + std::int64_t{place[j] - columns} * below - columns;
+      for (Index i = j; i < side; ++i) {
+        to[place[i]] += from[i];
+      }
+    }
+  }
+
+  const Supernodes& nodes_;
+  const SymmetricMatrix& J_;
+  const EliminatedColumns& columns_;
+  const std::vector<double>& scale_;
+  Real* values_;
+  std::vector<LargeArray<Real>> stacks_;  // one per branch, and the trunk's
+  std::vector<Real*> update_;             // #S
+};
+
+template <class Real>
+FrontalFactor<Real>::FrontalFactor(const Supernodes& nodes)
+    : nodes_(nodes),
+      values_(static_cast<std::size_t>(nodes.entries())),
+      scale_(nodes.unknown.size()) {}
+
+template <class Real>
+Index FrontalFactor<Real>::factor(const SymmetricMatrix& J, const EliminatedColumns& columns) {
+  const Index n = nodes_.unknowns();
+  for (Index i = 0; i < n; ++i) {
+    const double diagonal = J.value[J.column_first[nodes_.unknown[i]]];
+    if (!(diagonal > 0) || !std::isfinite(diagonal)) {
+      return nodes_.unknown[i];
+    }
+    scale_[i] = 1 / std::sqrt(diagonal);
+  }
+  Pass pass(nodes_, J, columns, scale_, values_.data());
+  const std::size_t branches = nodes_.branches.size();
+  // Memory is had before threads start: it may run out, and none of them can say so.
+  std::vector<std::vector<Index>> places(workers(nodes_, worth_sharing_factor),
+                                         std::vector<Index>(nodes_.unknown.size()));
+  Index bad = n;  // the first column in order of elimination
+#pragma omp parallel for schedule(dynamic, 1) reduction(min : bad) num_threads(places.size())
+  for (std::size_t b = 0; b < branches; ++b) {
+    const FlushSubnormals flush;
+    const Index column =
+        pass.run(supernodes_of(nodes_.branches[b]), b, places[omp_get_thread_num()]);
+    bad = std::min(bad, column < 0 ? n : column);
+  }
+  if (bad == n) {
+    const FlushSubnormals flush;
+    const Index column = pass.run(nodes_.trunk, branches, places[0]);
+    bad = column < 0 ? n : column;
+  }
+  return bad < n ? nodes_.unknown[bad] : -1;
+}
+
+template <class Real>
+FrontalSolver<Real>::FrontalSolver(const FrontalFactor<Real>& factor) : factor_(factor) {
+  const Supernodes& nodes = factor.nodes();
+  x_.resize(4 * nodes.unknown.size());
+  update_.resize(static_cast<std::size_t>(nodes.size()));
+  const auto vectors = [&](Index s) { return std::int64_t{4} * nodes.rows_below(s); };
+  for (const Branch& branch : nodes.branches) {
+    branch_stack_.emplace_back(stack_size(nodes, supernodes_of(branch), vectors));
+  }
+  trunk_stack_.resize(static_cast<std::size_t>(stack_size(nodes, nodes.trunk, vectors)));
+  for (Index s = 0; s < nodes.size(); ++s) {
+    front_size_ = std::max(front_size_, 4 * std::size_t(nodes.rows(s)));
+  }
+}
+
+template <class Real>
+template <class List>
+void FrontalSolver<Real>::forward(const List& list, Real* memory, Real* front) {
+  const Supernodes& nodes = factor_.nodes();
+  UpdateStack<Real> stack(nodes, update_, memory);
+  for (const Index s : list) {
+    const Index rows = nodes.rows(s), own = 4 * nodes.columns(s), below = 4 * nodes.rows_below(s);
+    Real* const x = &x_[4 * std::size_t(nodes.first_column[s])];
+    std::copy_n(x, own, front);
+    std::fill_n(front + own, below, Real(0));
+    for (const Index child : nodes.children[s]) {
+      const Index* const place =
+          nodes.place_in_parent.data() + nodes.first_row[child] + nodes.columns(child);
+      const Real* const update = update_[child];
+      for (Index i = 0; i < nodes.rows_below(child); ++i) {
+        for (int c = 0; c < 4; ++c) {
+          front[4 * place[i] + c] += update[4 * i + c];
+        }
+      }
+    }
+    substitute_forward(factor_.block(s), rows, nodes.columns(s), front);
+    std::copy_n(front, own, x);
+    std::copy_n(front + own, below, stack.push(s, below));
+    stack.take_room_of_children(s, below);
+  }
+}
+
+template <class Real>
+void FrontalSolver<Real>::backward(Index s, Real* front) {
+  const Supernodes& nodes = factor_.nodes();
+  const Index rows = nodes.rows(s);
+  const Index* const row = nodes.row.data() + nodes.first_row[s];
+  for (Index i = 0; i < rows; ++i) {
+    std::copy_n(&x_[4 * std::size_t(row[i])], 4, front + 4 * i);
+  }
+  substitute_backward(factor_.block(s), rows, nodes.columns(s), front);
+  std::copy_n(front, 4 * nodes.columns(s), &x_[4 * std::size_t(nodes.first_column[s])]);
+}
+
+template <class Real>
+void FrontalSolver<Real>::solve(const Points& B, Points& Y) {
+  const Supernodes& nodes = factor_.nodes();
+  const std::vector<double>& scale = factor_.scale();
+  parallel_for(nodes.unknowns(), [&](std::int64_t i) {
+    for (int c = 0; c < 3; ++c) {
+      x_[4 * i + c] = static_cast<Real>(B(nodes.unknown[i], c) * scale[i]);
+    }
+  });
+  const auto branches = static_cast<std::int64_t>(nodes.branches.size());
+  std::vector<std::vector<Real>> fronts(workers(nodes, worth_sharing_solve),
+                                        std::vector<Real>(front_size_));
+#pragma omp parallel num_threads(fronts.size())
+  {
+    const FlushSubnormals flush;
+    Real* const front = fronts[omp_get_thread_num()].data();
+#pragma omp for schedule(dynamic, 1)
+    for (std::int64_t b = 0; b < branches; ++b) {
+      forward(supernodes_of(nodes.branches[b]), branch_stack_[b].data(), front);
+    }
+#pragma omp single
+    {
+      forward(nodes.trunk, trunk_stack_.data(), front);
+      for (const Index s : std::views::reverse(nodes.trunk)) {
+        backward(s, front);
+      }
+    }
+#pragma omp for schedule(dynamic, 1)
+    for (std::int64_t b = 0; b < branches; ++b) {
+      for (const Index s : std::views::reverse(supernodes_of(nodes.branches[b]))) {
+        backward(s, front);
+      }
+    }
+  }
+  Y.resize(B.rows(), 3);
+  parallel_for(nodes.unknowns(), [&](std::int64_t i) {
+    for (int c = 0; c < 3; ++c) {
+      Y(nodes.unknown[i], c) = x_[4 * i + c] * scale[i];
+    }
+  });
+}
+
+template class FrontalFactor<float>;
+template class FrontalFactor<double>;
+template class FrontalSolver<float>;
+template class FrontalSolver<double>;
+
+}  // namespace ibmfair

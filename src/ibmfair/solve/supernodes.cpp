@@ -1,0 +1,132 @@
+#include "ibmfair/solve/supernodes.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace ibmfair {
+namespace {
+
+/// The parent of every supernode, or -1: it owns the first row below.
+std::vector<Index> parents(const Supernodes& nodes) {
+  std::vector<Index> owner(nodes.unknown.size());
+  for (Index s = 0; s < nodes.size(); ++s) {
+    std::fill(owner.begin() + nodes.first_column[s], owner.begin() + nodes.first_column[s + 1], s);
+  }
+  std::vector<Index> parent(static_cast<std::size_t>(nodes.size()), -1);
+  for (Index s = 0; s < nodes.size(); ++s) {
+    if (nodes.rows_below(s) > 0) {
+      parent[s] = owner[nodes.row[nodes.first_row[s] + nodes.columns(s)]];
+    }
+  }
+  return parent;
+}
+
+void list_children(Supernodes& nodes, const std::vector<Index>& parent) {
+  Rows& children = nodes.children;
+  children.first.assign(static_cast<std::size_t>(nodes.size()) + 1, 0);
+  for (const Index p : parent) {
+    if (p >= 0) ++children.first[p + 1];
+  }
+  std::partial_sum(children.first.begin(), children.first.end(), children.first.begin());
+  children.value.resize(static_cast<std::size_t>(children.first.back()));
+  std::vector<std::int64_t> next(children.first.begin(), children.first.end() - 1);
+  for (Index s = 0; s < nodes.size(); ++s) {
+    if (parent[s] >= 0) children.value[next[parent[s]]++] = s;
+  }
+}
+
+/// Both lists of rows increase, and the parent's holds every row below of the child.
+void place_rows(Supernodes& nodes, const std::vector<Index>& parent) {
+  nodes.place_in_parent.resize(nodes.row.size());
+  for (Index s = 0; s < nodes.size(); ++s) {
+    if (parent[s] < 0) continue;
+    const Index* const first = nodes.row.data() + nodes.first_row[parent[s]];
+    const Index* at = first;
+    for (std::int64_t k = nodes.first_row[s] + nodes.columns(s); k < nodes.first_row[s + 1]; ++k) {
+      while (*at != nodes.row[k])
+        ++at;
+      nodes.place_in_parent[k] = static_cast<Index>(at - first);
+    }
+  }
+}
+
+void split_for_threads(Supernodes& nodes, const std::vector<Index>& parent) {
+  constexpr double pieces = 16, worth_a_thread = 1e6;                // operations
+  std::vector<double> work(static_cast<std::size_t>(nodes.size()));  // of the subtree
+  double total = 0;
+  for (Index s = 0; s < nodes.size(); ++s) {
+    const double rows = nodes.rows(s);
+    const double own = nodes.columns(s) * rows * rows;
+    work[s] += own;
+    total += own;
+    if (parent[s] >= 0) work[parent[s]] += work[s];
+  }
+  const double limit = std::max(total / pieces, worth_a_thread);
+  double taken = 0;  // by the last branch
+  Index begin = 0;   // of the subtrees that are not yet in a branch
+  for (Index s = 0; s < nodes.size(); ++s) {
+    const bool in_trunk = work[s] > limit;
+    if (in_trunk) {
+      nodes.trunk.push_back(s);
+      begin = s + 1;
+    } else if (parent[s] < 0 || work[parent[s]] > limit) {  // the root of a subtree
+      const bool joins = !nodes.branches.empty() && nodes.branches.back().last == begin &&
+                         taken + work[s] <= limit;
+      if (!joins) {
+        nodes.branches.push_back({begin, begin});
+        taken = 0;
+      }
+      nodes.branches.back().last = begin = s + 1;
+      taken += work[s];
+    }
+  }
+  nodes.branch_of.assign(static_cast<std::size_t>(nodes.size()), -1);
+  for (std::size_t b = 0; b < nodes.branches.size(); ++b) {
+    std::fill(nodes.branch_of.begin() + nodes.branches[b].first,
+              nodes.branch_of.begin() + nodes.branches[b].last, static_cast<Index>(b));
+  }
+}
+
+}  // namespace
+
+EliminatedColumns eliminated_columns(const SymmetricMatrix& J, const std::vector<Index>& unknown) {
+  const std::size_t n = unknown.size();
+  std::vector<Index> turn(n);
+  for (std::size_t i = 0; i < n; ++i) {
+    turn[unknown[i]] = static_cast<Index>(i);
+  }
+  EliminatedColumns columns;
+  columns.first.assign(n + 1, 0);
+  columns.row.resize(J.row.size());
+  columns.source.resize(J.row.size());
+  const auto each = [&](auto&& act) {
+    for (std::int64_t j = 0; j < J.size(); ++j) {
+      for (std::int64_t k = J.column_first[j]; k < J.column_first[j + 1]; ++k) {
+        const auto [column, row] = std::minmax(turn[j], turn[J.row[k]]);
+        act(column, row, k);
+      }
+    }
+  };
+  each([&](Index column, Index, std::int64_t) { ++columns.first[column + 1]; });
+  std::partial_sum(columns.first.begin(), columns.first.end(), columns.first.begin());
+  std::vector<std::int64_t> next(columns.first.begin(), columns.first.end() - 1);
+  each([&](Index column, Index row, std::int64_t k) {
+    columns.row[next[column]] = row;
+    columns.source[next[column]++] = k;
+  });
+  return columns;
+}
+
+void complete(Supernodes& nodes) {
+  nodes.first_entry.assign(1, 0);
+  for (Index s = 0; s < nodes.size(); ++s) {
+    nodes.first_entry.push_back(nodes.first_entry.back() +
+                                std::int64_t{nodes.rows(s)} * nodes.columns(s));
+  }
+  const std::vector<Index> parent = parents(nodes);
+  list_children(nodes, parent);
+  place_rows(nodes, parent);
+  split_for_threads(nodes, parent);
+}
+
+}  // namespace ibmfair
