@@ -19,6 +19,7 @@
 #include "ibmfair/base/stopwatch.h"
 #include "ibmfair/energy/bending_energy.h"
 #include "ibmfair/flow/held_vertices.h"
+#include "ibmfair/flow/jacobian_solver.h"
 #include "ibmfair/flow/time_scale.h"
 #include "ibmfair/flow/willmore_flow.h"
 #include "ibmfair/io/atomic_file.h"
@@ -211,6 +212,14 @@ ExitCode run_smooth(const SmoothArguments& arguments, Console& console) {
   return conclude(figures.flow.status, console);
 }
 
+std::vector<std::string> solver_names() {
+  std::vector<std::string> names{"auto"};
+  for (const JacobianBackend& backend : jacobian_backends()) {
+    names.emplace_back(backend.name);
+  }
+  return names;
+}
+
 std::vector<std::string> laplacian_names() {
   std::vector<std::string> names;
   for (const BendingModel& model : bending_models()) {
@@ -240,6 +249,11 @@ void add_flow_options(CLI::App& app, SmoothArguments& a) {
       ->capture_default_str();
   add_integer(app, "--newton-iterations", a.flow.newton_iterations, 1, 1000,
               "inexact Newton iterations per step (default 1)");
+  app.add_option("--solver", a.flow.solver,
+                 "of the linear systems: cholmod (factored), cg (conjugate gradients: least "
+                 "memory) or auto (the one predicted to be quicker)")
+      ->check(CLI::IsMember(solver_names()))
+      ->capture_default_str();
   app.add_option("--tangential", a.tangential,
                  "relax or none: even out vertices within the surface after each step (default "
                  "relax; none where the mesh has texture coordinates)")

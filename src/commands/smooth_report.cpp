@@ -71,6 +71,13 @@ ordered_json seconds_json(const SmoothFigures& figures) {
           {"write", figures.seconds_write}};
 }
 
+/// What the linear systems took.
+std::string effort(const FlowReport& flow) {
+  return flow.solver == "cg" ? fmt::format("{} iterations", flow.iterations)
+                             : fmt::format("{} factorization{}", flow.factorizations,
+                                           flow.factorizations == 1 ? "" : "s");
+}
+
 }  // namespace
 
 MeshFigures mesh_figures(const Points& X, const Topology& topology, const FlowOptions& options) {
@@ -97,10 +104,9 @@ std::string smooth_table(const SmoothFigures& figures, const Topology& topology)
     text +=
         fmt::format("  vertices moved by at most {:.4g} ({:.3g} mean edge lengths), rms {:.4g}\n",
                     figures.largest_move, figures.largest_move / edge, figures.rms_move);
-    text += fmt::format(
-        "  {} steps, {} solves, {} factorization{}; cut-off {:.4g} ({:.3g} mean edge lengths)\n",
-        flow.steps.size(), flow.solves, flow.factorizations, flow.factorizations == 1 ? "" : "s",
-        figures.cutoff, figures.cutoff / edge);
+    text += fmt::format("  {} steps, {} solves, {}; cut-off {:.4g} ({:.3g} mean edge lengths)\n",
+                        flow.steps.size(), flow.solves, effort(flow), figures.cutoff,
+                        figures.cutoff / edge);
   }
   text += "  seconds:";
   const ordered_json seconds = seconds_json(figures);
@@ -135,6 +141,8 @@ void add_smooth_figures(ordered_json& report, const SmoothFigures& figures,
                     {"energy_after", flow.energy_after},
                     {"time_reached", flow.time_reached},
                     {"solves", flow.solves},
+                    {"solver", flow.solver},
+                    {"iterations", flow.iterations},
                     {"factorizations", flow.factorizations},
                     {"rejected", flow.rejected},
                     {"shortened_relaxations", flow.shortened_relaxations},

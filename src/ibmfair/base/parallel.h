@@ -19,26 +19,32 @@ void parallel_for(std::int64_t count, Body&& body) {
   }
 }
 
-/// Sum of body(i) over 0 .. count - 1. Blocks of fixed size are summed first and then added in
-/// order, so that the rounding, too, is the same for any number of threads.
-template <class Body>
-double parallel_sum(std::int64_t count, Body&& body) {
+/// `zero` plus the sum of body(i) over 0 .. count - 1. Blocks of fixed size are summed first and
+/// then added in order, so that the rounding, too, is the same for any number of threads.
+template <class Value, class Body>
+Value parallel_sum(std::int64_t count, const Value& zero, Body&& body) {
   constexpr std::int64_t block = 1024;
   const std::int64_t blocks = (count + block - 1) / block;
-  std::vector<double> partial(static_cast<std::size_t>(blocks));
+  std::vector<Value> partial(static_cast<std::size_t>(blocks), zero);
 #pragma omp parallel for schedule(static) if (count >= worth_sharing)
   for (std::int64_t b = 0; b < blocks; ++b) {
-    double sum = 0;
+    Value sum = zero;
     for (std::int64_t i = b * block; i < std::min(count, (b + 1) * block); ++i) {
       sum += body(i);
     }
     partial[static_cast<std::size_t>(b)] = sum;
   }
-  double sum = 0;
-  for (const double part : partial) {
+  Value sum = zero;
+  for (const Value& part : partial) {
     sum += part;
   }
   return sum;
+}
+
+/// The same for plain numbers.
+template <class Body>
+double parallel_sum(std::int64_t count, Body&& body) {
+  return parallel_sum(count, 0.0, body);
 }
 
 }  // namespace ibmfair

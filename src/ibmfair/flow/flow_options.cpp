@@ -4,6 +4,7 @@
 
 #include "ibmfair/base/errors.h"
 #include "ibmfair/energy/bending_energy.h"
+#include "ibmfair/flow/jacobian_solver.h"
 
 namespace ibmfair {
 namespace {
@@ -18,6 +19,9 @@ void require(bool holds, const char* message) {
 
 void FlowOptions::validate() const {
   bending_model(laplacian);
+  if (solver != "auto") {
+    jacobian_backend(solver);
+  }
   require(steps >= 1, "the number of steps must be at least 1");
   require(total_time > 0 && std::isfinite(total_time),
           "the flow's time must be positive and finite");

@@ -26,6 +26,7 @@ struct FlowOptions {
   bool guarded = true;        ///< false: the scheme of [W07] as published
   bool relax = true;          ///< a sweep of tangential relaxation after each guarded step
   double max_move = std::numeric_limits<double>::infinity();  ///< from the start, length
+  std::string solver = "auto";  ///< a name from jacobian_backends(), or "auto"
   Ordering ordering = Ordering::automatic;
 
   /// Throws BadOption where a value cannot be used.
@@ -62,7 +63,9 @@ struct FlowReport {
   double energy_before = 0, energy_after = 0;  ///< over the stencils that touch a free vertex
   double time_reached = 0;
   std::int64_t unknowns = 0;
+  std::string solver;  ///< the backend that was used
   int solves = 0, factorizations = 0, rejected = 0, shortened_relaxations = 0;
+  int iterations = 0;  ///< of conjugate gradients, in all
   FactorForecast forecast;
   FlowSeconds seconds;
   std::vector<StepRecord> steps;

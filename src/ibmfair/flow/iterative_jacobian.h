@@ -1,0 +1,26 @@
+// The Jacobian as what it does to a vector, solved with by conjugate gradients: no factor, and the
+// memory of a few vectors.
+#pragma once
+
+#include "ibmfair/flow/jacobian_solver.h"
+#include "ibmfair/solve/conjugate_gradients.h"
+#include "ibmfair/solve/stencil_operator.h"
+
+namespace ibmfair {
+
+class IterativeJacobian final : public JacobianSolver {
+ public:
+  explicit IterativeJacobian(const JacobianShape& shape);
+
+  /// Throws BadOption for a Jacobian along directions: those of stationary problems, far too badly
+  /// conditioned for it.
+  void update(const JacobianParts& parts) override;
+  void solve(const Points& B, Points& Y) override;
+
+ private:
+  const JacobianShape shape_;
+  StencilOperator operator_;
+  ConjugateGradients solver_;
+};
+
+}  // namespace ibmfair

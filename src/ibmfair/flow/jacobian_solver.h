@@ -1,0 +1,63 @@
+// How systems with the Jacobian J = D + h S are solved. A new backend is one file and one row.
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string_view>
+
+#include "ibmfair/energy/bending_energy.h"
+#include "ibmfair/energy/hessian.h"
+#include "ibmfair/flow/flow_options.h"
+
+namespace ibmfair {
+
+/// One Jacobian, by its parts.
+struct JacobianParts {
+  const StencilWeights& weights;  ///< of S
+  const Eigen::VectorXd& D;       ///< one positive entry per unknown
+  double h;                       ///< positive
+  /// Unit or zero vectors n, one per unknown, or null. With them J acts on lengths along n:
+  /// J_ij <n_i, n_j>.
+  const Points* directions = nullptr;
+};
+
+class JacobianSolver {
+ public:
+  JacobianSolver() = default;
+  JacobianSolver(const JacobianSolver&) = delete;
+  JacobianSolver& operator=(const JacobianSolver&) = delete;
+  virtual ~JacobianSolver() = default;
+
+  /// Takes another Jacobian with the same stencils. Throws FactorizationFailed, OutOfMemory.
+  virtual void update(const JacobianParts& parts) = 0;
+
+  /// Y = J^-1 B, one row per unknown, to about a part in a hundred or better.
+  virtual void solve(const Points& B, Points& Y) = 0;
+};
+
+/// What a backend works on; all outlive it.
+struct JacobianShape {
+  const Rows& stencils;
+  const Unknowns& unknowns;
+  const FlowOptions& options;
+  FlowReport& report;  ///< counts and times are added to it
+};
+
+/// A row of the table of backends.
+struct JacobianBackend {
+  std::string_view name;     ///< as the command line takes it
+  std::string_view summary;  ///< one line
+  std::unique_ptr<JacobianSolver> (*make)(const JacobianShape& shape);
+};
+
+/// All backends; options.solver names one of them, or "auto".
+std::span<const JacobianBackend> jacobian_backends();
+
+/// The backend of that name; throws BadOption, naming those there are.
+const JacobianBackend& jacobian_backend(std::string_view name);
+
+/// The name of the backend that is predicted to take less time in all for a Jacobian of these
+/// parts.
+std::string_view cheaper_backend(const JacobianShape& shape, const JacobianParts& parts);
+
+}  // namespace ibmfair
