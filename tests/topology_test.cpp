@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <numbers>
 #include <set>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -158,6 +159,42 @@ TEST(Topology, DefectsCarryNoHinge) {
     EXPECT_EQ(topology.defects.empty(),
               std::count(topology.defective.begin(), topology.defective.end(), 1) == 0)
         << name;
+  }
+}
+
+/// `size` triangles around the last vertex, closed to a ring; those in `missing` are left out.
+Triangles wheel(Index size, const std::set<Index>& missing) {
+  Triangles F(size - static_cast<Index>(missing.size()), 3);
+  Eigen::Index row = 0;
+  for (Index i = 0; i < size; ++i) {
+    if (!missing.contains(i)) {
+      F.row(row++) << size, i, (i + 1) % size;
+    }
+  }
+  return F;
+}
+
+TEST(Topology, HubsOfAnySizeAreToldFromBowTies) {
+  for (const Index size : {6, 32, 33, 500}) {
+    const auto kind_of_hub = [&](const std::set<Index>& missing) {
+      return build_topology(size + 1, wheel(size, missing)).kind[size];
+    };
+    EXPECT_EQ(kind_of_hub({}), VertexKind::interior) << size;
+    EXPECT_EQ(kind_of_hub({2}), VertexKind::boundary) << size;
+    EXPECT_EQ(kind_of_hub({2, 4}), VertexKind::irregular) << size;
+    const Topology topology = build_topology(size + 1, wheel(size, {2, 4}));
+    EXPECT_EQ(topology.defects.bow_tie_vertices, std::vector<Index>{size}) << size;
+    EXPECT_EQ(topology.boundary_loops.size(), 2U) << size;
+  }
+}
+
+TEST(Topology, TwoTrianglesOverTheSameVerticesAreDuplicates) {
+  for (const Index last : {1, 2}) {  // a pillow, and one folded onto itself
+    const Triangles F = (Triangles(2, 3) << 0, 1, 2, 0, 3 - last, last).finished();
+    const Topology topology = build_topology(3, F);
+    EXPECT_EQ(topology.defects.duplicate, (std::vector<Index>{0, 1}));
+    EXPECT_EQ(topology.H.rows(), 0);
+    EXPECT_EQ(topology.turned_triangles, last == 1 ? 0 : 1);
   }
 }
 

@@ -2,16 +2,15 @@
 
 #include <algorithm>
 #include <array>
-#include <unordered_map>
+#include <cstdint>
+#include <utility>
 
 #include "ibmfair/mesh/corners.h"
+#include "ibmfair/mesh/fans.h"
+#include "ibmfair/mesh/select.h"
 
 namespace ibmfair {
 namespace {
-
-Index corner_at(const Triangles& F, Index t, Index v) {
-  return 3 * t + place_of(F, t, v);
-}
 
 /// A boundary edge in the direction of its triangle, between two fans.
 struct BoundaryEdge {
@@ -19,29 +18,29 @@ struct BoundaryEdge {
   std::array<Index, 2> fan;
 };
 
-std::vector<BoundaryEdge> boundary_edges(const Topology& topology, const Fans& fans) {
-  std::vector<BoundaryEdge> edges;
-  for (Index e = 0; e < topology.E.rows(); ++e) {
-    if (topology.edge_triangles[e].size() == 1) {
-      const Index t = topology.edge_triangles[e][0];
-      Index a = topology.E(e, 0), b = topology.E(e, 1);
-      if (!runs_along(topology.F, t, a, b)) {
-        std::swap(a, b);
-      }
-      edges.push_back({{a, b}, {fans.at(topology, t, a), fans.at(topology, t, b)}});
+std::vector<BoundaryEdge> boundary_edges(const Topology& topology, const std::vector<Index>& edges,
+                                         const Fans& fans) {
+  std::vector<BoundaryEdge> result;
+  result.reserve(edges.size());
+  for (const Index e : edges) {
+    const Index t = topology.edge_triangles[e][0];
+    Index a = topology.E(e, 0), b = topology.E(e, 1);
+    if (!runs_along(topology.F, t, a, b)) {
+      std::swap(a, b);
     }
+    result.push_back({{a, b}, {fans.at(topology, t, a), fans.at(topology, t, b)}});
   }
-  return edges;
+  return result;
 }
 
-/// The one or two boundary edges at each fan; the second is -1 where there is only one.
-using EdgesAtFan = std::unordered_map<Index, std::array<Index, 2>>;
+/// The one or two boundary edges at each fan; -1 where there are fewer.
+using EdgesAtFan = std::vector<std::array<Index, 2>>;
 
-EdgesAtFan edges_at_fans(const std::vector<BoundaryEdge>& edges) {
-  EdgesAtFan at_fan;
+EdgesAtFan edges_at_fans(const std::vector<BoundaryEdge>& edges, Index fan_bound) {
+  EdgesAtFan at_fan(static_cast<std::size_t>(fan_bound), {-1, -1});
   for (Index i = 0; i < static_cast<Index>(edges.size()); ++i) {
     for (const Index fan : edges[i].fan) {
-      auto& pair = at_fan.try_emplace(fan, std::array<Index, 2>{-1, -1}).first->second;
+      auto& pair = at_fan[fan];
       pair[pair[0] < 0 ? 0 : 1] = i;
     }
   }
@@ -59,40 +58,29 @@ void normalise(BoundaryLoop& loop) {
   loop.simple = std::adjacent_find(sorted.begin(), sorted.end()) == sorted.end();
 }
 
-}  // namespace
-
-Fans::Fans(const Topology& topology) {
-  UnionFind sets(static_cast<Index>(3 * topology.F.rows()));
-  for (Index e = 0; e < topology.E.rows(); ++e) {
-    if (const auto t = topology.edge_triangles[e]; t.size() == 2) {
-      for (const Index v : {topology.E(e, 0), topology.E(e, 1)}) {
-        sets.unite(corner_at(topology.F, t[0], v), corner_at(topology.F, t[1], v));
-      }
-    }
+std::vector<BoundaryLoop> ordered_by_smallest_vertex(std::vector<BoundaryLoop> loops) {
+  struct Key {
+    Index smallest;
+    std::size_t loop;
+  };
+  std::vector<Key> keys;
+  keys.reserve(loops.size());
+  for (std::size_t i = 0; i < loops.size(); ++i) {
+    const auto& v = loops[i].vertices;
+    keys.push_back({*std::min_element(v.begin(), v.end()), i});
   }
-  fan_.resize(static_cast<std::size_t>(3 * topology.F.rows()));
-  for (Index c = 0; c < static_cast<Index>(fan_.size()); ++c) {
-    fan_[c] = sets.find(c);
+  std::sort(keys.begin(), keys.end(),
+            [](const Key& a, const Key& b) { return a.smallest < b.smallest; });
+  std::vector<BoundaryLoop> ordered;
+  ordered.reserve(loops.size());
+  for (const Key& key : keys) {
+    ordered.push_back(std::move(loops[key.loop]));
   }
+  return ordered;
 }
 
-Index Fans::at(const Topology& topology, Index t, Index v) const {
-  return fan_[corner_at(topology.F, t, v)];
-}
-
-Index Fans::count(const Topology& topology, Index v) const {
-  // A fan is named by its smallest corner, so every fan is met exactly once under its own name.
-  Index fans = 0;
-  for (const Index t : topology.stars[v]) {
-    const Index corner = corner_at(topology.F, t, v);
-    fans += fan_[corner] == corner ? 1 : 0;
-  }
-  return fans;
-}
-
-std::vector<BoundaryLoop> find_boundary_loops(const Topology& topology, const Fans& fans) {
-  const std::vector<BoundaryEdge> edges = boundary_edges(topology, fans);
-  const EdgesAtFan at_fan = edges_at_fans(edges);
+std::vector<BoundaryLoop> walk_loops(const std::vector<BoundaryEdge>& edges,
+                                     const EdgesAtFan& at_fan) {
   std::vector<std::uint8_t> walked(edges.size(), 0);
 
   // Walks from edge `start`, leaving it at its end `side`; ends do not depend on orientation, so
@@ -104,7 +92,7 @@ std::vector<BoundaryLoop> find_boundary_loops(const Topology& topology, const Fa
     while (true) {
       walked[i] = 1;
       const Index fan = edges[i].fan[side];
-      const auto& pair = at_fan.at(fan);
+      const auto& pair = at_fan[fan];
       const Index next = pair[0] == i ? pair[1] : pair[0];
       if (next == start) {
         break;
@@ -121,7 +109,7 @@ std::vector<BoundaryLoop> find_boundary_loops(const Topology& topology, const Fa
   };
 
   std::vector<BoundaryLoop> loops;
-  const auto ends_at = [&](Index i, int side) { return at_fan.at(edges[i].fan[side])[1] < 0; };
+  const auto ends_at = [&](Index i, int side) { return at_fan[edges[i].fan[side]][1] < 0; };
   for (const bool chains : {true, false}) {  // what is left after the open chains are cycles
     for (Index i = 0; i < static_cast<Index>(edges.size()); ++i) {
       if (!walked[i] && (!chains || ends_at(i, 0) || ends_at(i, 1))) {
@@ -130,11 +118,20 @@ std::vector<BoundaryLoop> find_boundary_loops(const Topology& topology, const Fa
       }
     }
   }
-  std::sort(loops.begin(), loops.end(), [](const BoundaryLoop& a, const BoundaryLoop& b) {
-    return *std::min_element(a.vertices.begin(), a.vertices.end()) <
-           *std::min_element(b.vertices.begin(), b.vertices.end());
-  });
   return loops;
+}
+
+}  // namespace
+
+std::vector<BoundaryLoop> find_boundary_loops(const Topology& topology) {
+  const std::vector<Index> single = indices_where(
+      topology.E.rows(), [&](Index e) { return topology.edge_triangles[e].size() == 1; });
+  if (single.empty()) {
+    return {};
+  }
+  const Fans fans(topology);
+  const std::vector<BoundaryEdge> edges = boundary_edges(topology, single, fans);
+  return ordered_by_smallest_vertex(walk_loops(edges, edges_at_fans(edges, fans.bound())));
 }
 
 }  // namespace ibmfair

@@ -1,81 +1,124 @@
 #include "ibmfair/mesh/orientation.h"
 
 #include <algorithm>
+#include <array>
+#include <cstdint>
 #include <utility>
 #include <vector>
 
-#include "ibmfair/mesh/corners.h"
+#include "ibmfair/base/parallel.h"
+#include "ibmfair/mesh/select.h"
 
 namespace ibmfair {
 namespace {
 
-/// The edges of exactly two triangles, listed by triangle.
-Rows shared_edges(const Topology& topology) {
-  std::vector<std::pair<Index, Index>> links;
+/// Whether two triangles meet at edge e that run through it in the same direction.
+bool disagree_at(const Topology& topology, const EdgeSides& sides, Index e) {
+  const std::int64_t i = topology.edge_triangles.first[e];
+  return topology.edge_triangles.first[e + 1] == i + 2 && sides.runs_up(i) == sides.runs_up(i + 1);
+}
+
+/// The edges of each triangle that it shares with exactly one other, in increasing order; -1 where
+/// there are fewer than three.
+std::vector<std::array<Index, 3>> shared_edges(const Topology& topology) {
+  std::vector<std::array<Index, 3>> edges(static_cast<std::size_t>(topology.F.rows()),
+                                          {-1, -1, -1});
   for (Index e = 0; e < topology.E.rows(); ++e) {
-    if (const auto t = topology.edge_triangles[e]; t.size() == 2) {
-      links.emplace_back(t[0], e);
-      links.emplace_back(t[1], e);
+    if (const auto triangles = topology.edge_triangles[e]; triangles.size() == 2) {
+      for (const Index t : triangles) {
+        *std::find(edges[t].begin(), edges[t].end(), -1) = e;
+      }
     }
   }
-  std::sort(links.begin(), links.end());
-  Rows rows;
-  rows.value.reserve(links.size());
-  auto link = links.begin();
-  for (Index t = 0; t < topology.F.rows(); ++t) {
-    for (; link != links.end() && link->first == t; ++link) {
-      rows.value.push_back(link->second);
+  return edges;
+}
+
+/// Decides which triangles to turn, patch by patch.
+class Orienter {
+ public:
+  Orienter(Topology& topology, const EdgeSides& sides)
+      : topology_(topology),
+        sides_(sides),
+        edges_of_(shared_edges(topology)),
+        turn_(static_cast<std::size_t>(topology.F.rows()), unseen) {}
+
+  /// Whether to turn each triangle, #F. Marks what cannot agree in the topology.
+  std::vector<signed char> run() && {
+    for (Index seed = 0; seed < static_cast<Index>(turn_.size()); ++seed) {
+      if (turn_[seed] == unseen) {
+        walk_patch(seed);
+        keep_majority();
+      }
     }
-    rows.first.push_back(static_cast<std::int64_t>(rows.value.size()));
+    return std::move(turn_);
   }
-  return rows;
+
+ private:
+  static constexpr signed char unseen = -1;
+
+  /// Lets all triangles that are joined to the seed agree with it.
+  void walk_patch(Index seed) {
+    patch_.assign(1, seed);
+    turn_[seed] = 0;
+    for (std::size_t next = 0; next < patch_.size(); ++next) {
+      const Index t = patch_[next];
+      for (const Index e : edges_of_[t]) {
+        if (e < 0) {
+          break;
+        }
+        const auto pair = topology_.edge_triangles[e];
+        const Index other = pair[0] == t ? pair[1] : pair[0];
+        const bool wanted = (turn_[t] == 1) != disagree_at(topology_, sides_, e);
+        if (turn_[other] == unseen) {
+          turn_[other] = wanted ? 1 : 0;
+          patch_.push_back(other);
+        } else if (turn_[other] != (wanted ? 1 : 0)) {
+          topology_.orientable = false;
+          topology_.twisted[topology_.E(e, 0)] = topology_.twisted[topology_.E(e, 1)] = 1;
+        }
+      }
+    }
+  }
+
+  void keep_majority() {
+    const auto turned =
+        std::count_if(patch_.begin(), patch_.end(), [&](Index t) { return turn_[t] == 1; });
+    if (2 * static_cast<std::size_t>(turned) > patch_.size()) {
+      for (const Index t : patch_) {
+        turn_[t] = turn_[t] == 1 ? 0 : 1;
+      }
+    }
+  }
+
+  Topology& topology_;
+  const EdgeSides& sides_;
+  std::vector<std::array<Index, 3>> edges_of_;
+  std::vector<signed char> turn_;  // #F: whether to turn it to agree with its patch, or unseen
+  std::vector<Index> patch_;
+};
+
+void turn_triangles(const std::vector<signed char>& turn, Topology& topology, EdgeSides& sides) {
+  parallel_for(topology.F.rows(), [&](std::int64_t t) {
+    if (turn[t]) {
+      std::swap(topology.F(t, 1), topology.F(t, 2));
+    }
+  });
+  const std::vector<Index>& triangle = topology.edge_triangles.value;
+  parallel_for(static_cast<std::int64_t>(triangle.size()), [&](std::int64_t i) {
+    if (turn[triangle[i]]) {
+      sides.turn(i);
+    }
+  });
+  topology.turned_triangles = static_cast<Index>(std::count(turn.begin(), turn.end(), 1));
 }
 
 }  // namespace
 
-void orient_coherently(Topology& topology) {
-  const Index triangle_count = static_cast<Index>(topology.F.rows());
-  const Rows edges_of = shared_edges(topology);
-  constexpr signed char unseen = -1;
-  std::vector<signed char> turn(static_cast<std::size_t>(triangle_count), unseen);
+void orient_coherently(Topology& topology, EdgeSides& sides) {
   topology.twisted.assign(static_cast<std::size_t>(topology.vertex_count), 0);
-
-  std::vector<Index> patch;
-  for (Index seed = 0; seed < triangle_count; ++seed) {
-    if (turn[seed] != unseen) {
-      continue;
-    }
-    patch.assign(1, seed);
-    turn[seed] = 0;
-    Index turned = 0;
-    for (std::size_t next = 0; next < patch.size(); ++next) {
-      const Index t = patch[next];
-      for (const Index e : edges_of[t]) {
-        const auto pair = topology.edge_triangles[e];
-        const Index other = pair[0] == t ? pair[1] : pair[0];
-        const Index a = topology.E(e, 0), b = topology.E(e, 1);
-        const bool agree = runs_along(topology.F, t, a, b) != runs_along(topology.F, other, a, b);
-        const auto wanted = static_cast<signed char>(agree ? turn[t] : 1 - turn[t]);
-        if (turn[other] == unseen) {
-          turn[other] = wanted;
-          turned += wanted;
-          patch.push_back(other);
-        } else if (turn[other] != wanted) {
-          topology.orientable = false;
-          topology.twisted[a] = topology.twisted[b] = 1;
-        }
-      }
-    }
-    const bool majority_turned = 2 * static_cast<std::size_t>(turned) > patch.size();
-    for (const Index t : patch) {
-      if ((turn[t] == 1) != majority_turned) {
-        std::swap(topology.F(t, 1), topology.F(t, 2));
-        ++topology.turned_triangles;
-      }
-    }
-    for (const Index t : patch) {
-      turn[t] = 2;
-    }
+  const auto disagree = [&](Index e) { return disagree_at(topology, sides, e); };
+  if (!indices_where(topology.E.rows(), disagree).empty()) {  // nearly every mesh agrees as it is
+    turn_triangles(Orienter(topology, sides).run(), topology, sides);
   }
 }
 

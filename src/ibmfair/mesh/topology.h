@@ -92,10 +92,10 @@ struct Topology {
 /// Builds the connectivity of `F` (#F x 3, entries in 0 .. vertex_count - 1, in any orientation).
 /// Triangles listed in `zero_area` keep their place in the neighbourhood but carry no stencil.
 /// Linear in the size of the mesh.
-Topology build_topology(Index vertex_count, const Triangles& F, std::vector<Index> zero_area = {});
+Topology build_topology(Index vertex_count, Triangles F, std::vector<Index> zero_area = {});
 
 /// The same with the zero-area triangles found by `degenerate_triangles` (mesh/geometry.h).
-Topology build_topology(const Points& X, const Triangles& F);
+Topology build_topology(const Points& X, Triangles F);
 
 /// Grows a vertex set by one ring: true for every vertex that shares a triangle with a true one.
 std::vector<std::uint8_t> grow_one_ring(const Topology& topology,

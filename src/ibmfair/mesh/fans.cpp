@@ -1,0 +1,109 @@
+#include "ibmfair/mesh/fans.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <utility>
+
+#include "ibmfair/mesh/corners.h"
+#include "ibmfair/mesh/select.h"
+#include "ibmfair/mesh/union_find.h"
+
+namespace ibmfair {
+namespace {
+
+/// The most triangles of a star that is searched from end to end for each step of a walk; sorting
+/// pays beyond.
+constexpr std::size_t most_in_short_star = 32;
+
+/// Walks around v from its first triangle in both directions, as far as edges lead.
+bool is_one_short_fan(const Topology& topology, Index v) {
+  const auto star = topology.stars[v];
+  auto [back, front] = other_corners(topology.F, star[0], v);  // where the walk ends
+  std::array<std::array<Index, 2>, most_in_short_star> ahead;  // the triangles still to be met
+  std::size_t left = star.size() - 1;
+  for (std::size_t i = 0; i < left; ++i) {
+    ahead[i] = other_corners(topology.F, star[i + 1], v);
+  }
+  // No branches within a sweep: whether a triangle comes next is a toss-up to the processor.
+  for (std::size_t before = left + 1; left > 0 && left < before;) {
+    before = std::exchange(left, 0);
+    for (std::size_t i = 0; i < before; ++i) {
+      const auto [p, q] = ahead[i];
+      const bool at_front = (p == front) | (q == front);
+      const bool at_back = (!at_front) & ((p == back) | (q == back));
+      front = at_front ? p ^ q ^ front : front;  // on to its other end
+      back = at_back ? p ^ q ^ back : back;
+      ahead[left] = {p, q};
+      left += (at_front | at_back) ? 0 : 1;
+    }
+  }
+  return left == 0;
+}
+
+/// For each triangle around v the place in the star of the first one of its fan.
+std::vector<Index> first_in_fan(const Topology& topology, Index v) {
+  struct Side {  // the side from v to vertex `end` of the triangle at this place in the star
+    Index end, place;
+  };
+  const auto star = topology.stars[v];
+  const auto size = static_cast<Index>(star.size());
+  std::vector<Side> sides;
+  for (Index place = 0; place < size; ++place) {
+    for (const Index end : other_corners(topology.F, star[place], v)) {
+      sides.push_back({end, place});
+    }
+  }
+  std::sort(sides.begin(), sides.end(), [](const Side& a, const Side& b) { return a.end < b.end; });
+
+  UnionFind fans(size);
+  for (auto side = sides.begin(); side != sides.end();) {
+    const auto next =
+        std::find_if(side, sides.end(), [&](const Side& s) { return s.end != side->end; });
+    if (next - side == 2) {
+      fans.unite(side[0].place, side[1].place);
+    }
+    side = next;
+  }
+  std::vector<Index> first(star.size());
+  for (Index place = 0; place < size; ++place) {
+    first[place] = fans.find(place);
+  }
+  return first;
+}
+
+}  // namespace
+
+bool is_one_fan(const Topology& topology, Index v) {
+  if (topology.stars[v].size() <= most_in_short_star) {
+    return is_one_short_fan(topology, v);
+  }
+  const std::vector<Index> first = first_in_fan(topology, v);
+  return std::all_of(first.begin(), first.end(), [](Index place) { return place == 0; });
+}
+
+Fans::Fans(const Topology& topology)
+    : bound_(topology.vertex_count), irregular_(indices_where(topology.vertex_count, [&](Index v) {
+        return topology.kind[v] == VertexKind::irregular;
+      })) {
+  for (const Index v : irregular_) {
+    const std::vector<Index> first = first_in_fan(topology, v);
+    const auto row = static_cast<std::ptrdiff_t>(fan_.value.size());
+    for (Index place = 0; place < static_cast<Index>(first.size()); ++place) {
+      fan_.value.push_back(first[place] == place ? bound_++ : fan_.value[row + first[place]]);
+    }
+    fan_.first.push_back(static_cast<std::int64_t>(fan_.value.size()));
+  }
+}
+
+Index Fans::at(const Topology& topology, Index t, Index v) const {
+  if (topology.kind[v] != VertexKind::irregular) {
+    return v;
+  }
+  const auto row = std::lower_bound(irregular_.begin(), irregular_.end(), v) - irregular_.begin();
+  const auto star = topology.stars[v];
+  const auto place = std::lower_bound(star.begin(), star.end(), t) - star.begin();
+  return fan_[static_cast<Index>(row)][static_cast<std::size_t>(place)];
+}
+
+}  // namespace ibmfair
