@@ -2,7 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
+
+#include "ibmfair/base/parallel.h"
+#include "ibmfair/mesh/select.h"
 
 namespace ibmfair {
 namespace {
@@ -16,50 +20,49 @@ Corners corners(const Points& X, const Triangles& F, Eigen::Index t) {
   return {X.row(F(t, 0)), X.row(F(t, 1)), X.row(F(t, 2))};
 }
 
+double area(const Corners& corners) {
+  return double_area_vector(corners.a, corners.b, corners.c).norm() / 2;
+}
+
 /// Twice the longest height-to-edge ratio that rounding alone can produce.
 constexpr double flatness_limit = 1e-12;
+
+bool is_degenerate(const Corners& corners) {
+  const auto& [a, b, c] = corners;
+  const double longest =
+      std::sqrt(std::max({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()}));
+  const double height = longest > 0 ? double_area_vector(a, b, c).norm() / longest : 0;
+  // Coordinates carry an absolute error that grows with the distance from the origin.
+  const double magnitude = a.cwiseAbs().cwiseMax(b.cwiseAbs()).cwiseMax(c.cwiseAbs()).maxCoeff();
+  const double noise = 4 * std::numeric_limits<double>::epsilon() * magnitude;
+  return !(height > flatness_limit * longest && height > noise);
+}
 
 }  // namespace
 
 Eigen::VectorXd triangle_areas(const Points& X, const Triangles& F) {
   Eigen::VectorXd areas(F.rows());
-  for (Eigen::Index t = 0; t < F.rows(); ++t) {
-    const auto [a, b, c] = corners(X, F, t);
-    areas[t] = double_area_vector(a, b, c).norm() / 2;
-  }
+  parallel_for(F.rows(), [&](std::int64_t t) { areas[t] = area(corners(X, F, t)); });
   return areas;
 }
 
 Points triangle_normals(const Points& X, const Triangles& F) {
   Points normals(F.rows(), 3);
-  for (Eigen::Index t = 0; t < F.rows(); ++t) {
+  parallel_for(F.rows(), [&](std::int64_t t) {
     const auto [a, b, c] = corners(X, F, t);
     const Vec3 n = double_area_vector(a, b, c);
     const double length = n.norm();
     normals.row(t) = length > 0 ? Vec3(n / length) : Vec3(Vec3::Zero());
-  }
+  });
   return normals;
 }
 
 std::vector<Index> degenerate_triangles(const Points& X, const Triangles& F) {
-  std::vector<Index> degenerate;
-  for (Eigen::Index t = 0; t < F.rows(); ++t) {
-    const auto [a, b, c] = corners(X, F, t);
-    const double longest =
-        std::sqrt(std::max({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()}));
-    const double height = longest > 0 ? double_area_vector(a, b, c).norm() / longest : 0;
-    // Coordinates carry an absolute error that grows with the distance from the origin.
-    const double magnitude = a.cwiseAbs().cwiseMax(b.cwiseAbs()).cwiseMax(c.cwiseAbs()).maxCoeff();
-    const double noise = 4 * std::numeric_limits<double>::epsilon() * magnitude;
-    if (!(height > flatness_limit * longest && height > noise)) {
-      degenerate.push_back(static_cast<Index>(t));
-    }
-  }
-  return degenerate;
+  return indices_where(F.rows(), [&](Index t) { return is_degenerate(corners(X, F, t)); });
 }
 
 double surface_area(const Points& X, const Triangles& F) {
-  return triangle_areas(X, F).sum();
+  return parallel_sum(F.rows(), [&](std::int64_t t) { return area(corners(X, F, t)); });
 }
 
 double enclosed_volume(const Points& X, const Triangles& F) {
@@ -68,30 +71,29 @@ double enclosed_volume(const Points& X, const Triangles& F) {
   }
   // Far from the origin the cones of the plain formula cancel; around the centroid they do not.
   const Vec3 centre = X.colwise().mean();
-  double six_volumes = 0;
-  for (Eigen::Index t = 0; t < F.rows(); ++t) {
+  const double six_volumes = parallel_sum(F.rows(), [&](std::int64_t t) {
     const auto [a, b, c] = corners(X, F, t);
-    six_volumes += (a - centre).dot((b - centre).cross(c - centre));
-  }
+    return (a - centre).dot((b - centre).cross(c - centre));
+  });
   return six_volumes / 6;
 }
 
 double mean_edge_length(const Points& X, const Edges& E) {
-  double sum = 0;
-  for (Eigen::Index e = 0; e < E.rows(); ++e) {
-    sum += (X.row(E(e, 0)) - X.row(E(e, 1))).norm();
-  }
+  const double sum = parallel_sum(
+      E.rows(), [&](std::int64_t e) { return (X.row(E(e, 0)) - X.row(E(e, 1))).norm(); });
   return E.rows() > 0 ? sum / static_cast<double>(E.rows()) : 0;
 }
 
 PerVertex lumped_vertex_mass(const Points& X, const Topology& topology) {
   const Eigen::VectorXd areas = triangle_areas(X, topology.F);
-  PerVertex mass = PerVertex::Zero(topology.vertex_count);
-  for (Index v = 0; v < topology.vertex_count; ++v) {
-    for (const Index t : topology.stars[v]) {
-      mass[v] += topology.usable[t] ? areas[t] / 3 : 0;
+  PerVertex mass(topology.vertex_count);
+  parallel_for(topology.vertex_count, [&](std::int64_t v) {
+    double sum = 0;
+    for (const Index t : topology.stars[static_cast<Index>(v)]) {
+      sum += topology.usable[t] ? areas[t] / 3 : 0;
     }
-  }
+    mass[v] = sum;
+  });
   return mass;
 }
 
@@ -117,24 +119,24 @@ Vec3 bounding_box_size(const Points& X) {
 
 Eigen::VectorXd smallest_angles(const Points& X, const Triangles& F) {
   Eigen::VectorXd angles(F.rows());
-  for (Eigen::Index t = 0; t < F.rows(); ++t) {
+  parallel_for(F.rows(), [&](std::int64_t t) {
     const auto [a, b, c] = corners(X, F, t);
     const Vec3 u = b - a, v = c - b, w = a - c;
     const double sine = u.cross(v).norm();  // |u||v| sin, the same for all three corners
     const double smallest = std::min(
         {std::atan2(sine, -u.dot(w)), std::atan2(sine, -v.dot(u)), std::atan2(sine, -w.dot(v))});
     angles[t] = sine > 0 ? smallest : 0;
-  }
+  });
   return angles;
 }
 
 Eigen::VectorXd dihedral_angles(const Points& X, const Hinges& H) {
   Eigen::VectorXd angles(H.rows());
-  for (Eigen::Index i = 0; i < H.rows(); ++i) {
+  parallel_for(H.rows(), [&](std::int64_t i) {
     const Vec3 x0 = X.row(H(i, 0)), x1 = X.row(H(i, 1)), x2 = X.row(H(i, 2)), x3 = X.row(H(i, 3));
     const Vec3 n0 = double_area_vector(x0, x1, x2), n1 = double_area_vector(x1, x0, x3);
     angles[i] = std::numbers::pi - std::atan2(n0.cross(n1).norm(), n0.dot(n1));
-  }
+  });
   return angles;
 }
 

@@ -1,4 +1,4 @@
-// Sizes and angles of a triangle mesh.
+// Sizes and angles of a triangle mesh: the same bytes for any number of threads.
 #pragma once
 
 #include <vector>
