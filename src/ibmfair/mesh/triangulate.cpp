@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 
 #include "ibmfair/mesh/mesh.h"
 
@@ -195,18 +196,26 @@ void cut(const Points& X, std::span<const Index> polygon, Add&& add) {
 Triangulation triangulate(const Mesh& mesh) {
   const Polygons& faces = mesh.faces;
   Eigen::Index count = 0;
+  bool only_triangles = true;
   for (Index f = 0; f < faces.size(); ++f) {
-    count += std::max<Eigen::Index>(0, static_cast<Eigen::Index>(faces[f].size()) - 2);
+    const auto corners = static_cast<Eigen::Index>(faces[f].size());
+    count += std::max<Eigen::Index>(0, corners - 2);
+    only_triangles = only_triangles && corners == 3;
   }
   Triangulation result;
   result.F.resize(count, 3);
-  result.face.reserve(static_cast<std::size_t>(count));
+  result.face.resize(static_cast<std::size_t>(count));
+  if (only_triangles) {
+    std::copy_n(faces.corner.data(), result.F.size(), result.F.data());
+    std::iota(result.face.begin(), result.face.end(), 0);
+    return result;
+  }
   Eigen::Index row = 0;
   for (Index f = 0; f < faces.size(); ++f) {
     const std::span<const Index> polygon = faces[f];
     cut(mesh.X, polygon, [&](std::size_t a, std::size_t b, std::size_t c) {
-      result.F.row(row++) << polygon[a], polygon[b], polygon[c];
-      result.face.push_back(f);
+      result.F.row(row) << polygon[a], polygon[b], polygon[c];
+      result.face[row++] = f;
     });
   }
   return result;
@@ -215,10 +224,10 @@ Triangulation triangulate(const Mesh& mesh) {
 Mesh mesh_from_triangles(Points X, const Triangles& F) {
   Mesh mesh;
   mesh.X = std::move(X);
-  mesh.faces.first.reserve(static_cast<std::size_t>(F.rows()) + 1);
-  mesh.faces.corner.reserve(static_cast<std::size_t>(F.size()));
-  for (Eigen::Index f = 0; f < F.rows(); ++f) {
-    mesh.faces.add({F.row(f).data(), 3});
+  mesh.faces.corner.assign(F.data(), F.data() + F.size());
+  mesh.faces.first.resize(static_cast<std::size_t>(F.rows()) + 1);
+  for (std::size_t f = 0; f < mesh.faces.first.size(); ++f) {
+    mesh.faces.first[f] = static_cast<std::int64_t>(3 * f);
   }
   return mesh;
 }
