@@ -1,0 +1,40 @@
+"""The ratios that tools/bench --check holds a run against. They are free of the speed of the
+machine, but not of its kind: another processor deserves a baseline of its own."""
+
+import json
+import os
+
+PATH = os.path.join(os.path.dirname(os.path.abspath(__file__)), "baseline.json")
+TOLERANCE = 0.15
+
+
+def load():
+    with open(PATH) as file:
+        return json.load(file)["ratios"]
+
+
+def store(results):
+    kept = {"machine": results["machine"],
+            "ratios": {name: float(f"{ratio:.4g}") for name, ratio in results["ratios"].items()}}
+    with open(PATH, "w") as file:
+        json.dump(kept, file, indent=1)
+        file.write("\n")
+
+
+def losses(ratios):
+    """For what both have: name to ratio before and now, where that is worse."""
+    before = load()
+    return {name: (before[name], ratio) for name, ratio in ratios.items()
+            if name in before and not ratio <= (1 + TOLERANCE) * before[name]}
+
+
+def report(ratios):
+    """Prints the comparison and returns the exit code."""
+    compared = ratios.keys() & load().keys()
+    lost = losses(ratios)
+    print()
+    for name, (before, now) in lost.items():
+        print(f"slower: {name}: {before:.4g} -> {now:.4g} ({100 * (now / before - 1):+.0f} %)")
+    print(f"check: {len(compared)} ratios compared with the baseline, {len(lost)} lost more than "
+          f"{100 * TOLERANCE:.0f} %")
+    return 1 if lost or not compared else 0

@@ -1,0 +1,59 @@
+"""What the sections of tools/bench share: running programs and printing figures."""
+
+import math
+import os
+import subprocess
+import sys
+import threading
+import time
+
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.dirname(os.path.abspath(__file__))), "lib"))
+from tables import PROGRAM, ibmfair  # noqa: E402
+
+PROGRAMS = os.path.join(os.path.dirname(PROGRAM), "benchmarks")
+
+
+def note(text):
+    """What is being done now, for those who wait."""
+    print(f"bench: {text}", file=sys.stderr, flush=True)
+
+
+def wall_clock(command, longest=120):
+    """Seconds and peak memory (bytes) of a process; None where it fails or takes too long. A process
+    starts as a copy of this one, so peaks below some 17 MB are not seen."""
+    start = time.perf_counter()
+    process = subprocess.Popen(list(map(str, command)), stdout=subprocess.DEVNULL,
+                               stderr=subprocess.DEVNULL)
+    limit = threading.Timer(longest, process.kill)
+    limit.start()
+    _, status, usage = os.wait4(process.pid, 0)
+    seconds = time.perf_counter() - start
+    limit.cancel()
+    process.returncode = os.waitstatus_to_exitcode(status)
+    unit = 1 if sys.platform == "darwin" else 1024
+    return None if process.returncode else (seconds, usage.ru_maxrss * unit)
+
+
+def make(scratch, name, shape, *arguments):
+    """A shape with noise of 0.2 mean edge lengths; returns its path."""
+    path = os.path.join(scratch, name)
+    ibmfair("make", shape, path, "--noise", 0.2, "--overwrite", "--quiet", *arguments)
+    return path
+
+
+def smoothing_time(mesh, cutoff, order):
+    """The time in which diffusion of that order (2 or 4) shrinks ripples of `cutoff` mean edge
+    lengths to 1/e; in the mesh's unit of length to that power."""
+    edge = ibmfair("info", mesh, "--json")["edge_length"]["mean"]
+    return (cutoff * edge / (2 * math.pi)) ** order
+
+
+def time_text(seconds):
+    for unit, size in (("s", 1), ("ms", 1e-3), ("us", 1e-6)):
+        if seconds >= size or unit == "us":
+            return f"{seconds / size:#.3g}".rstrip(".") + " " + unit
+
+
+def short_count(count):
+    """164k, 2.62M."""
+    return f"{count / 1e6:.3g}M" if count >= 1e6 else f"{count / 1e3:.3g}k"

@@ -1,0 +1,192 @@
+#include "stages.h"
+
+#include <array>
+#include <utility>
+
+#include <unistd.h>
+
+#include "ibmfair/base/stopwatch.h"
+#include "ibmfair/flow/time_scale.h"
+#include "ibmfair/io/source_bytes.h"
+#include "ibmfair/mesh/geometry.h"
+
+namespace ibmfair::benchmarks {
+namespace {
+
+constexpr double longest_stage = 60;        // seconds
+constexpr double slow_factorization = 5e9;  // flops a second
+constexpr double share_of_memory = 0.7;
+
+void read(StageInputs& s) {
+  s.results.file = read_mesh(s.path);
+}
+
+void build(StageInputs& s) {
+  s.results.topology = build_topology(s.X, triangulate(s.file.mesh()).F);
+}
+
+void make_pattern(StageInputs& s) {
+  s.results.assembler.emplace(s.crouzeix_raviart->stencils(), s.unknowns);
+}
+
+/// J = M + h S, [W07] (13).
+void assemble(StageInputs& s) {
+  s.crouzeix_raviart->linearise(s.X, s.weights);
+  s.assembler.assemble(s.weights, s.J);
+  const PerVertex mass = lumped_vertex_mass(s.X, s.topology);
+  const double h = time_for_cutoff(8 * mean_edge_length(s.X, s.topology.E)) / 16;
+  for (double& entry : s.J.value) {
+    entry *= h;
+  }
+  for (Index u = 0; u < s.unknowns.size(); ++u) {
+    s.J.value[s.J.column_first[u]] += mass[s.unknowns.vertex[u]];
+  }
+}
+
+void analyse(StageInputs& s) {
+  s.results.symbolic.emplace(s.J);
+}
+
+/// The first factorization of a run, its allocation included.
+void factor(StageInputs& s) {
+  s.results.factor.emplace(*s.symbolic);
+  s.results.factor->factor(s.J);
+}
+
+void solve(StageInputs& s) {
+  s.solver->solve(s.B, s.Y);
+}
+
+void crouzeix_raviart_energy(StageInputs& s) {
+  s.crouzeix_raviart->energy(s.X);
+}
+
+void crouzeix_raviart_gradient(StageInputs& s) {
+  s.crouzeix_raviart->energy_and_gradient(s.X, s.G);
+}
+
+void lagrange_energy(StageInputs& s) {
+  s.lagrange->energy(s.X);
+}
+
+void lagrange_gradient(StageInputs& s) {
+  s.lagrange->energy_and_gradient(s.X, s.G);
+}
+
+void write(StageInputs& s) {
+  s.written_bytes =
+      static_cast<double>(write_mesh(s.file, s.moved, s.output, {.overwrite = true}).bytes);
+}
+
+double size_of(const auto& matrix) {
+  return static_cast<double>(matrix.size()) * sizeof(*matrix.data());
+}
+
+double read_bytes(const StageInputs& s) {
+  return static_cast<double>(s.file.bytes().size());
+}
+
+double written_bytes(const StageInputs& s) {
+  return s.written_bytes;
+}
+
+/// The triangles, and the tables over vertices, edges and hinges made from them.
+double topology_bytes(const StageInputs& s) {
+  const Topology& t = s.topology;
+  return 2 * size_of(t.F) + size_of(t.E) + size_of(t.edge_triangles.value) + size_of(t.H) +
+         size_of(t.hinge_triangles) + size_of(t.stars.value);
+}
+
+double pattern_bytes(const StageInputs& s) {
+  return size_of(s.crouzeix_raviart->stencils().value) + size_of(s.J.row);
+}
+
+double matrix_bytes(const StageInputs& s) {
+  return size_of(s.X) + size_of(s.crouzeix_raviart->stencils().value) + size_of(s.J.value);
+}
+
+double analysis_bytes(const StageInputs& s) {
+  return size_of(s.J.row);
+}
+
+double factor_flops(const StageInputs& s) {
+  return s.symbolic->forecast().flops;
+}
+
+/// The factor in double precision, once forward and once backward.
+double solve_bytes(const StageInputs& s) {
+  return 2 * sizeof(double) * s.symbolic->forecast().factor_entries;
+}
+
+double positions(const StageInputs& s) {
+  return size_of(s.X);
+}
+
+double positions_and_gradient(const StageInputs& s) {
+  return 2 * size_of(s.X);
+}
+
+bool is_analysed_quickly(const StageInputs& s) {
+  return s.analysis_seconds < longest_stage;
+}
+
+bool has_factor(const StageInputs& s) {
+  return s.factor.has_value();
+}
+
+/// Whether two factors, that of the inputs and that of the stage, have room.
+bool worth_factoring(const FactorForecast& forecast) {
+  const double memory =
+      static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
+  return forecast.flops < longest_stage * slow_factorization &&
+         2 * sizeof(double) * forecast.factor_entries < share_of_memory * memory;
+}
+
+constexpr std::array table{
+    Stage{"read", read, read_bytes},
+    Stage{"topology", build, topology_bytes},
+    Stage{"pattern", make_pattern, pattern_bytes},
+    Stage{"assemble", assemble, matrix_bytes},
+    Stage{"analyse", analyse, analysis_bytes, nullptr, is_analysed_quickly},
+    Stage{"factor", factor, nullptr, factor_flops, has_factor},
+    Stage{"solve", solve, solve_bytes, nullptr, has_factor},
+    Stage{"gradient", crouzeix_raviart_gradient, positions_and_gradient},
+    Stage{"energy", crouzeix_raviart_energy, positions},
+    Stage{"lagrange gradient", lagrange_gradient, positions_and_gradient},
+    Stage{"lagrange energy", lagrange_energy, positions},
+    Stage{"write", write, written_bytes},
+};
+
+}  // namespace
+
+StageInputs::StageInputs(std::string input_path, std::string output_path)
+    : path(std::move(input_path)),
+      output(std::move(output_path)),
+      file(read_mesh(path)),
+      X(file.mesh().X),
+      moved(0.999 * X),
+      topology(build_topology(X, triangulate(file.mesh()).F)),
+      crouzeix_raviart(bending_model("crouzeix-raviart").bind(topology, {})),
+      lagrange(bending_model("lagrange").bind(topology, {})),
+      unknowns(std::vector<std::uint8_t>(topology.vertex_count, 0)),
+      assembler(crouzeix_raviart->stencils(), unknowns),
+      J(assembler.pattern()),
+      B(X) {
+  assemble(*this);
+  write(*this);
+  {
+    const Stopwatch watch(analysis_seconds);
+    symbolic.emplace(J);
+  }
+  if (worth_factoring(symbolic->forecast())) {
+    factor.emplace(*symbolic);
+    factor->factor(J);
+    solver.emplace(*factor);
+  }
+}
+
+std::span<const Stage> stages() {
+  return table;
+}
+
+}  // namespace ibmfair::benchmarks

@@ -1,0 +1,69 @@
+// The stages of `ibmfair smooth` one by one, each as a function that can be repeated.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "ibmfair/energy/bending_energy.h"
+#include "ibmfair/energy/hessian.h"
+#include "ibmfair/io/mesh_file.h"
+#include "ibmfair/mesh/topology.h"
+#include "ibmfair/solve/cholesky.h"
+
+namespace ibmfair::benchmarks {
+
+/// What stages make, each as if for the first time.
+struct StageResults {
+  std::optional<MeshFile> file;
+  std::optional<Topology> topology;
+  std::optional<HessianAssembler> assembler;
+  std::optional<SymbolicCholesky> symbolic;
+  std::optional<CholeskyFactor> factor;
+};
+
+/// One mesh with everything that a stage may start from. The Jacobian is that of a flow by
+/// crouzeix-raviart in the mass metric over all vertices, one of 16 steps to a cut-off of eight
+/// mean edge lengths.
+struct StageInputs {
+  /// Reads the mesh and prepares every stage. Throws as the library does.
+  StageInputs(std::string input_path, std::string output_path);
+
+  std::string path, output;  ///< the mesh; where the stage `write` writes to
+  MeshFile file;
+  Points X;
+  Points moved;  ///< all vertices elsewhere
+  Topology topology;
+  std::unique_ptr<BendingEnergy> crouzeix_raviart, lagrange;
+  Unknowns unknowns;
+  HessianAssembler assembler;
+  StencilWeights weights;
+  SymmetricMatrix J;
+  double written_bytes = 0;
+
+  double analysis_seconds = 0;
+  std::optional<SymbolicCholesky> symbolic;
+  std::optional<CholeskyFactor> factor;  ///< none where it would take too long or too much memory
+  std::optional<CholeskySolver> solver;
+  Points B, Y, G;
+
+  StageResults results;
+};
+
+/// A row of the table of stages.
+struct Stage {
+  std::string_view name;
+  void (*run)(StageInputs& inputs);  ///< `inputs.results` are empty before
+  /// What any implementation must at least read and write, bytes; null where `flops` counts.
+  double (*bytes)(const StageInputs& inputs);
+  double (*flops)(const StageInputs& inputs) = nullptr;
+  /// Whether the stage can be run for this mesh; null: for every one.
+  bool (*possible)(const StageInputs& inputs) = nullptr;
+};
+
+/// All stages, in the order of a run.
+std::span<const Stage> stages();
+
+}  // namespace ibmfair::benchmarks
