@@ -22,8 +22,6 @@
 namespace ibmfair::benchmarks {
 namespace {
 
-constexpr double shortest_time = 0.02;  // seconds that a benchmark is repeated for, at least
-
 struct Kernel {
   std::string name;
   int threads;
@@ -49,7 +47,7 @@ void add(const Kernel& kernel) {
 #ifndef __clang_analyzer__  // which does not know that what is registered is kept
   benchmark::RegisterBenchmark(full_name.c_str(), body)
       ->UseManualTime()
-      ->MinTime(shortest_time)
+      ->MinTime(0.02)  // seconds, of one repetition
       ->Unit(benchmark::kSecond);
 #endif
 }

@@ -49,12 +49,21 @@ void analyse(StageInputs& s) {
 
 /// The first factorization of a run, its allocation included.
 void factor(StageInputs& s) {
-  s.results.factor.emplace(*s.symbolic);
+  s.results.factor.emplace(*s.symbolic, Precision::float64);
+  s.results.factor->factor(s.J);
+}
+
+void factor_in_floats(StageInputs& s) {
+  s.results.factor.emplace(*s.symbolic, Precision::float32);
   s.results.factor->factor(s.J);
 }
 
 void solve(StageInputs& s) {
   s.solver->solve(s.B, s.Y);
+}
+
+void solve_in_floats(StageInputs& s) {
+  s.float_solver->solve(s.B, s.Y);
 }
 
 void crouzeix_raviart_energy(StageInputs& s) {
@@ -113,9 +122,13 @@ double factor_flops(const StageInputs& s) {
   return s.symbolic->forecast().flops;
 }
 
-/// The factor in double precision, once forward and once backward.
+/// The factor, once forward and once backward.
 double solve_bytes(const StageInputs& s) {
   return 2 * sizeof(double) * s.symbolic->forecast().factor_entries;
+}
+
+double float_solve_bytes(const StageInputs& s) {
+  return 2 * sizeof(float) * s.symbolic->forecast().factor_entries;
 }
 
 double positions(const StageInputs& s) {
@@ -134,12 +147,12 @@ bool has_factor(const StageInputs& s) {
   return s.factor.has_value();
 }
 
-/// Whether two factors, that of the inputs and that of the stage, have room.
+/// Whether the factors of the inputs and that of the stage have room.
 bool worth_factoring(const FactorForecast& forecast) {
   const double memory =
       static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
   return forecast.flops < longest_stage * slow_factorization &&
-         2 * sizeof(double) * forecast.factor_entries < share_of_memory * memory;
+         (2 * sizeof(double) + sizeof(float)) * forecast.factor_entries < share_of_memory * memory;
 }
 
 constexpr std::array table{
@@ -149,7 +162,9 @@ constexpr std::array table{
     Stage{"assemble", assemble, matrix_bytes},
     Stage{"analyse", analyse, analysis_bytes, nullptr, is_analysed_quickly},
     Stage{"factor", factor, nullptr, factor_flops, has_factor},
+    Stage{"factor float32", factor_in_floats, nullptr, factor_flops, has_factor},
     Stage{"solve", solve, solve_bytes, nullptr, has_factor},
+    Stage{"solve float32", solve_in_floats, float_solve_bytes, nullptr, has_factor},
     Stage{"gradient", crouzeix_raviart_gradient, positions_and_gradient},
     Stage{"energy", crouzeix_raviart_energy, positions},
     Stage{"lagrange gradient", lagrange_gradient, positions_and_gradient},
@@ -179,9 +194,12 @@ StageInputs::StageInputs(std::string input_path, std::string output_path)
     symbolic.emplace(J);
   }
   if (worth_factoring(symbolic->forecast())) {
-    factor.emplace(*symbolic);
+    factor.emplace(*symbolic, Precision::float64);
     factor->factor(J);
     solver.emplace(*factor);
+    float_factor.emplace(*symbolic, Precision::float32);
+    float_factor->factor(J);
+    float_solver.emplace(*float_factor);
   }
 }
 

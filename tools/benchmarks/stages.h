@@ -45,8 +45,9 @@ struct StageInputs {
 
   double analysis_seconds = 0;
   std::optional<SymbolicCholesky> symbolic;
-  std::optional<CholeskyFactor> factor;  ///< none where it would take too long or too much memory
-  std::optional<CholeskySolver> solver;
+  /// None where factoring would take too long or too much memory.
+  std::optional<CholeskyFactor> factor, float_factor;
+  std::optional<CholeskySolver> solver, float_solver;
   Points B, Y, G;
 
   StageResults results;

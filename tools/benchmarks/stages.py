@@ -9,8 +9,9 @@ from runs import PROGRAMS, make, note, short_count, time_text, wall_clock
 from tables import PROGRAM, SHARED, row
 
 MODELS = ["hand_24192", "dinosaur_44928"]
-STAGES = ["read", "topology", "pattern", "assemble", "analyse", "factor", "solve", "gradient",
-          "energy", "lagrange gradient", "lagrange energy", "write"]
+STAGES = ["read", "topology", "pattern", "assemble", "analyse", "factor", "factor float32",
+          "solve", "solve float32", "gradient", "energy",
+          "lagrange gradient", "lagrange energy", "write"]
 THREADS = ["1", "2"]
 # What the nanoseconds of a gradient are divided by.
 PER_STENCIL = {"gradient": ("hinges", "ns per hinge"),
@@ -50,7 +51,8 @@ def least_seconds(stage, threads, entry, limit):
     if stage in ("read", "write"):
         return entry["bytes"] / limit[stage]
     if "flops" in entry:
-        return entry["flops"] / (int(threads) * limit["dgemm"])
+        product = "sgemm" if stage.endswith("float32") else "dgemm"
+        return entry["flops"] / (int(threads) * limit[product])
     return entry["bytes"] / limit["memory"][threads]
 
 
