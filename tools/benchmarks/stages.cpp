@@ -5,6 +5,7 @@
 
 #include <unistd.h>
 
+#include "ibmfair/base/errors.h"
 #include "ibmfair/base/stopwatch.h"
 #include "ibmfair/flow/time_scale.h"
 #include "ibmfair/io/source_bytes.h"
@@ -143,8 +144,23 @@ bool is_analysed_quickly(const StageInputs& s) {
   return s.analysis_seconds < longest_stage;
 }
 
+/// Leaves the factor out where the matrix is not positive definite in that precision.
+void prepare_floats(StageInputs& s) {
+  try {
+    s.float_factor.emplace(*s.symbolic, Precision::float32);
+    s.float_factor->factor(s.J);
+    s.float_solver.emplace(*s.float_factor);
+  } catch (const FactorizationFailed&) {
+    s.float_factor.reset();
+  }
+}
+
 bool has_factor(const StageInputs& s) {
   return s.factor.has_value();
+}
+
+bool has_float_factor(const StageInputs& s) {
+  return s.float_factor.has_value();
 }
 
 /// Whether the factors of the inputs and that of the stage have room.
@@ -162,9 +178,9 @@ constexpr std::array table{
     Stage{"assemble", assemble, matrix_bytes},
     Stage{"analyse", analyse, analysis_bytes, nullptr, is_analysed_quickly},
     Stage{"factor", factor, nullptr, factor_flops, has_factor},
-    Stage{"factor float32", factor_in_floats, nullptr, factor_flops, has_factor},
+    Stage{"factor float32", factor_in_floats, nullptr, factor_flops, has_float_factor},
     Stage{"solve", solve, solve_bytes, nullptr, has_factor},
-    Stage{"solve float32", solve_in_floats, float_solve_bytes, nullptr, has_factor},
+    Stage{"solve float32", solve_in_floats, float_solve_bytes, nullptr, has_float_factor},
     Stage{"gradient", crouzeix_raviart_gradient, positions_and_gradient},
     Stage{"energy", crouzeix_raviart_energy, positions},
     Stage{"lagrange gradient", lagrange_gradient, positions_and_gradient},
@@ -197,9 +213,7 @@ StageInputs::StageInputs(std::string input_path, std::string output_path)
     factor.emplace(*symbolic, Precision::float64);
     factor->factor(J);
     solver.emplace(*factor);
-    float_factor.emplace(*symbolic, Precision::float32);
-    float_factor->factor(J);
-    float_solver.emplace(*float_factor);
+    prepare_floats(*this);
   }
 }
 

@@ -45,7 +45,7 @@ struct StageInputs {
 
   double analysis_seconds = 0;
   std::optional<SymbolicCholesky> symbolic;
-  /// None where factoring would take too long or too much memory.
+  /// None where factoring would take too long or too much memory, or floats do not suffice.
   std::optional<CholeskyFactor> factor, float_factor;
   std::optional<CholeskySolver> solver, float_solver;
   Points B, Y, G;
