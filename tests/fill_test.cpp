@@ -4,9 +4,9 @@
 #include <set>
 
 #include <gtest/gtest.h>
-#include <omp.h>
 
 #include "ibmfair/base/errors.h"
+#include "ibmfair/base/threads.h"
 #include "ibmfair/fill/fill_holes.h"
 #include "ibmfair/fill/fill_region.h"
 #include "ibmfair/fill/harmonic_extension.h"
@@ -117,10 +117,10 @@ TEST(Fill, ClosesEveryOpenMeshWithoutTouchingIt) {
 TEST(Fill, SameBytesForAnyNumberOfThreadsAndEveryTime) {
   const State state(with_many_holes(sphere(4)));
   ASSERT_GT(state.topology.boundary_loops.size(), 10u);
-  omp_set_num_threads(1);
+  set_thread_count(1);
   const Filling one = fill_all(state);
   for (const int threads : {1, 2, 2}) {
-    omp_set_num_threads(threads);
+    set_thread_count(threads);
     const Filling again = fill_all(state);
     EXPECT_EQ(again.new_X, one.new_X);
     EXPECT_EQ(again.new_F, one.new_F);

@@ -2,9 +2,9 @@
 #include <numbers>
 
 #include <gtest/gtest.h>
-#include <omp.h>
 
 #include "ibmfair/base/errors.h"
+#include "ibmfair/base/threads.h"
 #include "ibmfair/flow/folds.h"
 #include "ibmfair/flow/held_vertices.h"
 #include "ibmfair/flow/time_scale.h"
@@ -130,12 +130,11 @@ TEST(Flow, DoesNotDependOnTheNumberOfThreads) {
     options.laplacian = laplacian;
     options = options_for(noisy, 8, options);
     Points one = noisy.X, two = noisy.X;
-    const int threads = omp_get_max_threads();
-    omp_set_num_threads(1);
+    set_thread_count(1);
     willmore_flow(one, noisy.topology, hold(noisy), options);
-    omp_set_num_threads(2);
+    set_thread_count(2);
     willmore_flow(two, noisy.topology, hold(noisy), options);
-    omp_set_num_threads(threads);
+    set_thread_count(0);
     EXPECT_EQ(one, two) << laplacian;
   }
 }

@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <cstdlib>
 #include <new>
+#include <numeric>
 #include <stdexcept>
+#include <thread>
+#include <vector>
 
 #include <cblas.h>
 #include <fcntl.h>
@@ -65,12 +68,17 @@ MemoryReading::~MemoryReading() {
 
 std::uint64_t MemoryReading::sum(int threads) const {
   // Integers, because the compiler may reorder, and so vectorise, their sum.
-  std::uint64_t total = 0;
-#pragma omp parallel for num_threads(threads) reduction(+ : total) schedule(static)
-  for (std::size_t i = 0; i < value_count; ++i) {
-    total += values_[i];
+  std::vector<std::uint64_t> sums(static_cast<std::size_t>(threads));
+  std::vector<std::jthread> readers;
+  for (int t = 0; t < threads; ++t) {
+    readers.emplace_back([&, t] {
+      const std::uint64_t* first = values_ + value_count * t / threads;
+      const std::uint64_t* last = values_ + value_count * (t + 1) / threads;
+      sums[t] = std::accumulate(first, last, std::uint64_t{0});
+    });
   }
-  return total;
+  readers.clear();  // waits for them
+  return std::accumulate(sums.begin(), sums.end(), std::uint64_t{0});
 }
 
 double MemoryReading::bytes() const {

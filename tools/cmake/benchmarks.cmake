@@ -37,5 +37,5 @@ endif()
 if(benchmark_FOUND)
   add_benchmark(kernels kernels.cpp machine_limits.cpp stages.cpp)
   target_link_libraries(kernels PRIVATE ibmfair_library benchmark::benchmark CHOLMOD::CHOLMOD
-                        OpenMP::OpenMP_CXX ibmfair_flags)
+                        ibmfair_flags)
 endif()

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 namespace ibmfair {
@@ -10,12 +11,28 @@ namespace ibmfair {
 /// Loops shorter than this run on one thread: waking the others would take longer.
 inline constexpr std::int64_t worth_sharing = 16384;
 
+/// Calls task(i) for every i in 0 .. count - 1, each to be run by any thread; tasks must not write
+/// the same place. An exception of one of them is thrown here. Threads that other programs keep
+/// from running hold up nothing but the task that they are in.
+void parallel_tasks(std::int64_t count, const std::function<void(std::int64_t)>& task);
+
 /// Calls body(i) for every i in 0 .. count - 1, in parallel; bodies must not write the same place.
 template <class Body>
 void parallel_for(std::int64_t count, Body&& body) {
-#pragma omp parallel for schedule(static) if (count >= worth_sharing)
-  for (std::int64_t i = 0; i < count; ++i) {
-    body(i);
+  constexpr std::int64_t block = 2048;
+  const auto run = [&](std::int64_t b) {
+    const std::int64_t last = std::min(count, (b + 1) * block);
+    for (std::int64_t i = b * block; i < last; ++i) {
+      body(i);
+    }
+  };
+  const std::int64_t blocks = (count + block - 1) / block;
+  if (count >= worth_sharing) {
+    parallel_tasks(blocks, std::cref(run));
+  } else {
+    for (std::int64_t i = 0; i < count; ++i) {
+      body(i);
+    }
   }
 }
 
@@ -26,13 +43,20 @@ Value parallel_sum(std::int64_t count, const Value& zero, Body&& body) {
   constexpr std::int64_t block = 1024;
   const std::int64_t blocks = (count + block - 1) / block;
   std::vector<Value> partial(static_cast<std::size_t>(blocks), zero);
-#pragma omp parallel for schedule(static) if (count >= worth_sharing)
-  for (std::int64_t b = 0; b < blocks; ++b) {
+  const auto run = [&](std::int64_t b) {
+    const std::int64_t last = std::min(count, (b + 1) * block);
     Value sum = zero;
-    for (std::int64_t i = b * block; i < std::min(count, (b + 1) * block); ++i) {
+    for (std::int64_t i = b * block; i < last; ++i) {
       sum += body(i);
     }
     partial[static_cast<std::size_t>(b)] = sum;
+  };
+  if (count >= worth_sharing) {
+    parallel_tasks(blocks, std::cref(run));
+  } else {
+    for (std::int64_t b = 0; b < blocks; ++b) {
+      run(b);
+    }
   }
   Value sum = zero;
   for (const Value& part : partial) {

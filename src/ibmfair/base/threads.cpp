@@ -1,14 +1,32 @@
 #include "ibmfair/base/threads.h"
 
+#include <algorithm>
+#include <charconv>
+#include <cstdlib>
+#include <optional>
 #include <string>
+#include <string_view>
 
-#include <omp.h>
+#include <tbb/global_control.h>
+#include <tbb/task_arena.h>
 
 #include "ibmfair/base/errors.h"
 
 extern "C" void openblas_set_num_threads(int count);
 
 namespace ibmfair {
+namespace {
+
+/// What the environment asks for, or 0.
+int environment_thread_count() {
+  const char* text = std::getenv("OMP_NUM_THREADS");
+  const std::string_view digits = text != nullptr ? text : "";
+  int count = 0;
+  std::from_chars(digits.data(), digits.data() + digits.size(), count);
+  return std::clamp(count, 0, largest_thread_count);
+}
+
+}  // namespace
 
 void set_thread_count(int count) {
   if (count < 0 || count > largest_thread_count) {
@@ -16,13 +34,24 @@ void set_thread_count(int count) {
                     std::to_string(largest_thread_count));
   }
   openblas_set_num_threads(1);
-  if (count > 0) {
-    omp_set_num_threads(count);
+  static std::optional<tbb::global_control> limit;
+  limit.reset();
+  if (count = count > 0 ? count : environment_thread_count(); count > 0) {
+    limit.emplace(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(count));
   }
 }
 
 int thread_count() {
-  return omp_get_max_threads();
+  return static_cast<int>(
+      tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism));
+}
+
+int worker_count() {
+  return std::max(thread_count(), tbb::this_task_arena::max_concurrency());
+}
+
+int worker_index() {
+  return std::max(0, tbb::this_task_arena::current_thread_index());
 }
 
 }  // namespace ibmfair

@@ -3,15 +3,21 @@
 
 namespace ibmfair {
 
-/// Sets the number of threads of all loops to come; 0 leaves it to OpenMP (OMP_NUM_THREADS, else
-/// one a core). Results do not depend on it. BLAS is held at one thread whatever the number: its
-/// threaded kernels split sums differently from count to count.
-/// Throws BadOption for a negative number or one above `largest_thread_count`.
+/// Sets the number of threads of all loops to come; 0 leaves it to the environment
+/// (OMP_NUM_THREADS, else one for each core that the process may use). Results do not depend on
+/// it. BLAS is held at one thread whatever the number: its threaded kernels split sums differently
+/// from count to count. Throws BadOption for a negative number or one above
+/// `largest_thread_count`.
 void set_thread_count(int count);
 
 constexpr int largest_thread_count = 1024;
 
 /// The number of threads that a loop uses now.
 int thread_count();
+
+/// Scratch memory for the tasks of one loop: `worker_index()` within a task is below
+/// `worker_count()` outside of it, and no two tasks that run at the same time have the same one.
+int worker_count();
+int worker_index();
 
 }  // namespace ibmfair

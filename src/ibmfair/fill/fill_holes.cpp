@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "ibmfair/base/errors.h"
+#include "ibmfair/base/parallel.h"
 #include "ibmfair/fill/harmonic_extension.h"
 #include "ibmfair/fill/hole_groups.h"
 #include "ibmfair/fill/intersections.h"
@@ -271,15 +272,13 @@ std::vector<GroupResult> fill_groups(const HoleFiller& filler,
     }
   }
   std::vector<std::exception_ptr> errors(results.size());
-  // A single group uses all threads itself.
-#pragma omp parallel for schedule(dynamic) if (results.size() > 1)
-  for (std::size_t i = 0; i < results.size(); ++i) {
+  parallel_tasks(static_cast<std::int64_t>(results.size()), [&](std::int64_t i) {
     try {
       filler.finish(results[i]);
     } catch (...) {
       errors[i] = std::current_exception();
     }
-  }
+  });
   for (const std::exception_ptr& error : errors) {
     if (error) {
       std::rethrow_exception(error);

@@ -5,6 +5,7 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/intersections.h>
 
+#include "ibmfair/base/parallel.h"
 #include "ibmfair/fill/box_grid.h"
 
 namespace ibmfair {
@@ -72,8 +73,7 @@ std::vector<std::array<Index, 2>> patch_intersections(const Points& X, const Tri
   // In blocks, so that threads share the work and the order stays.
   constexpr Index block = 4096;
   std::vector<std::vector<std::array<Index, 2>>> found((F.rows() + block - 1) / block);
-#pragma omp parallel for schedule(dynamic)
-  for (std::size_t b = 0; b < found.size(); ++b) {
+  parallel_tasks(static_cast<std::int64_t>(found.size()), [&](std::int64_t b) {
     std::vector<Index> near;
     const Index first = static_cast<Index>(b) * block;
     for (Index t = first; t < std::min<Eigen::Index>(F.rows(), first + block); ++t) {
@@ -85,7 +85,7 @@ std::vector<std::array<Index, 2>> patch_intersections(const Points& X, const Tri
         }
       }
     }
-  }
+  });
   std::vector<std::array<Index, 2>> pairs;
   for (const auto& part : found) {
     pairs.insert(pairs.end(), part.begin(), part.end());

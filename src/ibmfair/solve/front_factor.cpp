@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "ibmfair/base/parallel.h"
 #include "ibmfair/solve/flush_subnormals.h"
 #include "ibmfair/solve/front_kernels.h"
 
@@ -51,15 +52,27 @@ struct Blas<double> {
 // Columns that are factored together, and the piece that a thread takes.
 constexpr int panel = 128, piece = 256;
 
+/// Calls work(first, count) for pieces that cover 0 .. size - 1.
+template <class Work>
+void in_pieces(int size, Work&& work) {
+  const int pieces = (size + piece - 1) / piece;
+  const auto run = [&](std::int64_t p) {
+    const FlushSubnormals flush;  // this may be another thread
+    const int first = static_cast<int>(p) * piece;
+    work(first, std::min(piece, size - first));
+  };
+  if (pieces > 1) {
+    parallel_tasks(pieces, std::cref(run));
+  } else {
+    run(0);
+  }
+}
+
 /// The lower triangle of C (side n) loses A A^T, A being n x k; `below` more rows follow.
 template <class Real>
 void subtract_square(int n, int below, int k, const Real* A, int lda, Real* C, int ldc) {
   const Real minus = -1, one = 1;
-  const int pieces = (n + piece - 1) / piece;
-#pragma omp parallel for schedule(dynamic) if (pieces > 1)
-  for (int p = 0; p < pieces; ++p) {
-    const FlushSubnormals flush;  // this may be another thread
-    const int first = p * piece, side = std::min(piece, n - first);
+  in_pieces(n, [&](int first, int side) {
     const int rest = n + below - first - side;
     const Real* a = A + first;
     Real* c = C + first + std::int64_t{first} * ldc;
@@ -68,20 +81,16 @@ void subtract_square(int n, int below, int k, const Real* A, int lda, Real* C, i
       Blas<Real>::gemm("N", "T", &rest, &side, &k, &minus, a + side, &lda, a, &lda, &one, c + side,
                        &ldc);
     }
-  }
+  });
 }
 
 /// B (m x n) becomes B L^-T.
 template <class Real>
 void divide_by_triangle(int m, int n, const Real* L, Real* B, int ld) {
   const Real one = 1;
-  const int pieces = (m + piece - 1) / piece;
-#pragma omp parallel for schedule(dynamic) if (pieces > 1)
-  for (int p = 0; p < pieces; ++p) {
-    const FlushSubnormals flush;
-    const int first = p * piece, count = std::min(piece, m - first);
+  in_pieces(m, [&](int first, int count) {
     Blas<Real>::trsm("R", "L", "T", "N", &count, &n, &one, L, &ld, B + first, &ld);
-  }
+  });
 }
 
 }  // namespace

@@ -4,8 +4,6 @@
 #include <cmath>
 #include <ranges>
 
-#include <omp.h>
-
 #include "ibmfair/base/parallel.h"
 #include "ibmfair/base/threads.h"
 #include "ibmfair/solve/flush_subnormals.h"
@@ -19,11 +17,18 @@ auto supernodes_of(const Branch& branch) {
   return std::views::iota(branch.first, branch.last);
 }
 
-/// Threads that share the branches, when that pays: from so many entries of the factor on.
-std::size_t workers(const Supernodes& nodes, std::int64_t least_entries) {
-  const bool serial =
-      nodes.branches.size() < 2 || nodes.entries() < least_entries || omp_in_parallel() != 0;
-  return serial ? 1 : static_cast<std::size_t>(thread_count());
+/// Calls work(b, scratch) for every branch, in parallel when the factor has so many entries.
+template <class Scratch, class Work>
+void for_branches(const Supernodes& nodes, std::int64_t least_entries,
+                  std::vector<Scratch>& scratch, Work&& work) {
+  const auto branches = static_cast<std::int64_t>(nodes.branches.size());
+  if (nodes.entries() < least_entries) {
+    for (std::int64_t b = 0; b < branches; ++b) {
+      work(b, scratch[0]);
+    }
+  } else {
+    parallel_tasks(branches, [&](std::int64_t b) { work(b, scratch[worker_index()]); });
+  }
 }
 
 constexpr std::int64_t worth_sharing_factor = 200'000, worth_sharing_solve = 2'000'000;
@@ -132,16 +137,15 @@ Index FrontalFactor<Real>::factor(const SymmetricMatrix& J, const EliminatedColu
   }
   Pass pass(nodes_, J, columns, scale_, values_.data());
   const std::size_t branches = nodes_.branches.size();
-  // Memory is had before threads start: it may run out, and none of them can say so.
-  std::vector<std::vector<Index>> places(workers(nodes_, worth_sharing_factor),
-                                         std::vector<Index>(nodes_.unknown.size()));
-  Index bad = n;  // the first column in order of elimination
-#pragma omp parallel for schedule(dynamic, 1) reduction(min : bad) num_threads(places.size())
-  for (std::size_t b = 0; b < branches; ++b) {
+  std::vector<std::vector<Index>> places(worker_count(), std::vector<Index>(nodes_.unknown.size()));
+  std::vector<Index> bad_column(branches, -1);
+  for_branches(nodes_, worth_sharing_factor, places, [&](std::int64_t b, auto& place) {
     const FlushSubnormals flush;
-    const Index column =
-        pass.run(supernodes_of(nodes_.branches[b]), b, places[omp_get_thread_num()]);
-    bad = std::min(bad, column < 0 ? n : column);
+    bad_column[b] = pass.run(supernodes_of(nodes_.branches[b]), b, place);
+  });
+  Index bad = n;  // the first in order of elimination
+  for (const Index column : bad_column) {
+    bad = column < 0 ? bad : std::min(bad, column);
   }
   if (bad == n) {
     const FlushSubnormals flush;
@@ -214,31 +218,24 @@ void FrontalSolver<Real>::solve(const Points& B, Points& Y) {
       x_[4 * i + c] = static_cast<Real>(B(nodes.unknown[i], c) * scale[i]);
     }
   });
-  const auto branches = static_cast<std::int64_t>(nodes.branches.size());
-  std::vector<std::vector<Real>> fronts(workers(nodes, worth_sharing_solve),
-                                        std::vector<Real>(front_size_));
-#pragma omp parallel num_threads(fronts.size())
+  std::vector<std::vector<Real>> fronts(worker_count(), std::vector<Real>(front_size_));
+  for_branches(nodes, worth_sharing_solve, fronts, [&](std::int64_t b, auto& front) {
+    const FlushSubnormals flush;
+    forward(supernodes_of(nodes.branches[b]), branch_stack_[b].data(), front.data());
+  });
   {
     const FlushSubnormals flush;
-    Real* const front = fronts[omp_get_thread_num()].data();
-#pragma omp for schedule(dynamic, 1)
-    for (std::int64_t b = 0; b < branches; ++b) {
-      forward(supernodes_of(nodes.branches[b]), branch_stack_[b].data(), front);
-    }
-#pragma omp single
-    {
-      forward(nodes.trunk, trunk_stack_.data(), front);
-      for (const Index s : std::views::reverse(nodes.trunk)) {
-        backward(s, front);
-      }
-    }
-#pragma omp for schedule(dynamic, 1)
-    for (std::int64_t b = 0; b < branches; ++b) {
-      for (const Index s : std::views::reverse(supernodes_of(nodes.branches[b]))) {
-        backward(s, front);
-      }
+    forward(nodes.trunk, trunk_stack_.data(), fronts[0].data());
+    for (const Index s : std::views::reverse(nodes.trunk)) {
+      backward(s, fronts[0].data());
     }
   }
+  for_branches(nodes, worth_sharing_solve, fronts, [&](std::int64_t b, auto& front) {
+    const FlushSubnormals flush;
+    for (const Index s : std::views::reverse(supernodes_of(nodes.branches[b]))) {
+      backward(s, front.data());
+    }
+  });
   Y.resize(B.rows(), 3);
   parallel_for(nodes.unknowns(), [&](std::int64_t i) {
     for (int c = 0; c < 3; ++c) {
