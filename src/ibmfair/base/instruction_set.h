@@ -1,0 +1,20 @@
+// Which of their two versions the vectorized kernels (base/lanes.h) run in.
+#pragma once
+
+#include <cstdint>
+
+namespace ibmfair {
+
+/// What a kernel is compiled for.
+enum class InstructionSet : std::uint8_t { baseline, avx2 };
+
+/// The best that this processor has.
+InstructionSet best_instruction_set();
+
+/// What kernels use: the best there is, unless chosen otherwise.
+InstructionSet kernel_set();
+
+/// For tests, which show that the bytes are the same: chooses what kernels use, at most the best.
+void choose_kernel_set(InstructionSet set);
+
+}  // namespace ibmfair
