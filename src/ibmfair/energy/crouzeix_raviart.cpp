@@ -3,137 +3,114 @@
 #include <algorithm>
 
 #include "ibmfair/base/parallel.h"
-#include "ibmfair/energy/incidence.h"
+#include "ibmfair/energy/crouzeix_raviart_kernels.h"
 #include "ibmfair/mesh/corners.h"
+#include "ibmfair/mesh/geometry.h"
 
 namespace ibmfair {
 namespace {
-
-/// Cotangents of the angles between the edge e0 = (x0,x1) and the four others: [W07] Figure 10.
-struct Cotangents {
-  double a01, a02;  // at x0, in the first and second triangle
-  double a03, a04;  // at x1
-};
-
-Cotangents cotangents(const Points& X, const Index* x, double area0, double area1) {
-  const Vec3 x0 = X.row(x[0]), x1 = X.row(x[1]), x2 = X.row(x[2]), x3 = X.row(x[3]);
-  const Vec3 e0 = x1 - x0;
-  return {e0.dot(x2 - x0) / (2 * area0), e0.dot(x3 - x0) / (2 * area1),
-          e0.dot(x1 - x2) / (2 * area0), e0.dot(x1 - x3) / (2 * area1)};
-}
 
 bool touches(const std::vector<std::uint8_t>& active, std::span<const Index> vertices) {
   return active.empty() ||
          std::any_of(vertices.begin(), vertices.end(), [&](Index v) { return active[v] != 0; });
 }
 
+/// The hinges that are summed over.
+std::vector<Index> active_hinges(const Topology& topology,
+                                 const std::vector<std::uint8_t>& active) {
+  std::vector<Index> hinges;
+  hinges.reserve(static_cast<std::size_t>(topology.H.rows()));
+  for (Index h = 0; h < topology.H.rows(); ++h) {
+    if (touches(active, {topology.H.row(h).data(), 4})) {
+      hinges.push_back(h);
+    }
+  }
+  return hinges;
+}
+
+Rows rows_of_four(const Hinges& H, const std::vector<Index>& hinges) {
+  Rows rows;
+  rows.first.reserve(hinges.size() + 1);
+  rows.value.reserve(4 * hinges.size());
+  for (const Index h : hinges) {
+    rows.value.insert(rows.value.end(), H.row(h).data(), H.row(h).data() + 4);
+    rows.first.push_back(static_cast<std::int64_t>(rows.value.size()));
+  }
+  return rows;
+}
+
+/// The triangles of the hinges, each with the others.
+MeshBlocks hinge_blocks(const Topology& topology, const std::vector<Index>& hinges) {
+  const auto triangles = static_cast<std::size_t>(topology.F.rows());
+  std::vector<std::uint8_t> kept(triangles, 0);
+  Neighbours neighbours(3 * triangles, no_triangle);
+  for (const Index h : hinges) {
+    const auto x = topology.H.row(h);
+    const Index t0 = topology.hinge_triangles(h, 0), t1 = topology.hinge_triangles(h, 1);
+    const bool agree = runs_along(topology.F, t1, x[1], x[0]);
+    neighbours[3 * std::size_t(t0) + place_of(topology.F, t0, x[2])] = agree ? t1 : ~t1;
+    neighbours[3 * std::size_t(t1) + place_of(topology.F, t1, x[3])] = agree ? t0 : ~t0;
+    kept[t0] = kept[t1] = 1;
+  }
+  return mesh_blocks(topology, kept, neighbours);
+}
+
 }  // namespace
 
 CrouzeixRaviart::CrouzeixRaviart(const Topology& topology, const EnergyOptions& options)
     : mass_(options.mass) {
-  std::vector<Index> hinges;
-  for (Index h = 0; h < topology.H.rows(); ++h) {
-    const std::span<const Index> x(topology.H.row(h).data(), 4);
-    if (touches(options.active, x)) {
-      hinges.push_back(h);
-      stencils_.value.insert(stencils_.value.end(), x.begin(), x.end());
-      stencils_.first.push_back(static_cast<std::int64_t>(stencils_.value.size()));
-    }
-  }
-  places_ = places_by_vertex(stencils_, topology.vertex_count);
-
-  std::vector<Index> local(static_cast<std::size_t>(topology.F.rows()), -1);
-  std::vector<Index> triangles;
-  triangles_.resize(stencils_.size(), 2);
-  turn_.resize(hinges.size());
-  for (Index h = 0; h < stencils_.size(); ++h) {
-    for (int side = 0; side < 2; ++side) {
-      const Index t = topology.hinge_triangles(hinges[h], side);
-      if (local[t] < 0) {
-        local[t] = static_cast<Index>(triangles.size());
-        triangles.push_back(t);
-      }
-      triangles_(h, side) = local[t];
-    }
-    const auto x = topology.H.row(hinges[h]);
-    const Index second = topology.hinge_triangles(hinges[h], 1);
-    turn_[h] = runs_along(topology.F, second, x[1], x[0]) ? 1 : -1;
-  }
-  F_ = topology.F(triangles, Eigen::all);
-  triangle_.resize(triangles.size());
-  forces_.resize(hinges.size());
+  const std::vector<Index> hinges = active_hinges(topology, options.active);
+  stencils_ = rows_of_four(topology.H, hinges);
+  blocks_ = hinge_blocks(topology, hinges);
 }
 
-double CrouzeixRaviart::hinge_energy(const Points& X, Index h) const {
-  const Index* x = &stencils_.value[4 * std::size_t(h)];
-  const TriangleFrame& t0 = triangle_[triangles_(h, 0)];
-  const TriangleFrame& t1 = triangle_[triangles_(h, 1)];
-  const double e0_squared = (X.row(x[1]) - X.row(x[0])).squaredNorm();
-  // 1 + cos(theta) by this difference keeps its digits near flat hinges, where the sum loses them.
-  const double s = (t0.normal - turn_[h] * t1.normal).squaredNorm() / 2;
-  return (mass_ ? 3 / (t0.area + t1.area) : 1) * e0_squared * s;
-}
-
-CrouzeixRaviart::Forces CrouzeixRaviart::hinge_gradient(const Points& X, Index h) const {
-  const Index* x = &stencils_.value[4 * std::size_t(h)];
-  const Vec3 x0 = X.row(x[0]), x1 = X.row(x[1]), x2 = X.row(x[2]), x3 = X.row(x[3]);
-  const Vec3 e0 = x1 - x0;
-  const double e0_squared = e0.squaredNorm();
-  const double area0 = triangle_[triangles_(h, 0)].area, area1 = triangle_[triangles_(h, 1)].area;
-  const Vec3 n0 = triangle_[triangles_(h, 0)].normal;
-  const Vec3 n1 = turn_[h] * triangle_[triangles_(h, 1)].normal;
-  const auto [a01, a02, a03, a04] = cotangents(X, x, area0, area1);
-  const double A = area0 + area1;
-  const double k = mass_ ? 3 / A : 1;
-  const double s = (n0 - n1).squaredNorm() / 2;
-
-  // Bending part, [W07] (15) f^B: -sin(theta) = <e0, n1 x n0> / |e0|, by the small difference.
-  const double r = k * e0.dot((n1 - n0).cross(n0));
-  Forces g{-r * (a03 * n0 + a04 * n1), -r * (a01 * n0 + a02 * n1),
-           r * e0_squared / (2 * area0) * n0, r * e0_squared / (2 * area1) * n1};
-
-  // In-plane part, [W07] (15) f^P: the edge's length, then (with mass) the area below the line.
-  g[0] -= 2 * k * s * e0;
-  g[1] += 2 * k * s * e0;
-  if (mass_) {
-    const double p = -k / A * e0_squared * s / 2;  // the area's gradient is n x edge / 2
-    g[0] += p * (n0.cross(x2 - x1) + n1.cross(x1 - x3));
-    g[1] += p * (n0.cross(x0 - x2) + n1.cross(x3 - x0));
-    g[2] += p * n0.cross(e0);
-    g[3] -= p * n1.cross(e0);
+double CrouzeixRaviart::block_energy(const MeshBlock& b, const Points& X, bool gradient,
+                                     BlockScratch& scratch) {
+  blocks_.load(b, X, scratch.vertices);
+  const auto triangles = static_cast<std::size_t>(lanes_per_group * b.framed_groups);
+  if (scratch.triangles.size() < triangles) {
+    scratch.triangles.resize(triangles);
   }
-  return g;
+  const Index* corners = &blocks_.corners[b.first_corner];
+  crouzeix_raviart_frames(corners, b.framed_groups, scratch.vertices.data(),
+                          scratch.triangles.data());
+  return crouzeix_raviart_hinges(b, corners, &blocks_.neighbours[b.first_neighbour], mass_,
+                                 gradient, scratch.vertices.data(), scratch.triangles.data());
 }
 
 double CrouzeixRaviart::energy(const Points& X) {
-  update_frames(X, F_, triangle_);
-  return parallel_sum(stencils_.size(),
-                      [&](std::int64_t h) { return hinge_energy(X, static_cast<Index>(h)); });
+  return loop_.sum(blocks_, [&](const MeshBlock& b, BlockScratch& scratch) {
+    return block_energy(b, X, false, scratch);
+  });
 }
 
 double CrouzeixRaviart::energy_and_gradient(const Points& X, Points& G) {
-  update_frames(X, F_, triangle_);
-  const double E = parallel_sum(stencils_.size(), [&](std::int64_t h) {
-    forces_[h] = hinge_gradient(X, static_cast<Index>(h));
-    return hinge_energy(X, static_cast<Index>(h));
+  blocks_.prepare(G);
+  return loop_.sum(blocks_, [&](const MeshBlock& b, BlockScratch& scratch) {
+    const double E = block_energy(b, X, true, scratch);
+    blocks_.store(b, scratch.vertices, G);
+    return E;
   });
-  gather(places_, forces_, G);
-  return E;
 }
 
 void CrouzeixRaviart::linearise(const Points& X, StencilWeights& weights) {
-  update_frames(X, F_, triangle_);
   weights.c.resize(stencils_.value.size());
-  weights.w.resize(forces_.size());
+  weights.w.resize(static_cast<std::size_t>(stencils_.size()));
   parallel_for(stencils_.size(), [&](std::int64_t h) {
-    const double area0 = triangle_[triangles_(h, 0)].area, area1 = triangle_[triangles_(h, 1)].area;
-    const auto [a01, a02, a03, a04] = cotangents(X, &stencils_.value[4 * h], area0, area1);
+    const Index* x = &stencils_.value[4 * h];
+    const Vec3 x0 = X.row(x[0]), x1 = X.row(x[1]), x2 = X.row(x[2]), x3 = X.row(x[3]);
+    const Vec3 e0 = x1 - x0;
+    const double double_area0 = double_area_vector(x0, x1, x2).norm();
+    const double double_area1 = double_area_vector(x1, x0, x3).norm();
+    // Cotangents of the angles between e0 and the four others, at x0 and at x1: [W07] Figure 10.
+    const double a01 = e0.dot(x2 - x0) / double_area0, a02 = e0.dot(x3 - x0) / double_area1;
+    const double a03 = e0.dot(x1 - x2) / double_area0, a04 = e0.dot(x1 - x3) / double_area1;
     double* c = &weights.c[4 * h];  // [W07] Theorem 3
     c[0] = a03 + a04;
     c[1] = a01 + a02;
     c[2] = -a01 - a03;
     c[3] = -a02 - a04;
-    weights.w[h] = mass_ ? 3 / (area0 + area1) : 1;
+    weights.w[h] = mass_ ? 6 / (double_area0 + double_area1) : 1;
   });
 }
 

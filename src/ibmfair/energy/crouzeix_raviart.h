@@ -9,11 +9,9 @@
 // integral of H^2 minus the integral of K), and it has force left to undo folded triangles.
 #pragma once
 
-#include <array>
-#include <vector>
-
 #include "ibmfair/energy/bending_energy.h"
-#include "ibmfair/energy/triangle_frames.h"
+#include "ibmfair/energy/block_loop.h"
+#include "ibmfair/energy/mesh_blocks.h"
 
 namespace ibmfair {
 
@@ -27,19 +25,12 @@ class CrouzeixRaviart final : public BendingEnergy {
   void linearise(const Points& X, StencilWeights& weights) override;
 
  private:
-  using Forces = std::array<Vec3, 4>;  // the gradient of one hinge's energy
-
-  double hinge_energy(const Points& X, Index h) const;
-  Forces hinge_gradient(const Points& X, Index h) const;
+  double block_energy(const MeshBlock& b, const Points& X, bool gradient, BlockScratch& scratch);
 
   bool mass_;
-  Triangles F_;               // the triangles at the hinges
-  Rows stencils_;             // #H rows of four
-  HingeTriangles triangles_;  // #H x 2, rows of F_
-  std::vector<double> turn_;  // #H, -1 where the second triangle's normal must be turned, else 1
-  Rows places_;               // #V rows of 4 * hinge + place
-  std::vector<TriangleFrame> triangle_;
-  std::vector<Forces> forces_;
+  Rows stencils_;      // #H rows of four
+  MeshBlocks blocks_;  // of the triangles at the hinges
+  BlockLoop loop_;
 };
 
 }  // namespace ibmfair

@@ -8,11 +8,12 @@
 // at a fully folded hinge its force vanishes.
 #pragma once
 
-#include <array>
+#include <cstdint>
 #include <vector>
 
 #include "ibmfair/energy/bending_energy.h"
-#include "ibmfair/energy/triangle_frames.h"
+#include "ibmfair/energy/block_loop.h"
+#include "ibmfair/energy/mesh_blocks.h"
 
 namespace ibmfair {
 
@@ -26,22 +27,14 @@ class Lagrange final : public BendingEnergy {
   void linearise(const Points& X, StencilWeights& weights) override;
 
  private:
-  void update_curvature(const Points& X);
-  double star_energy(Index s) const;
-  void triangle_gradient(const Points& X, Index t);
+  double block_curvature(const MeshBlock& b, const Points& X, BlockScratch& scratch, BlockRow* y);
 
   bool mass_;
-  std::vector<Index> centre_;                      // #U: the vertices that carry a stencil
-  std::vector<Index> star_of_;                     // #V: the stencil around each vertex, or -1
-  Rows stencils_;                                  // #U: the centre, then its ring
-  Triangles F_;                                    // the triangles around U
-  Rows places_;                                    // #V rows of 3 * triangle + place
-  std::vector<std::array<Index, 2>> ring_places_;  // for each corner of F_: positions in stencils_
-                                                   // of the next and the one after, or -1
-  std::vector<TriangleFrame> triangle_;
-  std::vector<Vec3> h_;                      // #U: integrated mean curvature vector, length
-  std::vector<double> m_;                    // #U: lumped mass, length^2
-  std::vector<std::array<Vec3, 3>> forces_;  // the gradient gathered from each triangle
+  Rows stencils_;                      // #U: the centre, then its ring in the order it is walked
+  MeshBlocks blocks_;                  // of the triangles around U
+  std::vector<std::uint8_t> carries_;  // like blocks_.owned, whether the vertex is in U
+  std::vector<BlockRow> y_;            // like blocks_.owned
+  BlockLoop loop_;
 };
 
 }  // namespace ibmfair

@@ -1,0 +1,51 @@
+// A loop over the blocks of a mesh on all threads.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <vector>
+
+#include "ibmfair/base/parallel.h"
+#include "ibmfair/base/threads.h"
+#include "ibmfair/energy/mesh_blocks.h"
+
+namespace ibmfair {
+
+/// Where a thread keeps what it has of one block.
+struct BlockScratch {
+  BlockVertices vertices;
+  std::vector<BlockRow> triangles;
+};
+
+class BlockLoop {
+ public:
+  /// Calls body(block, scratch) for every block, in parallel, and adds up in their order what it
+  /// returns.
+  template <class Body>
+  double sum(const MeshBlocks& blocks, const Body& body) {
+    scratch_.resize(std::max<std::size_t>(scratch_.size(), worker_count()));
+    partial_.resize(blocks.block.size());
+    const auto run = [&](std::int64_t b) {
+      partial_[b] = body(blocks.block[b], scratch_[worker_index()]);
+    };
+    const auto count = static_cast<std::int64_t>(blocks.block.size());
+    if (static_cast<std::int64_t>(blocks.corners.size()) / 3 >= worth_sharing) {
+      parallel_tasks(count, run);
+    } else {
+      for (std::int64_t b = 0; b < count; ++b) {
+        run(b);
+      }
+    }
+    double sum = 0;
+    for (const double part : partial_) {
+      sum += part;
+    }
+    return sum;
+  }
+
+ private:
+  std::vector<BlockScratch> scratch_;  // one a thread, kept: they take long to allocate
+  std::vector<double> partial_;
+};
+
+}  // namespace ibmfair

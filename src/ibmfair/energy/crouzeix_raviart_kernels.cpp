@@ -1,0 +1,98 @@
+#include "ibmfair/energy/crouzeix_raviart_kernels.h"
+
+#include "ibmfair/base/lanes.h"
+
+namespace ibmfair {
+namespace {
+
+struct FrameKernel {
+  IBMFAIR_INLINE static void run(const Index* x, std::int64_t groups, const BlockVertex* vertices,
+                                 BlockRow* triangles) {
+    const double* X = &vertices->x.x;
+    for (std::int64_t g = 0; g < groups; ++g, x += 12, triangles += lane_count) {
+      const Lanes3 x0 = gather(X, x).xyz, x1 = gather(X, x + 4).xyz, x2 = gather(X, x + 8).xyz;
+      const Lanes3 N = cross(x0 - x2, x1 - x0);
+      const Lanes length = sqrt(dot(N, N));
+      store_rows(N / length, 0.5 * length, &triangles->x);
+    }
+  }
+};
+
+// E_hinge = k |e|^2 s with k = 3 / A (1 without mass) and s = 1 + cos(theta) = |n - n'|^2 / 2: by
+// this difference it keeps its digits near flat hinges, where the sum loses them. Its derivatives
+// by the normal and the area of one triangle and by the edge are summed over the triangle's hinges
+// and then carried to its corners: together [W07] (15), f^B by the normal, f^P by area and edge.
+template <bool mass, bool gradient>
+struct HingeKernel {
+  struct Derivatives {
+    Lanes energy = {}, area = {};
+    Lanes3 normal = {};
+
+    /// Returns that by the edge e, of which the other triangle contributes as much.
+    IBMFAIR_INLINE Lanes3 add(const Lanes3& e, const Lanes4& own, const Lanes4& other) {
+      const Lanes k = mass ? 3.0 / (own.w + other.w) : Lanes{1, 1, 1, 1};
+      const Lanes3 d = own.xyz - other.xyz;
+      const Lanes ks = 0.5 * k * dot(d, d);
+      const Lanes k_e_squared = k * dot(e, e);
+      const Lanes hinge_energy = dot(e, e) * ks;
+      energy += hinge_energy;
+      if (mass) {
+        area -= hinge_energy * k;  // three times: dE/dA = -E / A
+      }
+      normal = normal + k_e_squared * d;
+      return ks * e;
+    }
+  };
+
+  IBMFAIR_INLINE static double run(const Index* x, const Index* neighbours, std::int64_t own_groups,
+                                   std::int64_t groups, BlockVertex* vertices,
+                                   const BlockRow* triangles) {
+    constexpr Index consecutive[lane_count] = {0, row_size, 2 * row_size, 3 * row_size};
+    const double *X = &vertices->x.x, *T = &triangles->x;
+    double* G = &vertices->sum.x;
+    Lanes E = {};
+    for (std::int64_t g = 0; g < groups; ++g, x += 12, neighbours += 12) {
+      const Lanes3 x0 = gather(X, x).xyz, x1 = gather(X, x + 4).xyz, x2 = gather(X, x + 8).xyz;
+      const Lanes3 e0 = x2 - x1, e1 = x0 - x2, e2 = x1 - x0;
+      const Lanes4 own = gather(T + lane_count * row_size * g, consecutive);
+      Derivatives d;
+      const Lanes3 f0 = d.add(e0, own, gather(T, neighbours));
+      const Lanes3 f1 = d.add(e1, own, gather(T, neighbours + 4));
+      const Lanes3 f2 = d.add(e2, own, gather(T, neighbours + 8));
+      if (g < own_groups) {
+        E += d.energy;
+      }
+      if (gradient) {
+        const Lanes3& n = own.xyz;
+        const Lanes3 tangential = d.normal - dot(n, d.normal) * n;
+        Lanes3 p = 0.5 / own.w * tangential;  // the derivative by N = 2 area n
+        if (mass) {
+          p = p + 1.0 / 6.0 * d.area * n;
+        }
+        const Lanes3 g1 = cross(p, e1) + (f2 - f0), g2 = cross(p, e2) + (f0 - f1);
+        scatter_add(-(g1 + g2), g1, g2, Lanes{}, G, x);  // the three sum to 0
+      }
+    }
+    return sum(E) / 2;
+  }
+};
+
+}  // namespace
+
+void crouzeix_raviart_frames(const Index* corners, std::int64_t groups, const BlockVertex* vertices,
+                             BlockRow* triangles) {
+  run<FrameKernel>(corners, groups, vertices, triangles);
+}
+
+double crouzeix_raviart_hinges(const MeshBlock& block, const Index* corners,
+                               const Index* neighbours, bool mass, bool gradient,
+                               BlockVertex* vertices, const BlockRow* triangles) {
+  const auto run_as = [&]<bool with_mass, bool with_gradient>() {
+    return run<HingeKernel<with_mass, with_gradient>>(corners, neighbours, block.own_groups,
+                                                      block.groups, vertices, triangles);
+  };
+  return mass ? (gradient ? run_as.operator()<true, true>() : run_as.operator()<true, false>())
+              : (gradient ? run_as.operator()<false, true>() : run_as.operator()<false, false>());
+}
+
+}  // namespace ibmfair

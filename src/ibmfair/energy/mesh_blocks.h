@@ -1,0 +1,84 @@
+// The triangles of a mesh as the kernels of the energies take them: block by block, in groups of
+// four. A sum over the triangles around a vertex is added up in the block that owns the vertex,
+// which computes every triangle there, also those that other blocks compute for their vertices. So
+// no two threads write the same place, the order of every sum is fixed, and nothing per triangle is
+// kept from one pass to the next.
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include "ibmfair/base/types.h"
+#include "ibmfair/mesh/topology.h"
+
+namespace ibmfair {
+
+/// A vector and one number more.
+struct alignas(32) BlockRow {
+  double x = 0, y = 0, z = 0, w = 0;
+};
+
+/// What a block holds of a vertex. The three lie together not only to be in the cache together: the
+/// processor takes a load for one that must wait for a store if the last 12 bits of their addresses
+/// agree, which in three arrays they would.
+struct BlockVertex {
+  BlockRow x, y, sum;
+};
+using BlockVertices = std::vector<BlockVertex>;
+
+/// For each corner of each triangle (3 #F) the triangle behind the opposite edge: t, or ~t where
+/// the orientations of the two disagree, or `no_triangle`.
+using Neighbours = std::vector<Index>;
+inline constexpr Index no_triangle = std::numeric_limits<Index>::max();
+
+/// The first vertices of every block are those of a triangle of unit size, which fills up groups.
+inline constexpr Index filler_vertices = 3;
+
+/// One block. Its vertices are the filler's, then those it owns, then the other corners of its
+/// triangles. Triangles are numbered as they stand in the groups.
+struct MeshBlock {
+  std::int64_t first_owned = 0;      ///< in MeshBlocks::owned
+  Index owned = 0;                   ///< vertices
+  Index vertices = 0;                ///< all, with the filler's
+  std::int64_t first_halo = 0;       ///< in MeshBlocks::halo
+  std::int64_t first_corner = 0;     ///< in MeshBlocks::corners
+  std::int64_t first_neighbour = 0;  ///< in MeshBlocks::neighbours
+  std::int64_t own_groups = 0;       ///< of triangles: each is among these in one block only
+  std::int64_t groups = 0;           ///< and of all others at its own vertices
+  std::int64_t framed_groups = 0;    ///< and of the neighbours of both
+};
+
+/// Triangles in a group.
+inline constexpr Index lanes_per_group = 4;
+
+/// Numbers in a row, and in what there is of a vertex: the kernels' places count them.
+inline constexpr Index row_size = sizeof(BlockRow) / sizeof(double);
+inline constexpr Index vertex_size = sizeof(BlockVertex) / sizeof(double);
+
+struct MeshBlocks {
+  std::vector<MeshBlock> block;
+  std::vector<Index> owned;       ///< the vertices of all blocks, as the mesh numbers them
+  std::vector<Index> halo;        ///< positions in `owned`
+  std::vector<Index> corners;     ///< 3 x 4 for each group: `vertex_size` times the vertex
+  std::vector<Index> neighbours;  ///< 3 x 4 for each group at the block's own vertices: `row_size`
+                                  ///< times the triangle, itself where it has no neighbour
+  std::vector<Index> untouched;   ///< the vertices that have no triangle
+
+  /// The positions of a block's vertices, x out of X (#V x 3), and sums of zero. The list may grow,
+  /// but never shrinks.
+  void load(const MeshBlock& b, const Points& X, BlockVertices& vertices) const;
+  /// Their y, out of rows that stand like `owned`.
+  void load(const MeshBlock& b, const std::vector<BlockRow>& y, BlockVertices& vertices) const;
+  /// A block's sums to its own vertices in G (#V x 3).
+  void store(const MeshBlock& b, const BlockVertices& vertices, Points& G) const;
+  /// Makes G #V x 3, zero where no block stores anything.
+  void prepare(Points& G) const;
+};
+
+/// Blocks of the triangles that are `kept` (#F). With `neighbours`, they have the triangles next to
+/// their own as well; these must be kept.
+MeshBlocks mesh_blocks(const Topology& topology, const std::vector<std::uint8_t>& kept,
+                       const Neighbours& neighbours = {});
+
+}  // namespace ibmfair

@@ -1,0 +1,122 @@
+#include "ibmfair/energy/vertex_blocks.h"
+
+#include <algorithm>
+
+namespace ibmfair {
+namespace {
+
+/// Vertices in a block: what is kept of them takes some 300 kB. Half as many cost 5 % more time in
+/// triangles that lie in two blocks, twice as many as much in the cache.
+constexpr std::size_t block_size = 2048;
+
+/// A triangle is computed in each block that has a corner of it. Runs of the input's order are
+/// taken if that happens this often at most; grown blocks come to 1.1.
+constexpr double acceptable_repetition = 1.2;
+
+std::vector<Index> corners_of(const Topology& topology, const std::vector<std::uint8_t>& kept) {
+  std::vector<std::uint8_t> is_corner(static_cast<std::size_t>(topology.vertex_count), 0);
+  for (Index t = 0; t < topology.F.rows(); ++t) {
+    if (kept[t]) {
+      is_corner[topology.F(t, 0)] = is_corner[topology.F(t, 1)] = is_corner[topology.F(t, 2)] = 1;
+    }
+  }
+  std::vector<Index> corners;
+  corners.reserve(static_cast<std::size_t>(topology.vertex_count));
+  for (Index v = 0; v < topology.vertex_count; ++v) {
+    if (is_corner[v]) {
+      corners.push_back(v);
+    }
+  }
+  return corners;
+}
+
+/// Cuts the list into runs of nearly equal length.
+Rows runs(std::vector<Index> vertices) {
+  Rows blocks;
+  const std::size_t count = (vertices.size() + block_size - 1) / block_size;
+  for (std::size_t b = 1; b <= count; ++b) {
+    blocks.first.push_back(static_cast<std::int64_t>(vertices.size() * b / count));
+  }
+  blocks.value = std::move(vertices);
+  return blocks;
+}
+
+/// In how many blocks the average triangle has a corner.
+double repetition(const Topology& topology, const std::vector<std::uint8_t>& kept,
+                  const Rows& blocks) {
+  std::vector<Index> block_of(static_cast<std::size_t>(topology.vertex_count), -1);
+  for (Index b = 0; b < blocks.size(); ++b) {
+    for (const Index v : blocks[b]) {
+      block_of[v] = b;
+    }
+  }
+  std::int64_t triangles = 0, places = 0;
+  for (Index t = 0; t < topology.F.rows(); ++t) {
+    if (kept[t]) {
+      const Index a = block_of[topology.F(t, 0)], b = block_of[topology.F(t, 1)],
+                  c = block_of[topology.F(t, 2)];
+      ++triangles;
+      places += 1 + (b != a) + (c != a && c != b);
+    }
+  }
+  return static_cast<double>(places) / static_cast<double>(std::max<std::int64_t>(triangles, 1));
+}
+
+/// Each block grows from where an earlier one stopped, so that no gaps are left between them.
+Rows grown(const Topology& topology, const std::vector<std::uint8_t>& kept,
+           const std::vector<Index>& vertices) {
+  enum State : std::uint8_t { free, waiting, taken };
+  std::vector<std::uint8_t> state(static_cast<std::size_t>(topology.vertex_count), free);
+  Rows blocks;
+  blocks.value.reserve(vertices.size());
+  std::vector<Index> seeds = vertices;  // last resort: the first vertex left, in the input's order
+  std::size_t next_seed = 0;
+  std::vector<Index> front;  // reached by earlier blocks, but not taken
+  std::size_t next_front = 0;
+  std::vector<Index> queue;
+  while (blocks.value.size() < vertices.size()) {
+    queue.clear();
+    std::size_t next = 0;
+    const std::size_t full = std::min(blocks.value.size() + block_size, vertices.size());
+    while (blocks.value.size() < full) {
+      if (next == queue.size()) {
+        while (next_front < front.size() && state[front[next_front]] == taken) {
+          ++next_front;
+        }
+        while (next_seed < seeds.size() && state[seeds[next_seed]] == taken) {
+          ++next_seed;
+        }
+        queue.push_back(next_front < front.size() ? front[next_front] : seeds[next_seed]);
+      }
+      const Index v = queue[next++];
+      state[v] = taken;
+      blocks.value.push_back(v);
+      for (const Index t : topology.stars[v]) {
+        for (int i = 0; i < 3 && kept[t]; ++i) {
+          if (const Index w = topology.F(t, i); state[w] == free) {
+            state[w] = waiting;
+            queue.push_back(w);
+          }
+        }
+      }
+    }
+    for (; next < queue.size(); ++next) {
+      state[queue[next]] = free;
+      front.push_back(queue[next]);
+    }
+    blocks.first.push_back(static_cast<std::int64_t>(blocks.value.size()));
+  }
+  return blocks;
+}
+
+}  // namespace
+
+Rows vertex_blocks(const Topology& topology, const std::vector<std::uint8_t>& kept) {
+  const std::vector<Index> vertices = corners_of(topology, kept);
+  Rows blocks = runs(vertices);
+  return repetition(topology, kept, blocks) <= acceptable_repetition
+             ? blocks
+             : grown(topology, kept, vertices);
+}
+
+}  // namespace ibmfair

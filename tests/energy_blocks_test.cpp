@@ -1,0 +1,159 @@
+// Meshes of several blocks, whose triangles are shared out among threads.
+#include <algorithm>
+#include <numeric>
+#include <random>
+
+#include <gtest/gtest.h>
+
+#include "ibmfair/base/instruction_set.h"
+#include "ibmfair/base/threads.h"
+#include "ibmfair/energy/bending_energy.h"
+#include "ibmfair/energy/mesh_blocks.h"
+#include "ibmfair/shapes/grids.h"
+#include "ibmfair/shapes/noise.h"
+#include "ibmfair/shapes/polyhedra.h"
+
+namespace ibmfair::test {
+namespace {
+
+std::vector<Index> permutation(Eigen::Index size, unsigned seed) {
+  std::vector<Index> order(static_cast<std::size_t>(size));
+  std::iota(order.begin(), order.end(), 0);
+  std::mt19937 generator(seed);
+  for (std::size_t i = order.size(); i > 1; --i) {
+    std::swap(order[i - 1], order[generator() % i]);
+  }
+  return order;
+}
+
+/// Vertex v becomes vertex number[v]; triangles, too, stand in another order.
+TriangleMesh renumbered(const TriangleMesh& mesh, const std::vector<Index>& number) {
+  TriangleMesh other = mesh;
+  for (Index v = 0; v < mesh.X.rows(); ++v) {
+    other.X.row(number[v]) = mesh.X.row(v);
+  }
+  other.F = mesh.F(permutation(mesh.F.rows(), 5), Eigen::all);
+  for (Index& corner : other.F.reshaped()) {
+    corner = number[corner];
+  }
+  return other;
+}
+
+TriangleMesh rough_torus() {
+  GridSize size;
+  size.rows = 100;
+  size.columns = 90;
+  TriangleMesh mesh = make_torus(2, size);
+  add_noise(mesh.X, 0.005, 1);
+  return mesh;
+}
+
+TriangleMesh rough_plane() {
+  GridSize size;
+  size.rows = 95;
+  size.columns = 101;
+  TriangleMesh mesh = make_plane(1, size);
+  add_noise(mesh.X, 0.001, 1);
+  return mesh;
+}
+
+struct Evaluation {
+  double E, E_alone;
+  Points G;
+  StencilWeights weights;
+
+  Evaluation(const TriangleMesh& mesh, const BendingModel& model, const EnergyOptions& options) {
+    const Topology topology = build_topology(mesh.X, mesh.F);
+    const auto energy = model.bind(topology, options);
+    E = energy->energy_and_gradient(mesh.X, G);
+    E_alone = energy->energy(mesh.X);
+    energy->linearise(mesh.X, weights);
+  }
+};
+
+void expect_same_bytes(const Evaluation& a, const Evaluation& b) {
+  EXPECT_EQ(a.E, b.E);
+  EXPECT_EQ(a.E_alone, b.E_alone);
+  EXPECT_EQ(a.G, b.G);
+  EXPECT_EQ(a.weights.c, b.weights.c);
+  EXPECT_EQ(a.weights.w, b.weights.w);
+}
+
+template <class Check>
+void for_every_energy(const Check& check) {
+  for (const BendingModel& model : bending_models()) {
+    for (const bool mass : {true, false}) {
+      SCOPED_TRACE(std::string(model.name) + (mass ? "" : " without mass"));
+      for (const TriangleMesh& mesh : {rough_torus(), rough_plane()}) {
+        check(mesh, model, mass);
+      }
+    }
+  }
+}
+
+TEST(EnergyBlocks, ThreadsDoNotChangeAByte) {
+  const int before = thread_count();
+  for_every_energy([](const TriangleMesh& mesh, const BendingModel& model, bool mass) {
+    set_thread_count(1);
+    const Evaluation one(mesh, model, {mass, {}});
+    for (const int threads : {2, 3}) {
+      set_thread_count(threads);
+      expect_same_bytes(Evaluation(mesh, model, {mass, {}}), one);
+    }
+  });
+  set_thread_count(before);
+}
+
+TEST(EnergyBlocks, TheInstructionSetDoesNotChangeAByte) {
+  for_every_energy([](const TriangleMesh& mesh, const BendingModel& model, bool mass) {
+    choose_kernel_set(InstructionSet::baseline);
+    const Evaluation baseline(mesh, model, {mass, {}});
+    choose_kernel_set(best_instruction_set());
+    expect_same_bytes(Evaluation(mesh, model, {mass, {}}), baseline);
+  });
+}
+
+TEST(EnergyBlocks, TheNumberingOfTheInputDoesNotMatter) {
+  for_every_energy([](const TriangleMesh& mesh, const BendingModel& model, bool mass) {
+    std::vector<std::uint8_t> active(static_cast<std::size_t>(mesh.X.rows()), 0);
+    std::fill(active.begin() + 1000, active.begin() + 6000, 1);
+    const std::vector<Index> number = permutation(mesh.X.rows(), 3);
+    std::vector<std::uint8_t> other_active(active.size());
+    for (std::size_t v = 0; v < active.size(); ++v) {
+      other_active[number[v]] = active[v];
+    }
+    const Evaluation here(mesh, model, {mass, active});
+    const Evaluation there(renumbered(mesh, number), model, {mass, other_active});
+    EXPECT_NEAR(there.E, here.E, 1e-12 * here.E);
+    EXPECT_LE((there.G(number, Eigen::all) - here.G).norm(), 1e-12 * here.G.norm());
+  });
+}
+
+TEST(EnergyBlocks, EveryTriangleIsOwnedOnceAndFewAreRepeated) {
+  for (const bool in_order : {true, false}) {
+    TriangleMesh mesh = make_icosphere({5, {}});
+    if (!in_order) {
+      mesh = renumbered(mesh, permutation(mesh.X.rows(), 4));
+    }
+    const Topology topology = build_topology(mesh.X, mesh.F);
+    const MeshBlocks blocks =
+        mesh_blocks(topology, std::vector<std::uint8_t>(topology.usable.size(), 1));
+    std::int64_t own = 0, all = 0;
+    for (const MeshBlock& b : blocks.block) {
+      own += lanes_per_group * b.own_groups;
+      all += lanes_per_group * b.groups;
+    }
+    const auto count = static_cast<std::int64_t>(mesh.F.rows());
+    const auto fillers = 3 * static_cast<std::int64_t>(blocks.block.size());
+    EXPECT_GE(own, count);
+    EXPECT_LE(own, count + fillers);
+    EXPECT_LT(static_cast<double>(all), 1.25 * static_cast<double>(count));
+    std::vector<Index> vertices = blocks.owned;
+    std::sort(vertices.begin(), vertices.end());
+    EXPECT_EQ(std::adjacent_find(vertices.begin(), vertices.end()), vertices.end());
+    EXPECT_EQ(static_cast<Eigen::Index>(vertices.size()), mesh.X.rows());
+  }
+}
+
+}  // namespace
+}  // namespace ibmfair::test
