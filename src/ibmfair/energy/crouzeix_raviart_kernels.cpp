@@ -47,6 +47,7 @@ struct HingeKernel {
   IBMFAIR_INLINE static double run(const Index* x, const Index* neighbours, std::int64_t own_groups,
                                    std::int64_t groups, BlockVertex* vertices,
                                    const BlockRow* triangles) {
+    constexpr Index group_size = lane_count * row_size;
     constexpr Index consecutive[lane_count] = {0, row_size, 2 * row_size, 3 * row_size};
     const double *X = &vertices->x.x, *T = &triangles->x;
     double* G = &vertices->sum.x;
@@ -54,7 +55,7 @@ struct HingeKernel {
     for (std::int64_t g = 0; g < groups; ++g, x += 12, neighbours += 12) {
       const Lanes3 x0 = gather(X, x).xyz, x1 = gather(X, x + 4).xyz, x2 = gather(X, x + 8).xyz;
       const Lanes3 e0 = x2 - x1, e1 = x0 - x2, e2 = x1 - x0;
-      const Lanes4 own = gather(T + lane_count * row_size * g, consecutive);
+      const Lanes4 own = gather(T + group_size * g, consecutive);
       Derivatives d;
       const Lanes3 f0 = d.add(e0, own, gather(T, neighbours));
       const Lanes3 f1 = d.add(e1, own, gather(T, neighbours + 4));

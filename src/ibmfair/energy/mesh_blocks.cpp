@@ -10,7 +10,12 @@
 namespace ibmfair {
 namespace {
 
-constexpr Index lanes = lanes_per_group;
+constexpr std::size_t lanes = lanes_per_group;
+
+/// Where the groups list corner i of the triangle in a slot.
+std::size_t place_of_corner(std::size_t slot, int i) {
+  return 3 * lanes * (slot / lanes) + lanes * i + slot % lanes;
+}
 
 /// Numbers vertices and triangles within one block after the other. Each number bears the stamp of
 /// its block, so that a new block clears nothing.
@@ -67,7 +72,7 @@ class Builder {
     Index stamp = -1, value = 0;
   };
 
-  std::int64_t groups() const { return static_cast<std::int64_t>(slots_.size()) / lanes; }
+  std::int64_t groups() const { return static_cast<std::int64_t>(slots_.size() / lanes); }
 
   void find_triangles(std::span<const Index> owned) {
     own_.clear();
@@ -104,7 +109,7 @@ class Builder {
       for (int i = 0; i < 3; ++i) {
         const Index t = slots_[slot];
         const Index other = t == no_triangle ? no_triangle : neighbours_[3 * std::size_t(t) + i];
-        neighbour[3 * lanes * (slot / lanes) + lanes * i + slot % lanes] =
+        neighbour[place_of_corner(slot, i)] =
             row_size * (other == no_triangle ? static_cast<Index>(slot) : slot_of(other));
       }
     }
@@ -145,7 +150,7 @@ class Builder {
         }
       }
       for (int i = 0; i < 3; ++i) {
-        corner[3 * lanes * (slot / lanes) + lanes * i + slot % lanes] = x[i];
+        corner[place_of_corner(slot, i)] = x[i];
       }
     }
   }
