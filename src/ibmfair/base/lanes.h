@@ -1,9 +1,6 @@
-// Four numbers at a time, for the kernels that measurably need it. A kernel is written once, with
-// the compiler's own vectors, and compiled twice: for the processor that every x86-64 has, and for
-// AVX2, between which run() chooses when the program runs; unlike what the linker chooses
-// (base/simd.h) this can be tested, and works under sanitizers. Only additions, multiplications,
-// divisions and square roots are used, lane by lane and (-ffp-contract=off) none fused, so that
-// both give the same bytes.
+// Four numbers at a time, for the kernels that measurably need it (base/simd.h). Only additions,
+// multiplications, divisions and square roots are used, lane by lane and none fused, so that all
+// versions of a kernel give the same bytes.
 //
 // For .cpp files of kernels only. Vectors are wider than the baseline's registers, so they must not
 // cross a border between functions that are not inlined: kernels take pointers and numbers.
@@ -13,20 +10,10 @@
 #include <cstdint>
 #include <cstring>
 
-#include "ibmfair/base/instruction_set.h"
 #include "ibmfair/base/simd.h"
 
 // GCC warns of that border even where everything is inlined.
 #pragma GCC diagnostic ignored "-Wpsabi"
-
-// Elsewhere the compiler makes of the vectors what the machine has.
-#if defined(__x86_64__) && defined(__GNUC__)
-#define IBMFAIR_HAS_AVX2_KERNELS 1
-#define IBMFAIR_TARGET_AVX2 [[gnu::target("avx2")]]
-#else
-#define IBMFAIR_HAS_AVX2_KERNELS 0
-#define IBMFAIR_TARGET_AVX2
-#endif
 
 namespace ibmfair {
 
@@ -147,31 +134,6 @@ IBMFAIR_INLINE void store_rows(const Lanes3& a, const Lanes& w, double* rows) {
   Lanes row[lane_count];
   rows_of(a, w, row);
   std::memcpy(rows, row, sizeof row);
-}
-
-namespace simd_detail {
-
-template <class Kernel, class... Arguments>
-auto run_baseline(Arguments... arguments) {
-  return Kernel::run(arguments...);
-}
-
-template <class Kernel, class... Arguments>
-IBMFAIR_TARGET_AVX2 auto run_avx2(Arguments... arguments) {
-  return Kernel::run(arguments...);
-}
-
-}  // namespace simd_detail
-
-/// Kernel::run(arguments...), an IBMFAIR_INLINE function, as compiled for `kernel_set()`.
-template <class Kernel, class... Arguments>
-auto run(Arguments... arguments) {
-#if IBMFAIR_HAS_AVX2_KERNELS
-  if (kernel_set() == InstructionSet::avx2) {
-    return simd_detail::run_avx2<Kernel>(arguments...);
-  }
-#endif
-  return simd_detail::run_baseline<Kernel>(arguments...);
 }
 
 }  // namespace ibmfair

@@ -1,15 +1,47 @@
-// Kernels compiled once for every kind of processor, the best one chosen when the program starts.
-// Results do not depend on the choice: vector operations round lane by lane, and nothing is fused
+// Kernels that are written once, with the compiler's own vectors, and compiled twice: for the
+// processor that every x86-64 has, and for AVX2. run() chooses between them when the program runs;
+// results do not depend on the choice, as vector operations round lane by lane and nothing is fused
 // (-ffp-contract=off).
 #pragma once
 
-// The choice is made by the dynamic linker, before sanitizers are ready.
-#if defined(__x86_64__) && defined(__GLIBC__) && defined(__GNUC__) && !defined(__clang__) && \
-    !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
-#define IBMFAIR_FOR_EVERY_PROCESSOR __attribute__((target_clones("default", "avx2")))
+#include "ibmfair/base/instruction_set.h"
+
+/// Functions that are part of such a kernel: they become part of both of its versions.
+#define IBMFAIR_INLINE __attribute__((always_inline)) inline
+
+// Elsewhere the compiler makes of the vectors what the machine has.
+#if defined(__x86_64__) && defined(__GNUC__)
+#define IBMFAIR_HAS_AVX2_KERNELS 1
+#define IBMFAIR_TARGET_AVX2 [[gnu::target("avx2")]]
 #else
-#define IBMFAIR_FOR_EVERY_PROCESSOR
+#define IBMFAIR_HAS_AVX2_KERNELS 0
+#define IBMFAIR_TARGET_AVX2
 #endif
 
-/// Functions that such kernels share: they become part of each of its versions.
-#define IBMFAIR_INLINE __attribute__((always_inline)) inline
+namespace ibmfair {
+namespace simd_detail {
+
+template <class Kernel, class... Arguments>
+auto run_baseline(Arguments... arguments) {
+  return Kernel::run(arguments...);
+}
+
+template <class Kernel, class... Arguments>
+IBMFAIR_TARGET_AVX2 auto run_avx2(Arguments... arguments) {
+  return Kernel::run(arguments...);
+}
+
+}  // namespace simd_detail
+
+/// Kernel::run(arguments...), an IBMFAIR_INLINE function, as compiled for `kernel_set()`.
+template <class Kernel, class... Arguments>
+auto run(Arguments... arguments) {
+#if IBMFAIR_HAS_AVX2_KERNELS
+  if (kernel_set() == InstructionSet::avx2) {
+    return simd_detail::run_avx2<Kernel>(arguments...);
+  }
+#endif
+  return simd_detail::run_baseline<Kernel>(arguments...);
+}
+
+}  // namespace ibmfair

@@ -14,11 +14,11 @@ Index factor_front(Index rows, Index columns, Real* block, Real* update);
 
 /// Forward substitution with one block: W (rows x 4) holds the right-hand side in its first
 /// `columns` rows and what is to be added to in the others. W1 <- L11^-1 W1, W2 <- W2 - L21 W1.
-void substitute_forward(const float* block, Index rows, Index columns, float* W);
-void substitute_forward(const double* block, Index rows, Index columns, double* W);
+template <class Real>
+void substitute_forward(const Real* block, Index rows, Index columns, Real* W);
 
 /// Backward substitution: W1 <- L11^-T (W1 - L21^T W2).
-void substitute_backward(const float* block, Index rows, Index columns, float* W);
-void substitute_backward(const double* block, Index rows, Index columns, double* W);
+template <class Real>
+void substitute_backward(const Real* block, Index rows, Index columns, Real* W);
 
 }  // namespace ibmfair
