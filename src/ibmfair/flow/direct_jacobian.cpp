@@ -1,5 +1,6 @@
 #include "ibmfair/flow/direct_jacobian.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "ibmfair/base/errors.h"
@@ -11,6 +12,9 @@ namespace {
 
 /// The largest relative residual of a solve. Refining once would leave its square.
 constexpr double good_enough = 1e-3;
+
+/// Where an entry of diag(J) is more than this times that of D, float32 would lose D next to it.
+constexpr double widest_float32 = 1e6;
 
 /// |B - J Y| / |B| in the norm of D^-1, D being the diagonal of J: every row counts alike, however
 /// small its triangles are.
@@ -40,7 +44,11 @@ void DirectJacobian::update(const JacobianParts& parts) {
     symbolic_.emplace(J_, shape_.options.ordering);
     shape_.report.forecast = symbolic_->forecast();
   }
-  factor(precision_);
+  double widest = 0;
+  for (Index u = 0; u < J_.size(); ++u) {
+    widest = std::max(widest, J_.value[J_.column_first[u]] / parts.D[u]);
+  }
+  factor(needs_float64_ || !(widest <= widest_float32) ? Precision::float64 : Precision::float32);
 }
 
 void DirectJacobian::assemble(const JacobianParts& parts) {
@@ -72,6 +80,7 @@ void DirectJacobian::factor(Precision precision) {
     factor_->factor(J_);
   } catch (const FactorizationFailed&) {
     if (precision == Precision::float64) throw;
+    needs_float64_ = true;
     factor(Precision::float64);
   }
 }
@@ -86,6 +95,7 @@ void DirectJacobian::solve(const Points& B, Points& Y) {
   if (tried_) {
     Y.swap(solution);
   } else {
+    needs_float64_ = true;
     factor(Precision::float64);
     solve(B, Y);
   }
