@@ -31,7 +31,7 @@ void for_branches(const Supernodes& nodes, std::int64_t least_entries,
   }
 }
 
-constexpr std::int64_t worth_sharing_factor = 200'000, worth_sharing_solve = 2'000'000;
+constexpr std::int64_t worth_sharing_factor = 1'000'000, worth_sharing_solve = 2'000'000;
 
 }  // namespace
 
