@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <ranges>
 
 #include "ibmfair/base/parallel.h"
 #include "ibmfair/base/threads.h"
@@ -12,10 +11,6 @@
 
 namespace ibmfair {
 namespace {
-
-auto supernodes_of(const Branch& branch) {
-  return std::views::iota(branch.first, branch.last);
-}
 
 /// Calls work(b, scratch) for every branch, in parallel when the factor has so many entries.
 template <class Scratch, class Work>
@@ -47,7 +42,7 @@ class FrontalFactor<Real>::Pass {
       return std::int64_t{nodes_.rows_below(s)} * nodes_.rows_below(s);
     };
     for (const Branch& branch : nodes.branches) {
-      stacks_.emplace_back(stack_size(nodes, supernodes_of(branch), square));
+      stacks_.emplace_back(stack_size(nodes, branch, square));
     }
     stacks_.emplace_back(stack_size(nodes, nodes.trunk, square));
   }
@@ -141,7 +136,7 @@ Index FrontalFactor<Real>::factor(const SymmetricMatrix& J, const EliminatedColu
   std::vector<Index> bad_column(branches, -1);
   for_branches(nodes_, worth_sharing_factor, places, [&](std::int64_t b, auto& place) {
     const FlushSubnormals flush;
-    bad_column[b] = pass.run(supernodes_of(nodes_.branches[b]), b, place);
+    bad_column[b] = pass.run(nodes_.branches[b], b, place);
   });
   Index bad = n;  // the first in order of elimination
   for (const Index column : bad_column) {
@@ -162,7 +157,7 @@ FrontalSolver<Real>::FrontalSolver(const FrontalFactor<Real>& factor) : factor_(
   update_.resize(static_cast<std::size_t>(nodes.size()));
   const auto vectors = [&](Index s) { return std::int64_t{4} * nodes.rows_below(s); };
   for (const Branch& branch : nodes.branches) {
-    branch_stack_.emplace_back(stack_size(nodes, supernodes_of(branch), vectors));
+    branch_stack_.emplace_back(stack_size(nodes, branch, vectors));
   }
   trunk_stack_.resize(static_cast<std::size_t>(stack_size(nodes, nodes.trunk, vectors)));
   for (Index s = 0; s < nodes.size(); ++s) {
@@ -221,18 +216,18 @@ void FrontalSolver<Real>::solve(const Points& B, Points& Y) {
   std::vector<std::vector<Real>> fronts(worker_count(), std::vector<Real>(front_size_));
   for_branches(nodes, worth_sharing_solve, fronts, [&](std::int64_t b, auto& front) {
     const FlushSubnormals flush;
-    forward(supernodes_of(nodes.branches[b]), branch_stack_[b].data(), front.data());
+    forward(nodes.branches[b], branch_stack_[b].data(), front.data());
   });
   {
     const FlushSubnormals flush;
     forward(nodes.trunk, trunk_stack_.data(), fronts[0].data());
-    for (const Index s : std::views::reverse(nodes.trunk)) {
-      backward(s, fronts[0].data());
+    for (std::size_t i = nodes.trunk.size(); i-- > 0;) {
+      backward(nodes.trunk[i], fronts[0].data());
     }
   }
   for_branches(nodes, worth_sharing_solve, fronts, [&](std::int64_t b, auto& front) {
     const FlushSubnormals flush;
-    for (const Index s : std::views::reverse(supernodes_of(nodes.branches[b]))) {
+    for (Index s = nodes.branches[b].last - 1; s >= nodes.branches[b].first; --s) {
       backward(s, front.data());
     }
   });

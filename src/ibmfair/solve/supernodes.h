@@ -23,6 +23,18 @@ struct EliminatedColumns {
 /// A range of supernodes that depends on no supernode outside of it.
 struct Branch {
   Index first, last;  ///< one past the end
+
+  struct Iterator {
+    Index s;
+    Index operator*() const { return s; }
+    Iterator& operator++() {
+      ++s;
+      return *this;
+    }
+    bool operator!=(const Iterator& other) const { return s != other.s; }
+  };
+  Iterator begin() const { return {first}; }
+  Iterator end() const { return {last}; }
 };
 
 /// Supernode s holds the columns first_column[s] .. first_column[s + 1] - 1 as a dense block of
