@@ -184,8 +184,7 @@ TEST(Smooth, CutoffDoesNotDependOnTheScale) {
   smooth(made(directory, large, "large.ply"), directory / "large_out.ply", {"--cutoff", "8"});
   const Points X = read_mesh(directory / "small_out.ply").mesh().X;
   const Points Y = read_mesh(directory / "large_out.ply").mesh().X;
-  // Steps are rounded as the factor is, to float32.
-  EXPECT_LT((1000 * X - Y).cwiseAbs().maxCoeff(), 2e-8 * 1000);
+  EXPECT_LT((1000 * X - Y).cwiseAbs().maxCoeff(), 1e-9 * 1000);
 }
 
 TEST(Smooth, FixedAndUnmaskedVerticesKeepTheirText) {

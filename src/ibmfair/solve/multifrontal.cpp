@@ -208,9 +208,15 @@ template <class Real>
 void FrontalSolver<Real>::solve(const Points& B, Points& Y) {
   const Supernodes& nodes = factor_.nodes();
   const std::vector<double>& scale = factor_.scale();
+  // Of the largest number, so that float32 rounds alike whatever the unit of length is.
+  double unit = 0;
+  for (Index i = 0; i < nodes.unknowns(); ++i) {
+    unit = std::max(unit, B.row(nodes.unknown[i]).cwiseAbs().maxCoeff() * scale[i]);
+  }
+  unit = unit > 0 ? unit : 1;
   parallel_for(nodes.unknowns(), [&](std::int64_t i) {
     for (int c = 0; c < 3; ++c) {
-      x_[4 * i + c] = static_cast<Real>(B(nodes.unknown[i], c) * scale[i]);
+      x_[4 * i + c] = static_cast<Real>(B(nodes.unknown[i], c) * scale[i] / unit);
     }
   });
   std::vector<std::vector<Real>> fronts(worker_count(), std::vector<Real>(front_size_));
@@ -234,7 +240,7 @@ void FrontalSolver<Real>::solve(const Points& B, Points& Y) {
   Y.resize(B.rows(), 3);
   parallel_for(nodes.unknowns(), [&](std::int64_t i) {
     for (int c = 0; c < 3; ++c) {
-      Y(nodes.unknown[i], c) = x_[4 * i + c] * scale[i];
+      Y(nodes.unknown[i], c) = unit * scale[i] * x_[4 * i + c];
     }
   });
 }
