@@ -34,8 +34,6 @@ using test::Words;
 using test::write_bytes;
 using test::operator+;
 
-const Words options{"--steps", "2", "--cutoff", "4"};
-
 TEST_F(BatchTest, ResumeRedoesExactlyWhatHasChanged) {
   const Words words = Words{"smooth"} + inputs_ + Words{"--out-dir", "out", "--resume"};
   const auto expect = [&](const Words& more, const std::string& a, const std::string& b,
@@ -46,27 +44,27 @@ TEST_F(BatchTest, ResumeRedoesExactlyWhatHasChanged) {
       EXPECT_EQ(bytes("out/" + fs::path(input).filename().string()), single(input, more));
     }
   };
-  expect(options, "ok", "ok", "ok");
-  expect(options, "skipped", "skipped", "skipped");
-  expect(options + Words{"--threads", "2"}, "skipped", "skipped", "skipped");
+  expect(options_, "ok", "ok", "ok");
+  expect(options_, "skipped", "skipped", "skipped");
+  expect(options_ + Words{"--threads", "2"}, "skipped", "skipped", "skipped");
   fs::remove(full("out/a.off"));
-  expect(options, "ok", "skipped", "skipped");
+  expect(options_, "ok", "skipped", "skipped");
   make("b", 77);
-  expect(options, "skipped", "ok", "skipped");
+  expect(options_, "skipped", "ok", "skipped");
   write_bytes(full("out/c.off"), "somebody else's\n");
-  expect(options, "skipped", "skipped", "ok");
-  expect(options + Words{"--no-mass"}, "ok", "ok", "ok");
-  expect(options + Words{"--no-mass"}, "skipped", "skipped", "skipped");
+  expect(options_, "skipped", "skipped", "ok");
+  expect(options_ + Words{"--no-mass"}, "ok", "ok", "ok");
+  expect(options_ + Words{"--no-mass"}, "skipped", "skipped", "skipped");
   // A new date alone does not matter, nor does a value that is the default anyway.
   fs::last_write_time(full(path("a")), fs::file_time_type::clock::now());
-  expect(options + Words{"--no-mass", "--metric", "mass"}, "skipped", "skipped", "skipped");
+  expect(options_ + Words{"--no-mass", "--metric", "mass"}, "skipped", "skipped", "skipped");
   // The same size and date, other content.
   const auto date = fs::last_write_time(full(path("a")));
   std::string text = bytes(path("a"));
   std::swap(text[text.find("0.")], text[text.find("0.") + 2]);
   write_bytes(full(path("a")), text);
   fs::last_write_time(full(path("a")), date);
-  const RunResult changed = run(words + options + Words{"--no-mass", "--json"});
+  const RunResult changed = run(words + options_ + Words{"--no-mass", "--json"});
   EXPECT_TRUE(contains(changed.err, "[1/3] ok") || contains(changed.err, "[1/3] failed"))
       << changed.err;
   EXPECT_TRUE(contains(changed.err, "[2/3] skipped")) << changed.err;
@@ -75,7 +73,7 @@ TEST_F(BatchTest, ResumeRedoesExactlyWhatHasChanged) {
 TEST_F(BatchTest, WhatTheBatchHasNotMadeIsNeverReplacedUnasked) {
   fs::create_directory(full("out"));
   write_bytes(full("out/b.off"), "mine");
-  const Words words = Words{"smooth"} + inputs_ + Words{"--out-dir", "out"} + options;
+  const Words words = Words{"smooth"} + inputs_ + Words{"--out-dir", "out"} + options_;
   const Statuses expected{{path("a"), "ok"}, {path("b"), "failed"}, {path("c"), "ok"}};
   EXPECT_EQ(statuses(words, 1), expected);
   const Statuses again{{path("a"), "skipped"}, {path("b"), "failed"}, {path("c"), "skipped"}};
@@ -85,11 +83,11 @@ TEST_F(BatchTest, WhatTheBatchHasNotMadeIsNeverReplacedUnasked) {
   EXPECT_EQ(statuses(words, 1), without);
   const Statuses asked{{path("a"), "ok"}, {path("b"), "ok"}, {path("c"), "ok"}};
   EXPECT_EQ(statuses(words + Words{"--overwrite"}), asked);
-  EXPECT_EQ(bytes("out/b.off"), single(path("b"), options));
+  EXPECT_EQ(bytes("out/b.off"), single(path("b"), options_));
 }
 
 TEST_F(BatchTest, AJournalsHalfWrittenLastLineIsIgnored) {
-  const Words words = Words{"smooth"} + inputs_ + Words{"--out-dir", "out"} + options;
+  const Words words = Words{"smooth"} + inputs_ + Words{"--out-dir", "out"} + options_;
   EXPECT_EQ(run(words).exit_code, 0);
   const std::string journal = full("out/.ibmfair-batch.journal");
   const std::string text = test::read_bytes(journal);
@@ -106,7 +104,7 @@ TEST_F(BatchTest, OneBatchAtATimeWritesAJournal) {
   const int fd = open(full("journal").c_str(), O_RDWR | O_CLOEXEC);
   ASSERT_EQ(flock(fd, LOCK_EX), 0);
   const Words words =
-      Words{"smooth"} + inputs_ + Words{"--out-dir", "out", "--journal", "journal"} + options;
+      Words{"smooth"} + inputs_ + Words{"--out-dir", "out", "--journal", "journal"} + options_;
   const RunResult refused = run(words);
   EXPECT_EQ(refused.exit_code, 6);
   EXPECT_TRUE(contains(refused.err, "another batch")) << refused.err;
@@ -197,7 +195,7 @@ TEST_F(BatchTest, ResumeClearsAwayWhatDeadProcessesLeft) {
   for (const std::string& name : {stale, live, other}) {
     write_bytes(full(name), "part");
   }
-  const Words words = Words{"smooth"} + inputs_ + Words{"--out-dir", "out"} + options;
+  const Words words = Words{"smooth"} + inputs_ + Words{"--out-dir", "out"} + options_;
   EXPECT_EQ(run(words).exit_code, 0);
   EXPECT_TRUE(exists(stale));
   // The other parts of a list may be at work on other machines.

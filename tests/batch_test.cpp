@@ -25,15 +25,13 @@ using test::Words;
 using test::write_bytes;
 using test::operator+;
 
-const Words options{"--steps", "2", "--cutoff", "4"};
-
 TEST_F(BatchTest, ManyFilesBecomeTheBytesOfSingleRuns) {
   const RunResult result =
-      run(Words{"smooth"} + inputs_ + Words{"--out-dir", "out/new", "--jobs", "2"} + options);
+      run(Words{"smooth"} + inputs_ + Words{"--out-dir", "out/new", "--jobs", "2"} + options_);
   EXPECT_EQ(result.exit_code, 0) << result.err;
   EXPECT_EQ(result.out, "");
   for (const std::string& input : inputs_) {
-    EXPECT_EQ(bytes("out/new/" + fs::path(input).filename().string()), single(input, options));
+    EXPECT_EQ(bytes("out/new/" + fs::path(input).filename().string()), single(input, options_));
     EXPECT_TRUE(contains(result.err, input + " -> out/new/")) << result.err;
   }
   EXPECT_TRUE(contains(result.err, "3 of 3 done")) << result.err;
@@ -42,7 +40,8 @@ TEST_F(BatchTest, ManyFilesBecomeTheBytesOfSingleRuns) {
 
 TEST_F(BatchTest, AFileThatFailsDoesNotKeepTheOthersFromBeingDone) {
   write_bytes(full("in/bad.off"), "OFF 3 1 0\n0 0 0\n1 0 0\n0 one 0\n3 0 1 2\n");
-  const Words words = Words{"smooth", "in/bad.off"} + inputs_ + Words{"--out-dir", "out"} + options;
+  const Words words =
+      Words{"smooth", "in/bad.off"} + inputs_ + Words{"--out-dir", "out"} + options_;
   const RunResult result = run(words);
   EXPECT_EQ(result.exit_code, 1);
   EXPECT_TRUE(contains(result.err, "in/bad.off -> out/bad.off (exit code 3): in/bad.off:4:3"))
@@ -50,7 +49,7 @@ TEST_F(BatchTest, AFileThatFailsDoesNotKeepTheOthersFromBeingDone) {
   EXPECT_EQ(count("out"), 3U);
   EXPECT_FALSE(exists("out/bad.off"));
   for (const std::string& input : inputs_) {
-    EXPECT_EQ(bytes("out/" + fs::path(input).filename().string()), single(input, options));
+    EXPECT_EQ(bytes("out/" + fs::path(input).filename().string()), single(input, options_));
   }
   const RunResult quiet = run(words + Words{"--resume", "--quiet"});
   EXPECT_EQ(quiet.exit_code, 1);
@@ -61,7 +60,7 @@ TEST_F(BatchTest, AFileThatFailsDoesNotKeepTheOthersFromBeingDone) {
 TEST_F(BatchTest, FailFastStartsNothingAfterAFailure) {
   write_bytes(full("in/bad.off"), "OFF\n");
   const Words words =
-      Words{"smooth", path("a"), "in/bad.off", path("b"), path("c"), "--out-dir", "out"} + options;
+      Words{"smooth", path("a"), "in/bad.off", path("b"), path("c"), "--out-dir", "out"} + options_;
   const Statuses expected{
       {path("a"), "ok"}, {"in/bad.off", "failed"}, {path("b"), "not run"}, {path("c"), "not run"}};
   EXPECT_EQ(statuses(words + Words{"--fail-fast"}, 1), expected);
@@ -69,7 +68,7 @@ TEST_F(BatchTest, FailFastStartsNothingAfterAFailure) {
 }
 
 TEST_F(BatchTest, ShardsArePartsOfTheList) {
-  const Words list = Words{"smooth"} + inputs_ + Words{"--out-dir", "out"} + options;
+  const Words list = Words{"smooth"} + inputs_ + Words{"--out-dir", "out"} + options_;
   const auto lines = [&](const Words& more) {
     std::string text = run(list + Words{"--dry-run"} + more).out;
     Words found;
@@ -113,7 +112,7 @@ TEST_F(BatchTest, DryRunPrintsCommandsForAShell) {
             "ibmfair smooth in/b.off out/b.off --max-move=2%\n");
   EXPECT_FALSE(exists("out"));
   // Of a list that is gone on with, what is left.
-  const Words words = Words{"smooth"} + inputs_ + Words{"--out-dir", "out"} + options;
+  const Words words = Words{"smooth"} + inputs_ + Words{"--out-dir", "out"} + options_;
   EXPECT_EQ(run(words).exit_code, 0);
   fs::remove(full("out/b.off"));
   const RunResult left = run(words + Words{"--resume", "--dry-run"});
@@ -151,7 +150,7 @@ TEST_F(BatchTest, ManyFilesAreCheckedBeforeAnythingRuns) {
 
 TEST_F(BatchTest, TheSummaryHoldsEveryItemWithItsFigures) {
   write_bytes(full("in/bad.off"), "OFF 1 0 0\n\"a, b\"\n");
-  const Words words = Words{"smooth", "in/bad.off"} + inputs_ + options;
+  const Words words = Words{"smooth", "in/bad.off"} + inputs_ + options_;
   const RunResult result =
       run(words + Words{"--out-dir", "out", "--json", "--summary", "s.csv", "--jobs", "0"});
   EXPECT_EQ(result.exit_code, 1);
@@ -169,7 +168,7 @@ TEST_F(BatchTest, TheSummaryHoldsEveryItemWithItsFigures) {
   EXPECT_GT(first["seconds"], 0.0);
   EXPECT_GT(first["peak_megabytes"], 1.0);
   const json report =
-      json::parse(run(Words{"smooth", path("a"), "again.off", "--json"} + options).out);
+      json::parse(run(Words{"smooth", path("a"), "again.off", "--json"} + options_).out);
   EXPECT_EQ(first["figures"]["after.energy"], report["after"]["energy"]);
   EXPECT_EQ(first["figures"]["status"], report["status"]);
 

@@ -21,7 +21,7 @@
 namespace ibmfair {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 MeshSummary summary_of(const Mesh& mesh) {
   return summarise(mesh, build_topology(mesh.X, triangulate(mesh).F));

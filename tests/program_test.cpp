@@ -24,7 +24,7 @@ using test::RunResult;
 using test::StandardOutput;
 using test::TemporaryDirectory;
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 using Words = std::vector<std::string>;
 
 Words operator+(Words a, const Words& b) {

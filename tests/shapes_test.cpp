@@ -19,7 +19,7 @@
 namespace ibmfair {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 struct Expectation {
   std::string name;

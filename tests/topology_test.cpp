@@ -208,9 +208,10 @@ TEST(Topology, GrowsByOneRing) {
 
 TEST(Geometry, SizesScaleAndDoNotMove) {
   for (const auto& [name, mesh] : good_meshes()) {
+    SCOPED_TRACE(name);
     const State state(mesh);
     const State other(moved(mesh, 3.0, Vec3(5, -7, 11)));
-    const auto near = [&](double a, double b) { EXPECT_NEAR(a, b, 1e-12 * std::abs(b)) << name; };
+    const auto near = [](double a, double b) { EXPECT_NEAR(a, b, 1e-12 * std::abs(b)); };
     near(surface_area(other.X, other.topology.F), 9 * surface_area(state.X, state.topology.F));
     near(mean_edge_length(other.X, other.topology.E),
          3 * mean_edge_length(state.X, state.topology.E));
@@ -232,7 +233,8 @@ TEST(Geometry, FlatHingesAreOpenAndCubeEdgesAreRight) {
 TEST(Geometry, TrianglesWithoutDigitsAreDegenerate) {
   Points X(3, 3);
   X << 0, 0, 0, 1, 0, 0, 0.5, 1e-9, 0;
-  const Triangles F = (Triangles(1, 3) << 0, 1, 2).finished();
+  Triangles F(1, 3);
+  F << 0, 1, 2;
   EXPECT_TRUE(degenerate_triangles(X, F).empty());
   EXPECT_TRUE(degenerate_triangles(Points(1e-30 * X), F).empty());
   X.array() += 1e9;  // the height is below the spacing of doubles there

@@ -16,8 +16,6 @@
 
 namespace ibmfair::commands {
 
-namespace {
-
 /// What the frame itself takes from the arguments.
 struct FrameOptions {
   bool quiet = false;
@@ -26,10 +24,13 @@ struct FrameOptions {
   int threads = 0;
 };
 
-struct Declared {
+/// A command of the table with its options.
+struct DeclaredCommand {
   CLI::App* app;
   Runner run;
 };
+
+namespace {
 
 std::string version_text() {
   std::string text = fmt::format("ibmfair {}\n", version());
@@ -121,7 +122,7 @@ Console::Level level_of(const FrameOptions& options) {
 struct CommandLine::Parts {
   CLI::App app{"Fairs triangle meshes: removes noise and ripples without shrinking the shape."};
   FrameOptions options;
-  std::vector<Declared> declared;
+  std::vector<DeclaredCommand> declared;
 
   Parts() {
     app.name("ibmfair");
@@ -141,7 +142,7 @@ struct CommandLine::Parts {
     add_frame_options(*sub, options);
   }
 
-  const Declared& chosen() const {
+  const DeclaredCommand& chosen() const {
     return declared.size() == 1 ? declared.front()
                                 : *std::find_if(declared.begin(), declared.end(),
                                                 [](const auto& d) { return d.app->parsed(); });
@@ -191,7 +192,7 @@ std::string CommandLine::help_hint() const {
 }
 
 ExitCode CommandLine::run(Console& console) {
-  const Declared& chosen = parts_->chosen();
+  const DeclaredCommand& chosen = parts_->chosen();
   const FrameOptions& options = parts_->options;
   if (options.dump_config) {
     write_standard_output(job_file_text({effective_job(*chosen.app)}));

@@ -54,9 +54,9 @@ void require_known(const std::string& shape) {
   }
 }
 
-double mean_edge_length(const Mesh& mesh) {
+double mean_edge_length_of(const Mesh& mesh) {
   const Topology topology = build_topology(static_cast<Index>(mesh.X.rows()), triangulate(mesh).F);
-  return ibmfair::mean_edge_length(mesh.X, topology.E);
+  return mean_edge_length(mesh.X, topology.E);
 }
 
 ExitCode run_make(const MakeArguments& arguments, Console& console) {
@@ -65,7 +65,7 @@ ExitCode run_make(const MakeArguments& arguments, Console& console) {
   Mesh mesh = make_shape(arguments.shape, arguments.settings);
   mesh.X *= arguments.scale;
   if (arguments.noise > 0.0) {
-    add_noise(mesh.X, arguments.noise * mean_edge_length(mesh), arguments.seed);
+    add_noise(mesh.X, arguments.noise * mean_edge_length_of(mesh), arguments.seed);
   }
   mesh.X.rowwise() += Eigen::RowVector3d::Map(arguments.move.data());
 

@@ -11,7 +11,7 @@
 namespace ibmfair::test {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 constexpr double sphere_energy = 8 * pi;
 constexpr double clifford_energy = 4 * pi * pi;
 

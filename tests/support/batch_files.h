@@ -45,7 +45,8 @@ class BatchTest : public testing::Test {
   std::size_t count(const std::string& folder, const std::string& extension = ".off") const;
 
   TemporaryDirectory directory_;
-  Words inputs_;  ///< the three
+  Words inputs_;                                          ///< the three
+  const Words options_{"--steps", "2", "--cutoff", "4"};  ///< a short run
 };
 
 }  // namespace ibmfair::test

@@ -3,8 +3,10 @@
 // carried along by the patching writer.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -30,6 +32,12 @@ struct Layout {
   const Element& vertices() const { return header.elements[vertex]; }
   const Element& faces() const { return header.elements[face]; }
 };
+
+/// Whether a property (its place in its element) is one of those named.
+inline bool contains(std::span<const int> properties, std::size_t property) {
+  return std::find(properties.begin(), properties.end(), static_cast<int>(property)) !=
+         properties.end();
+}
 
 /// Reads the header and finds the mesh in it. Throws BadFile where there is none.
 Layout read_layout(const SourceBytes& source);

@@ -11,10 +11,6 @@
 namespace ibmfair::ply {
 namespace {
 
-bool contains(std::span<const int> list, std::size_t i) {
-  return std::find(list.begin(), list.end(), static_cast<int>(i)) != list.end();
-}
-
 /// An empty list, with what its count is stored as.
 void write_empty_list(const Property& property, RowWriter& row) {
   row.number(property.count_type, 0.0);

@@ -83,10 +83,6 @@ void read_vertex_texture(const SourceBytes& source, const Layout& layout, const 
   attributes.corner_texture = mesh.faces.corner;
 }
 
-bool contains(std::span<const int> list, std::size_t i) {
-  return std::find(list.begin(), list.end(), static_cast<int>(i)) != list.end();
-}
-
 void list_uncarried(const Layout& layout, MeshAttributes& attributes) {
   const std::vector<Element>& elements = layout.header.elements;
   for (std::size_t e = 0; e < elements.size(); ++e) {

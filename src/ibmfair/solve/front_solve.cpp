@@ -23,10 +23,10 @@ struct QuadOf<double> {
 
 /// A list of quads in memory that need not be aligned.
 template <class Real>
-class Quads {
+class QuadList {
  public:
   using Quad = typename QuadOf<Real>::type;
-  IBMFAIR_INLINE explicit Quads(Real* numbers) : numbers_(numbers) {}
+  IBMFAIR_INLINE explicit QuadList(Real* numbers) : numbers_(numbers) {}
   IBMFAIR_INLINE Quad get(Index i) const {
     Quad quad;
     std::memcpy(&quad, numbers_ + 4 * std::size_t(i), sizeof quad);
@@ -46,7 +46,7 @@ class Quads {
 template <class Real>
 struct Forward {
   IBMFAIR_INLINE static void run(const Real* L, Index rows, Index columns, Real* vectors) {
-    Quads<Real> W(vectors);
+    QuadList<Real> W(vectors);
     Index j = 0;
     for (; j + 4 <= columns; j += 4) {
       const Real* a = L + std::int64_t{j} * rows;
@@ -74,7 +74,7 @@ struct Forward {
 template <class Real>
 struct Backward {
   IBMFAIR_INLINE static void run(const Real* L, Index rows, Index columns, Real* vectors) {
-    Quads<Real> W(vectors);
+    QuadList<Real> W(vectors);
     Index j = columns;
     for (; j % 4 != 0; --j) {
       const Real* a = L + std::int64_t{j - 1} * rows;
