@@ -17,6 +17,8 @@ namespace pmp = CGAL::Polygon_mesh_processing;
 using Point = CGAL::Exact_predicates_inexact_constructions_kernel::Point_3;
 using Mesh = CGAL::Surface_mesh<Point>;
 
+// What CGAL throws ends the program, as it should.
+// NOLINTNEXTLINE(bugprone-exception-escape)
 int main(int argc, char** argv) {
   Mesh mesh;
   if (argc != 4 || !pmp::IO::read_polygon_mesh(argv[1], mesh)) {

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <set>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
@@ -124,7 +125,7 @@ TEST_P(SmoothOnRealMeshes, KeepsItsPromises) {
   const std::string cutoff = GetParam();
   const TemporaryDirectory directory;
   for (const std::string& path : paths) {
-    SCOPED_TRACE(path + " at " + cutoff);
+    SCOPED_TRACE(fmt::format("{} at {}", path, cutoff));
     const std::string out = directory / ("out" + path.substr(path.rfind('.')));
     const json report = smooth(path, out, {"--cutoff", cutoff});
     double energy = report["flow"]["energy_before"];

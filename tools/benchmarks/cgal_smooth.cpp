@@ -4,7 +4,6 @@
 //   cgal_smooth IN OUT ITERATIONS TIME      TIME is of all iterations, length^2; prints the seconds
 //                                           of the smoothing
 #include <chrono>
-#include <exception>
 #include <iostream>
 #include <string>
 
@@ -21,7 +20,9 @@ using Mesh = CGAL::Surface_mesh<Point>;
 using Solver = CGAL::Eigen_solver_traits<
     Eigen::CholmodSupernodalLLT<CGAL::Eigen_sparse_matrix<double>::EigenType>>;
 
-int smooth(int argc, char** argv) {
+// What CGAL throws ends the program, as it should.
+// NOLINTNEXTLINE(bugprone-exception-escape)
+int main(int argc, char** argv) {
   Mesh mesh;
   if (argc != 5 || !pmp::IO::read_polygon_mesh(argv[1], mesh)) {
     std::cerr << "usage: cgal_smooth IN OUT ITERATIONS TIME\n";
@@ -37,13 +38,4 @@ int smooth(int argc, char** argv) {
   std::cout << seconds.count() << "\n";
   return CGAL::IO::write_polygon_mesh(argv[2], mesh, CGAL::parameters::stream_precision(17)) ? 0
                                                                                              : 6;
-}
-
-int main(int argc, char** argv) {
-  try {
-    return smooth(argc, argv);
-  } catch (const std::exception& error) {
-    std::cerr << "cgal_smooth: " << error.what() << "\n";
-    return 1;
-  }
 }
