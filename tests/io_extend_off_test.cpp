@@ -90,7 +90,7 @@ TEST(ExtendedOff, ExtendsWhatFollowsEachPosition) {
 }
 
 /// A binary file with normals, and with colours of vertices and faces if `colours`.
-std::string binary_off(bool big, bool colours, bool tent) {
+std::string binary_off_bytes(bool big, bool colours, bool tent) {
   std::string bytes = colours ? "COFF BINARY\n" : "OFF BINARY\n";
   const auto integers = [&](const std::vector<int>& values) {
     for (const int value : values)
@@ -134,8 +134,8 @@ TEST(ExtendedOff, IsTheBinaryFileThatOneWouldWriteByHand) {
   for (const bool big : {false, true}) {
     for (const bool colours : {false, true}) {
       WriteReport report;
-      EXPECT_EQ(with_tent(binary_off(big, colours, false), "a.off", 0, &report),
-                binary_off(big, colours, true))
+      EXPECT_EQ(with_tent(binary_off_bytes(big, colours, false), "a.off", 0, &report),
+                binary_off_bytes(big, colours, true))
           << big << colours;
       ASSERT_EQ(report.notes.size(), 1U);
       EXPECT_NE(report.notes[0].find("rounded"), std::string::npos);

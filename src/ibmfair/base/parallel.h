@@ -16,6 +16,18 @@ inline constexpr std::int64_t worth_sharing = 16384;
 /// from running hold up nothing but the task that they are in.
 void parallel_tasks(std::int64_t count, const std::function<void(std::int64_t)>& task);
 
+/// The same on this thread where sharing does not pay.
+template <class Task>
+void run_tasks(std::int64_t count, bool share, const Task& task) {
+  if (share) {
+    parallel_tasks(count, std::cref(task));
+    return;
+  }
+  for (std::int64_t i = 0; i < count; ++i) {
+    task(i);
+  }
+}
+
 /// Calls body(i) for every i in 0 .. count - 1, in parallel; bodies must not write the same place.
 template <class Body>
 void parallel_for(std::int64_t count, Body&& body) {
@@ -26,14 +38,7 @@ void parallel_for(std::int64_t count, Body&& body) {
       body(i);
     }
   };
-  const std::int64_t blocks = (count + block - 1) / block;
-  if (count >= worth_sharing) {
-    parallel_tasks(blocks, std::cref(run));
-  } else {
-    for (std::int64_t i = 0; i < count; ++i) {
-      body(i);
-    }
-  }
+  run_tasks((count + block - 1) / block, count >= worth_sharing, run);
 }
 
 /// `zero` plus the sum of body(i) over 0 .. count - 1. Blocks of fixed size are summed first and
@@ -51,13 +56,7 @@ Value parallel_sum(std::int64_t count, const Value& zero, Body&& body) {
     }
     partial[static_cast<std::size_t>(b)] = sum;
   };
-  if (count >= worth_sharing) {
-    parallel_tasks(blocks, std::cref(run));
-  } else {
-    for (std::int64_t b = 0; b < blocks; ++b) {
-      run(b);
-    }
-  }
+  run_tasks(blocks, count >= worth_sharing, run);
   Value sum = zero;
   for (const Value& part : partial) {
     sum += part;

@@ -28,14 +28,8 @@ class BlockLoop {
     const auto run = [&](std::int64_t b) {
       partial_[b] = body(blocks.block[b], scratch_[worker_index()]);
     };
-    const auto count = static_cast<std::int64_t>(blocks.block.size());
-    if (static_cast<std::int64_t>(blocks.corners.size()) / 3 >= worth_sharing) {
-      parallel_tasks(count, run);
-    } else {
-      for (std::int64_t b = 0; b < count; ++b) {
-        run(b);
-      }
-    }
+    run_tasks(static_cast<std::int64_t>(blocks.block.size()),
+              static_cast<std::int64_t>(blocks.corners.size()) / 3 >= worth_sharing, run);
     double sum = 0;
     for (const double part : partial_) {
       sum += part;

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "ibmfair/base/parallel.h"
-#include "ibmfair/energy/incidence.h"
 
 namespace ibmfair {
 
@@ -32,7 +31,7 @@ Unknowns::Unknowns(const std::vector<std::uint8_t>& fixed) : unknown(fixed.size(
 HessianAssembler::HessianAssembler(const Rows& stencils, const Unknowns& unknowns)
     : stencils_(stencils),
       unknowns_(unknowns),
-      places_(places_by_vertex(stencils, static_cast<Index>(unknowns.unknown.size()))),
+      places_(positions_by_value(stencils.value, static_cast<Index>(unknowns.unknown.size()))),
       stencil_of_place_(stencils.value.size()) {
   for (Index s = 0; s < stencils_.size(); ++s) {
     std::fill(stencil_of_place_.begin() + stencils_.first[s],

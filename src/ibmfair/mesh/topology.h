@@ -3,23 +3,12 @@
 #pragma once
 
 #include <cstdint>
-#include <span>
 #include <vector>
 
+#include "ibmfair/base/rows.h"
 #include "ibmfair/base/types.h"
 
 namespace ibmfair {
-
-/// A flat list of short lists: item i holds value[first[i]] .. value[first[i + 1] - 1].
-struct Rows {
-  std::vector<std::int64_t> first{0};
-  std::vector<Index> value;
-
-  Index size() const { return static_cast<Index>(first.size()) - 1; }
-  std::span<const Index> operator[](Index i) const {
-    return {value.data() + first[i], static_cast<std::size_t>(first[i + 1] - first[i])};
-  }
-};
 
 /// #E x 2 vertex numbers, the smaller one first.
 using Edges = Eigen::Matrix<Index, Eigen::Dynamic, 2, Eigen::RowMajor>;

@@ -47,8 +47,7 @@ Supernodes supernodes(const SymmetricMatrix& J, Ordering ordering, FactorForecas
     given.assign(unknown.begin(), unknown.end());
   }
   common->method[0].ordering = given.empty() ? CHOLMOD_AMD : CHOLMOD_GIVEN;
-  cholmod_sparse A = view(J);
-  A.xtype = CHOLMOD_PATTERN;
+  cholmod_sparse A = lower_pattern(J.column_first, J.row);
   const Analysis L(
       context, cholmod_l_analyze_p(&A, given.empty() ? nullptr : given.data(), nullptr, 0, common));
   context.check("analysis");

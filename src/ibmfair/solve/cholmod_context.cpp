@@ -13,7 +13,6 @@ CholmodContext::CholmodContext() {
   common_.print = 0;
   common_.error_handler = nullptr;  // statuses become exceptions in check()
   common_.supernodal = CHOLMOD_SUPERNODAL;
-  common_.quick_return_if_not_posdef = 1;
 }
 
 CholmodContext::~CholmodContext() {
@@ -34,18 +33,16 @@ void CholmodContext::check(const char* stage) const {
   }
 }
 
-cholmod_sparse view(const SymmetricMatrix& J) {
+cholmod_sparse lower_pattern(const std::vector<std::int64_t>& column_first,
+                             const std::vector<std::int64_t>& row) {
   cholmod_sparse A{};
-  A.nrow = A.ncol = static_cast<std::size_t>(J.size());
-  A.nzmax = J.row.size();
-  A.p = const_cast<std::int64_t*>(J.column_first.data());
-  A.i = const_cast<std::int64_t*>(J.row.data());
-  A.x = const_cast<double*>(J.value.data());
+  A.nrow = A.ncol = column_first.size() - 1;
+  A.nzmax = row.size();
+  A.p = const_cast<std::int64_t*>(column_first.data());
+  A.i = const_cast<std::int64_t*>(row.data());
   A.stype = -1;  // the lower triangle is stored
   A.itype = CHOLMOD_LONG;
-  A.xtype = CHOLMOD_REAL;
-  A.dtype = CHOLMOD_DOUBLE;
-  A.sorted = 1;
+  A.xtype = CHOLMOD_PATTERN;
   A.packed = 1;
   return A;
 }

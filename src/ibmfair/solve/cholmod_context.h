@@ -1,9 +1,10 @@
 // The settings and errors of CHOLMOD, for the files of this room only.
 #pragma once
 
-#include <cholmod.h>
+#include <cstdint>
+#include <vector>
 
-#include "ibmfair/energy/hessian.h"
+#include <cholmod.h>
 
 namespace ibmfair {
 
@@ -25,7 +26,9 @@ class CholmodContext {
   cholmod_common common_;
 };
 
-/// Views `J` as CHOLMOD sees it; nothing is copied, and nothing may be written through it.
-cholmod_sparse view(const SymmetricMatrix& J);
+/// Views the pattern of a symmetric matrix, its lower triangle stored by columns with rows in any
+/// order, as CHOLMOD sees it; nothing is copied, and nothing may be written through it.
+cholmod_sparse lower_pattern(const std::vector<std::int64_t>& column_first,
+                             const std::vector<std::int64_t>& row);
 
 }  // namespace ibmfair

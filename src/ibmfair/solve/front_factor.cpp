@@ -61,11 +61,7 @@ void in_pieces(int size, Work&& work) {
     const int first = static_cast<int>(p) * piece;
     work(first, std::min(piece, size - first));
   };
-  if (pieces > 1) {
-    parallel_tasks(pieces, std::cref(run));
-  } else {
-    run(0);
-  }
+  run_tasks(pieces, pieces > 1, run);
 }
 
 /// The lower triangle of C (side n) loses A A^T, A being n x k; `below` more rows follow.

@@ -16,14 +16,8 @@ namespace {
 template <class Scratch, class Work>
 void for_branches(const Supernodes& nodes, std::int64_t least_entries,
                   std::vector<Scratch>& scratch, Work&& work) {
-  const auto branches = static_cast<std::int64_t>(nodes.branches.size());
-  if (nodes.entries() < least_entries) {
-    for (std::int64_t b = 0; b < branches; ++b) {
-      work(b, scratch[0]);
-    }
-  } else {
-    parallel_tasks(branches, [&](std::int64_t b) { work(b, scratch[worker_index()]); });
-  }
+  run_tasks(static_cast<std::int64_t>(nodes.branches.size()), nodes.entries() >= least_entries,
+            [&](std::int64_t b) { work(b, scratch[worker_index()]); });
 }
 
 constexpr std::int64_t worth_sharing_factor = 1'000'000, worth_sharing_solve = 2'000'000;

@@ -119,15 +119,7 @@ std::vector<std::int64_t> dissect(const Graph& graph) {
     }
     column_first.push_back(static_cast<std::int64_t>(row.size()));
   }
-  cholmod_sparse A{};
-  A.nrow = A.ncol = static_cast<std::size_t>(graph.size());
-  A.nzmax = row.size();
-  A.p = column_first.data();
-  A.i = row.data();
-  A.stype = -1;
-  A.itype = CHOLMOD_LONG;
-  A.xtype = CHOLMOD_PATTERN;
-  A.packed = 1;
+  cholmod_sparse A = lower_pattern(column_first, row);
   std::vector<std::int64_t> order(static_cast<std::size_t>(graph.size()));
   // METIS draws random numbers from one state for the whole process.
   static std::mutex one_at_a_time;

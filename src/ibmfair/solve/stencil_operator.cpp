@@ -1,5 +1,6 @@
 #include "ibmfair/solve/stencil_operator.h"
 
+#include <algorithm>
 #include <atomic>
 #include <cmath>
 
@@ -17,26 +18,19 @@ StencilOperator::StencilOperator(const Rows& stencils, const Unknowns& unknowns)
       scale_(unknowns.size()),
       identity_(unknowns.size()),
       z_(4, stencils.size()) {
-  const Index n = unknowns.size();
-  unknown_places_.first.assign(static_cast<std::size_t>(n) + 1, 0);
-  for (const Index v : stencils.value) {
-    if (const Index u = unknowns.unknown[v]; u >= 0) ++unknown_places_.first[u + 1];
-  }
-  for (Index u = 0; u < n; ++u) {
-    unknown_places_.first[u + 1] += unknown_places_.first[u];
-  }
-  unknown_places_.value.resize(static_cast<std::size_t>(unknown_places_.first.back()));
-  unknown_stencil_.resize(unknown_places_.value.size());
-  unknown_c_.resize(unknown_places_.value.size());
-  std::vector<std::int64_t> next(unknown_places_.first.begin(), unknown_places_.first.end() - 1);
+  std::vector<Index> unknown(stencils.value.size()), stencil(stencils.value.size());
   for (Index s = 0; s < stencils.size(); ++s) {
     for (std::int64_t place = stencils.first[s]; place < stencils.first[s + 1]; ++place) {
-      if (const Index u = unknowns.unknown[stencils.value[place]]; u >= 0) {
-        place_unknown_[place] = u;
-        unknown_places_.value[next[u]] = static_cast<Index>(place);
-        unknown_stencil_[next[u]++] = s;
-      }
+      unknown[place] = unknowns.unknown[stencils.value[place]];
+      place_unknown_[place] = std::max(unknown[place], Index{0});
+      stencil[place] = s;
     }
+  }
+  unknown_places_ = positions_by_value(unknown, unknowns.size());
+  unknown_c_.resize(unknown_places_.value.size());
+  unknown_stencil_.reserve(unknown_places_.value.size());
+  for (const Index place : unknown_places_.value) {
+    unknown_stencil_.push_back(stencil[place]);
   }
 }
 

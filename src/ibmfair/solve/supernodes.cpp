@@ -21,20 +21,6 @@ std::vector<Index> parents(const Supernodes& nodes) {
   return parent;
 }
 
-void list_children(Supernodes& nodes, const std::vector<Index>& parent) {
-  Rows& children = nodes.children;
-  children.first.assign(static_cast<std::size_t>(nodes.size()) + 1, 0);
-  for (const Index p : parent) {
-    if (p >= 0) ++children.first[p + 1];
-  }
-  std::partial_sum(children.first.begin(), children.first.end(), children.first.begin());
-  children.value.resize(static_cast<std::size_t>(children.first.back()));
-  std::vector<std::int64_t> next(children.first.begin(), children.first.end() - 1);
-  for (Index s = 0; s < nodes.size(); ++s) {
-    if (parent[s] >= 0) children.value[next[parent[s]]++] = s;
-  }
-}
-
 /// Both lists of rows increase, and the parent's holds every row below of the child.
 void place_rows(Supernodes& nodes, const std::vector<Index>& parent) {
   nodes.place_in_parent.resize(nodes.row.size());
@@ -124,7 +110,7 @@ void complete(Supernodes& nodes) {
                                 std::int64_t{nodes.rows(s)} * nodes.columns(s));
   }
   const std::vector<Index> parent = parents(nodes);
-  list_children(nodes, parent);
+  nodes.children = positions_by_value(parent, nodes.size());
   place_rows(nodes, parent);
   split_for_threads(nodes, parent);
 }

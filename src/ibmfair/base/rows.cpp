@@ -1,0 +1,22 @@
+#include "ibmfair/base/rows.h"
+
+#include <numeric>
+
+namespace ibmfair {
+
+Rows positions_by_value(std::span<const Index> values, Index count) {
+  Rows rows;
+  rows.first.assign(static_cast<std::size_t>(count) + 1, 0);
+  for (const Index v : values) {
+    if (v >= 0) ++rows.first[static_cast<std::size_t>(v) + 1];
+  }
+  std::partial_sum(rows.first.begin(), rows.first.end(), rows.first.begin());
+  rows.value.resize(static_cast<std::size_t>(rows.first.back()));
+  std::vector<std::int64_t> next(rows.first.begin(), rows.first.end() - 1);
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (values[i] >= 0) rows.value[next[values[i]]++] = static_cast<Index>(i);
+  }
+  return rows;
+}
+
+}  // namespace ibmfair
