@@ -15,8 +15,7 @@ TEST(ExtendedOff, KeepsToTheLayoutOfTheNumbers) {
            "OFF 4 2 5\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2\n3 0 2 3",
            "OFF4 2\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2\n3 0 2 3",
            "4 2 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2\n3 0 2 3\n",
-           "#\n\nOFF # a\n#\n4 2 # b\n0 0 0#red\n1 0 0\n#\n1 1 0\n\n0 1 0#\n3 0 1 2 # c\n3 0 2 "
-           "3\n#",
+           "#\n\nOFF # a\n#\n4 2 # b\n0 0 0#red\n1 0 0\n#\n1 1 0\n\n0 1 0#\n3 0 1 2#c\n3 0 2 3\n#",
            "OFF\n4 2 5\n0 0 0\n1 0 0\n1 1 0\n0 1 0 # last\n3 0 1 2\n3 0 2 3 # without an end",
            "OFF\r\n4 2 5\r\n0 0 0\r\n1 0 0\r\n1 1 0\r\n0 1 0\r\n3 0 1 2\r\n3 0 2 3\r\n",
            "OFF\r4 2 5\r0 0 0\r1 0 0\r1 1 0\r0 1 0\r3 0 1 2\r3 0 2 3",

@@ -1,4 +1,6 @@
 // What a PLY file looks like once something is put behind its vertices and faces.
+#include <array>
+
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -116,7 +118,7 @@ TEST(ExtendedPly, IsTheFileThatOneWouldWriteByHand) {
     for (const std::string end : {"\n", "\r\n", "\r"}) {
       for (const std::string index : {"int", "uchar", "ushort", "uint"}) {
         PlyText text{.encoding = encoding, .index = index, .end = end};
-        SCOPED_TRACE(encoding + " " + index + " " + testing::PrintToString(end));
+        SCOPED_TRACE(testing::PrintToString(std::array{encoding, index, end}));
         WriteReport report;
         EXPECT_EQ(with_tent(ply_file(text, false), "a.ply", 1, &report), ply_file(text, true));
         EXPECT_TRUE(report.notes.empty());
@@ -186,6 +188,7 @@ TEST(ExtendedPly, WidensVertexNumbersThatGrowTooLarge) {
   const auto file_of = [](const std::string& encoding, const std::string& index, int vertices) {
     const PlyText text{.encoding = encoding, .index = index};
     std::vector<Row> rows;
+    rows.reserve(vertices);
     for (int v = 0; v < vertices; ++v)
       rows.push_back(text.vertex(Eigen::RowVector3d(v, v % 2, 0.5), 0, {0, 0, 0}, 0, 0));
     const std::vector<Row> faces{text.face({0, 1, 2}, 1, false),

@@ -1,4 +1,5 @@
 // The laws of writing a mesh with an extension, over formats and classes of meshes.
+#include <array>
 #include <filesystem>
 #include <limits>
 #include <stdexcept>
@@ -54,7 +55,7 @@ TEST(Extension, IsReadBackBehindTheSourceForEveryMesh) {
       const MeshFile file = MeshFiles::read(bytes, name);
       const Points& X = file.mesh().X;
       for (const auto& [target, unused] : sources) {
-        SCOPED_TRACE(named.name + " " + name + " to " + target);
+        SCOPED_TRACE(testing::PrintToString(std::array{named.name, name, target}));
         WriteReport report;
         files.write(file, X, tents.extension, target, {}, &report);
         EXPECT_EQ(report.patched, name == target);

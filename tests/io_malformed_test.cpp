@@ -59,7 +59,7 @@ TEST(MalformedFiles, AreReadOrRefused) {
       EXPECT_FALSE(without_mesh.contains(name));
       EXPECT_EQ(triangulate(file.mesh()).F.rows(),
                 static_cast<Eigen::Index>(file.mesh().faces.corner.size()) -
-                    2 * file.mesh().faces.size());
+                    2 * static_cast<Eigen::Index>(file.mesh().faces.size()));
       if (file.format().patch == nullptr) continue;
       const std::string copy = "copy." + std::string(file.format().name);
       EXPECT_EQ(files.write(file, file.mesh().X, copy), file.bytes().view());

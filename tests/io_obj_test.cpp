@@ -33,7 +33,7 @@ TEST(ObjFile, KeepsPolygonsGroupsAndUnreferencedVertices) {
 
 TEST(ObjFile, MovingOneVertexChangesOneLine) {
   MeshFiles files;
-  const MeshFile file = files.read(two_groups, "a.obj");
+  const MeshFile file = MeshFiles::read(two_groups, "a.obj");
   Points X = file.mesh().X;
   X(2, 1) = 0.1;
   WriteReport report;
@@ -52,7 +52,7 @@ TEST(ObjFile, KeepsCutSeamsUnlessWelded) {
   EXPECT_EQ(apart.mesh().X.rows(), 6);
 
   MeshFiles files;
-  const MeshFile welded = files.read(seam, "a.obj", {.format = "", .weld = true});
+  const MeshFile welded = MeshFiles::read(seam, "a.obj", {.format = "", .weld = true});
   EXPECT_TRUE(welded.welded());
   EXPECT_EQ(welded.mesh().faces.corner, (std::vector<Index>{0, 1, 2, 1, 3, 2}));
   ASSERT_EQ(welded.notes().size(), 1U);
@@ -100,7 +100,7 @@ TEST(ObjFile, DropsNormalsThatSeveralVerticesShare) {
       "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nvt 0 0\nvn 0 0 1\n"
       "f 1/1/1 2/1/1 3/1/1 # flat\nf 2//1 4//1 3//1\n";
   MeshFiles files;
-  const MeshFile file = files.read(text, "a.obj");
+  const MeshFile file = MeshFiles::read(text, "a.obj");
   Points X = file.mesh().X;
   X(3, 2) = 1.0;
   WriteReport report;
@@ -240,7 +240,7 @@ TEST(ObjFile, SurvivesRandomBytes) {
 
 TEST(ObjFile, SelectsVerticesByGroupObjectAndMaterial) {
   MeshFiles files;
-  const MeshFile file = files.read(two_groups, "a.obj");
+  const MeshFile file = MeshFiles::read(two_groups, "a.obj");
   using Mask = std::vector<std::uint8_t>;
   const Mask left{1, 1, 1, 1, 0, 0, 0};
   const Mask right{0, 1, 1, 0, 0, 1, 1};

@@ -60,7 +60,7 @@ TEST(OffFile, KeepsWhatFollowsEachPosition) {
 
 TEST(OffFile, RenewsNormals) {
   MeshFiles files;
-  const MeshFile file = files.read(
+  const MeshFile file = MeshFiles::read(
       "CNOFF\n3 1 0\n0 0 0 0 0 1 9 9 9 9\n1 0 0 0 0 1 9 9 9 9\n0 1 0 0 0 -1 9 9 9 9\n3 0 1 2\n",
       "a.off");
   Points X = file.mesh().X;
@@ -95,7 +95,7 @@ TEST(OffFile, ReadsBinaryDialectsAndKeepsThem) {
       for (const char* prefix : {"", "N"}) {
         const std::string bytes = binary_off(big, colour_counts, prefix);
         MeshFiles files;
-        const MeshFile file = files.read(bytes, "a.off");
+        const MeshFile file = MeshFiles::read(bytes, "a.off");
         EXPECT_EQ(file.mesh().X.row(3), Eigen::RowVector3d(1.5, 1, 3));
         EXPECT_EQ(file.mesh().faces.corner, (std::vector<Index>{0, 1, 2, 0, 1, 3, 2}));
         EXPECT_EQ(files.write(file, file.mesh().X, "b.off"), bytes);

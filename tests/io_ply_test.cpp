@@ -42,7 +42,7 @@ TEST(PlyFile, KeepsUnknownElementsAndProperties) {
 
 TEST(PlyFile, SelectsVerticesByProperty) {
   MeshFiles files;
-  const MeshFile file = files.read(with_everything, "a.ply");
+  const MeshFile file = MeshFiles::read(with_everything, "a.ply");
   EXPECT_EQ(file.vertex_mask("label"), (std::vector<std::uint8_t>{1, 0, 0, 1}));
   EXPECT_THROW(file.vertex_mask("flag"), BadOption);
 }
@@ -140,7 +140,7 @@ constexpr std::string_view float_triangle =
 
 TEST(PlyFile, PromotesFloatsOnceAnythingMoves) {
   MeshFiles files;
-  const MeshFile file = files.read(float_triangle, "a.ply");
+  const MeshFile file = MeshFiles::read(float_triangle, "a.ply");
   EXPECT_EQ(file.mesh().X(0, 1), 0.1);
   EXPECT_EQ(files.write(file, file.mesh().X, "b.ply"), float_triangle);
   Points X = file.mesh().X;
@@ -158,7 +158,7 @@ TEST(PlyFile, KeepsFloatsWhereAsked) {
   MeshFiles files;
   WriteOptions keep;
   keep.ply_real = WriteOptions::PlyReal::keep;
-  const MeshFile text = files.read(float_triangle, "a.ply");
+  const MeshFile text = MeshFiles::read(float_triangle, "a.ply");
   Points X = text.mesh().X;
   X(1, 0) = 1.0 / 3.0;
   const std::string out = files.write(text, X, "b.ply", keep);
@@ -167,7 +167,7 @@ TEST(PlyFile, KeepsFloatsWhereAsked) {
 
   const Numbers byte{"uchar", 1, false};
   const std::string bytes = binary_ply(true, {"float", 4, true}, byte, byte);
-  const MeshFile binary = files.read(bytes, "a.ply");
+  const MeshFile binary = MeshFiles::read(bytes, "a.ply");
   X = binary.mesh().X;
   X(1, 0) = 1.0 / 3.0;
   EXPECT_EQ(files.write(binary, X, "b.ply", keep).size(), bytes.size());
@@ -194,7 +194,7 @@ TEST(PlyFile, RenewsNormals) {
 
 TEST(PlyFile, DropsNormalsInIntegers) {
   MeshFiles files;
-  const MeshFile file = files.read(
+  const MeshFile file = MeshFiles::read(
       "ply\nformat ascii 1.0\nelement vertex 3\nproperty char nx\nproperty char ny\n"
       "property double x\nproperty double y\nproperty double z\nproperty char nz\n"
       "element face 1\nproperty list uchar int vertex_indices\nend_header\n"
@@ -314,8 +314,7 @@ TEST(PlyFile, RefusesEveryTruncation) {
     EXPECT_NE(read_error(text.substr(0, size), "a.ply"), "");
   }
   for (const std::size_t size : {last_needed, binary.size()}) {
-    MeshFiles files;
-    EXPECT_EQ(files.read(binary.substr(0, size), "a.ply").mesh().X.rows(), 4);
+    EXPECT_EQ(MeshFiles::read(binary.substr(0, size), "a.ply").mesh().X.rows(), 4);
   }
 }
 
@@ -329,7 +328,7 @@ TEST(PlyFile, SurvivesEveryChangedByte) {
       std::string bytes = whole;
       bytes[i] = change;
       try {
-        const MeshFile file = files.read(bytes, "a.ply");
+        const MeshFile file = MeshFiles::read(bytes, "a.ply");
         write_mesh(file, mostly_moved(file.mesh().X), "/dev/null", {.format = "ply"});
         ++read;
       } catch (const BadFile& error) {

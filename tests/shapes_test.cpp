@@ -144,7 +144,7 @@ TEST(Shapes, SubdivisionKeepsTheVerticesThatStand) {
 // Red: 4 children for each triangle of the face; green: 2 for each one across its border.
 TEST(Shapes, RefiningAFaceSplitsItAndItsNeighboursOnly) {
   for (const int levels : {0, 1, 3}) {
-    const int side = 1 << levels;
+    const Eigen::Index side = 1 << levels;
     const TriangleMesh before = make_icosahedron({levels});
     const TriangleMesh after = make_icosahedron({levels, 4});
     EXPECT_EQ(after.F.rows(), before.F.rows() + 3 * side * side + 3 * side);

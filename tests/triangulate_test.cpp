@@ -126,6 +126,7 @@ TEST(Triangulate, EndsForEveryPolygon) {
       {{0, 0}, {1e300, 0}, {1e300, 1e300}, {0, 1e300}, {-1e300, 5}},
       {{0, 0}, {1e-300, 0}, {1e-300, 1e-300}, {0, 1e-300}, {-1e-300, 0}}};
   std::vector<std::array<double, 2>> random;
+  random.reserve(1500);
   for (int i = 0; i < 1500; ++i) {
     random.push_back({std::sin(1.0 + i * i), std::cos(3.0 + 7.0 * i * i)});
   }
@@ -149,9 +150,9 @@ TEST(Triangulate, EndsForEveryPolygon) {
 
 TEST(Triangulate, RepeatedCornersStay) {
   Mesh mesh = polygon({{0, 0}, {1, 0}, {1, 1}, {0, 1}});
-  std::vector<Index> round;
-  for (int i = 0; i < 936; ++i)
-    round.push_back(i % 4);
+  std::vector<Index> round(936);
+  for (Index i = 0; i < 936; ++i)
+    round[i] = i % 4;
   mesh.faces.add(round);
   EXPECT_EQ(triangulate(mesh).F.rows(), 2 + 934);
 }

@@ -63,7 +63,7 @@ TEST(FillShared, ScansCloseToManifolds) {
     EXPECT_EQ(run.exit_code, file.exit_code) << run.err;
     const json report = json::parse(run.out);
     for (const json& hole : report["holes"]) {
-      EXPECT_TRUE(hole["status"] == "filled" || hole["reason"] != "");
+      EXPECT_TRUE(hole["status"] == "filled" || !hole["reason"].get<std::string>().empty());
     }
     const State filled(read_mesh(out).mesh());
     EXPECT_EQ(filled.topology.boundary_loops.empty(), file.closed);

@@ -30,7 +30,7 @@ json smooth(const std::string& input, const std::string& output,
 
 std::string made(const TemporaryDirectory& directory, std::vector<std::string> arguments,
                  const std::string& name) {
-  const std::string path = directory / name;
+  std::string path = directory / name;
   arguments.insert(arguments.begin(), "make");
   arguments.insert(arguments.begin() + 2, path);
   const RunResult run = run_program(arguments);

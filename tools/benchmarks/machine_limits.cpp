@@ -70,6 +70,7 @@ std::uint64_t MemoryReading::sum(int threads) const {
   // Integers, because the compiler may reorder, and so vectorise, their sum.
   std::vector<std::uint64_t> sums(static_cast<std::size_t>(threads));
   std::vector<std::jthread> readers;
+  readers.reserve(sums.size());
   for (int t = 0; t < threads; ++t) {
     readers.emplace_back([&, t] {
       const std::uint64_t* first = values_ + value_count * t / threads;

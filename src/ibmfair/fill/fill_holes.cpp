@@ -128,13 +128,13 @@ class HoleFiller {
   /// sharp tip that few triangles cannot follow, the fine level alone may.
   HoleReport refined_while_faired(Patch& patch, Index most_vertices) const {
     Patch second = patch;
-    const HoleReport report = refined_while_faired(patch, most_vertices, options_.fairing);
+    HoleReport report = refined_while_faired(patch, most_vertices, options_.fairing);
     if (report.status != HoleStatus::not_converged || report.fairing.levels == 1) {
       return report;
     }
     FairingOptions options = options_.fairing;
     options.most_levels = 1;
-    const HoleReport again = refined_while_faired(second, most_vertices, options);
+    HoleReport again = refined_while_faired(second, most_vertices, options);
     if (again.status == HoleStatus::not_converged) {
       return report;
     }
@@ -186,6 +186,7 @@ std::vector<Index> shares(const std::vector<std::vector<Index>>& groups,
     all += need.back();
   }
   std::vector<Index> result;
+  result.reserve(need.size());
   for (const double part : need) {
     result.push_back(static_cast<Index>(limit * (part / all)));
   }

@@ -62,7 +62,7 @@ std::vector<Index> rim_vertices(const Patch& patch) {
 
 Eigen::MatrixXd extend_harmonically(const Patch& patch, const Eigen::MatrixXd& at_rim) {
   if (patch.own_size() == 0) {
-    return Eigen::MatrixXd(0, at_rim.cols());
+    return {0, at_rim.cols()};
   }
   const std::vector<Index> rim = rim_vertices(patch);
   const auto edges = edges_at_own(patch);

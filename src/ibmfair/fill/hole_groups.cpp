@@ -30,6 +30,7 @@ std::vector<std::vector<Index>> group_holes(const Topology& topology,
     groups[sets.find(h)].push_back(h);
   }
   std::vector<std::vector<Index>> result;
+  result.reserve(groups.size());
   for (auto& [first, group] : groups) {
     result.push_back(std::move(group));
   }

@@ -77,8 +77,10 @@ void find_outer_borders(const Points& X, const Topology& topology, std::vector<H
 }  // namespace
 
 std::vector<Hole> find_holes(const Points& X, const Topology& topology) {
+  const auto count = static_cast<Index>(topology.boundary_loops.size());
   std::vector<Hole> holes;
-  for (Index id = 0; id < static_cast<Index>(topology.boundary_loops.size()); ++id) {
+  holes.reserve(count);
+  for (Index id = 0; id < count; ++id) {
     holes.push_back(measured(X, topology, id));
   }
   find_outer_borders(X, topology, holes);

@@ -84,7 +84,7 @@ Triangles triangulated(const Points& X, const Topology& topology, const Polygon&
     apex.row(static_cast<Eigen::Index>(i)) = X.row(opposite_vertex(
         topology.F, polygon.mesh_triangles[i], polygon.corners[i], polygon.corners[(i + 1) % n]));
   }
-  const Triangles F = triangulate_hole(X(polygon.corners, Eigen::all), apex);
+  Triangles F = triangulate_hole(X(polygon.corners, Eigen::all), apex);
   if (F.rows() != static_cast<Eigen::Index>(n) - 2) {
     throw BadMesh("no triangulation without degenerate triangles was found");
   }

@@ -211,7 +211,7 @@ void refine_late(Patch& patch, PatchFairing& fairing, Index most_vertices) {
 FairingReport refine_and_fair(Patch& patch, const FairingOptions& options, Index most_vertices,
                               bool& refined) {
   PatchFairing fairing(patch, options);
-  const double rim = static_cast<double>(patch.rim.size());
+  const auto rim = static_cast<double>(patch.rim.size());
   const int coarsest =
       std::clamp(static_cast<int>(std::log2(rim / coarse_rim)), 0, options.most_levels - 1);
   refined = true;
