@@ -6,20 +6,23 @@
 namespace ibmfair {
 namespace {
 
-constexpr double tolerance = 1e-2;  // of the residual; a tenth of it changes no result visibly
+// Of the residual. The Jacobian is not exact either, and what one step leaves the next one takes:
+// on noisy tori a fiftieth moves the root mean square error by less than a per cent; three times as
+// much, by 18 % where there are only two steps.
+constexpr double tolerance = 0.1;
 constexpr int most_iterations = 1000;
 
 }  // namespace
 
 IterativeJacobian::IterativeJacobian(const JacobianShape& shape)
-    : shape_(shape), operator_(shape.stencils, shape.unknowns), solver_(operator_) {}
+    : shape_(shape), J_(shape.stencils, shape.unknowns), solver_(J_) {}
 
 void IterativeJacobian::update(const JacobianParts& parts) {
   if (parts.directions != nullptr) {
     throw BadOption("conjugate gradients do not solve stationary problems");
   }
   const Stopwatch watch(shape_.report.seconds.assemble);
-  operator_.update(parts.weights, parts.D, parts.h);
+  J_.update(parts.weights, parts.D, parts.h);
 }
 
 void IterativeJacobian::solve(const Points& B, Points& Y) {

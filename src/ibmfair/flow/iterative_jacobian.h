@@ -4,7 +4,7 @@
 
 #include "ibmfair/flow/jacobian_solver.h"
 #include "ibmfair/solve/conjugate_gradients.h"
-#include "ibmfair/solve/stencil_operator.h"
+#include "ibmfair/solve/jacobian_rows.h"
 
 namespace ibmfair {
 
@@ -19,7 +19,7 @@ class IterativeJacobian final : public JacobianSolver {
 
  private:
   const JacobianShape shape_;
-  StencilOperator operator_;
+  JacobianRows J_;
   ConjugateGradients solver_;
 };
 

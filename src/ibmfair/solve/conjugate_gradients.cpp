@@ -8,57 +8,57 @@ namespace ibmfair {
 namespace {
 
 using Quad = Eigen::Array4f;
-using Sums = Eigen::Array4d;  // one per coordinate
 
 /// Where b is zero, a coordinate is solved already.
-Sums quotient(const Sums& a, const Sums& b) {
+QuadSums quotient(const QuadSums& a, const QuadSums& b) {
   return (b > 0).select(a / b, 0);
 }
 
 }  // namespace
 
 int ConjugateGradients::solve(const Points& B, Points& Y, double tolerance, int most_iterations) {
-  const Index n = A_.size();
-  const Eigen::VectorXd& scale = A_.scale();
+  const Index n = J_.size();
+  const Eigen::VectorXf& N = J_.inverse_diagonal();
   x_.setZero(4, n);
   r_.setZero(4, n);
+  p_.resize(4, n);
   q_.resize(4, n);
   // Float32 holds the ratios of the entries, not their unit.
-  const double unit = (scale.asDiagonal() * B).cwiseAbs().maxCoeff();
+  const double unit = B.size() > 0 ? B.cwiseAbs().maxCoeff() : 0;
   if (!(unit > 0)) {
     Y.setZero(n, 3);
     return 0;
   }
-  Sums rho = parallel_sum(n, Sums(Sums::Zero()), [&](std::int64_t u) -> Sums {
+  QuadSums rho = parallel_sum(n, QuadSums(QuadSums::Zero()), [&](std::int64_t u) -> QuadSums {
     for (int c = 0; c < 3; ++c) {
-      r_(c, u) = static_cast<float>(scale[u] * B(u, c) / unit);
+      r_(c, u) = static_cast<float>(B(u, c) / unit);
     }
-    return r_.col(u).cast<double>().square();
+    p_.col(u) = N[u] * r_.col(u);
+    return r_.col(u).cast<double>() * p_.col(u).cast<double>();
   });
-  p_ = r_;
-  const Sums enough = tolerance * tolerance * rho;
+  const QuadSums enough = tolerance * tolerance * rho;
   int iterations = 0;
   while (iterations < most_iterations && (rho > enough).any()) {
     ++iterations;
-    A_.apply(p_, q_);
-    const Sums curvature = parallel_sum(n, Sums(Sums::Zero()), [&](std::int64_t u) -> Sums {
-      return p_.col(u).cast<double>() * q_.col(u).cast<double>();
-    });
-    const Quad alpha = quotient(rho, curvature).cast<float>();
-    const Sums next = parallel_sum(n, Sums(Sums::Zero()), [&](std::int64_t u) -> Sums {
-      x_.col(u) += alpha * p_.col(u);
-      const Quad r = r_.col(u) - alpha * q_.col(u);
-      r_.col(u) = r;
-      return r.cast<double>().square();
-    });
+    const Quad alpha = quotient(rho, J_.apply(p_, q_)).cast<float>();
+    const QuadSums next =
+        parallel_sum(n, QuadSums(QuadSums::Zero()), [&](std::int64_t u) -> QuadSums {
+          const Quad r = r_.col(u) - alpha * q_.col(u);
+          r_.col(u) = r;
+          return (N[u] * r).cast<double>() * r.cast<double>();
+        });
     const Quad beta = quotient(next, rho).cast<float>();
-    parallel_for(n, [&](std::int64_t u) { p_.col(u) = r_.col(u) + beta * p_.col(u); });
+    parallel_for(n, [&](std::int64_t u) {
+      x_.col(u) += alpha * p_.col(u);
+      p_.col(u) = N[u] * r_.col(u) + beta * p_.col(u);
+    });
     rho = next;
   }
   Y.resize(n, 3);
+  const double back = unit / J_.unit();
   parallel_for(n, [&](std::int64_t u) {
     for (int c = 0; c < 3; ++c) {
-      Y(u, c) = unit * scale[u] * x_(c, u);
+      Y(u, c) = back * x_(c, u);
     }
   });
   return iterations;

@@ -2,24 +2,24 @@
 #pragma once
 
 #include "ibmfair/base/types.h"
-#include "ibmfair/solve/stencil_operator.h"
+#include "ibmfair/solve/jacobian_rows.h"
 
 namespace ibmfair {
 
-/// Solves J Y = B with the Jacobian of a StencilOperator in workspaces that are kept. Started from
-/// zero, every iterate d of a coordinate satisfies <d, J d> = <d, b>: however few iterations there
-/// are, it is a direction of descent, and the Gauss-Newton model holds along it.
+/// Solves J Y = B by conjugate gradients preconditioned with diag(J), in workspaces that are kept.
+/// Started from zero, every iterate d of a coordinate satisfies <d, J d> = <d, b>: however few
+/// iterations there are, it is a direction of descent, and the Gauss-Newton model holds along it.
 class ConjugateGradients {
  public:
-  /// Refers to the operator.
-  explicit ConjugateGradients(StencilOperator& A) : A_(A) {}
+  /// Refers to the Jacobian.
+  explicit ConjugateGradients(const JacobianRows& J) : J_(J) {}
 
   /// Iterates until the residual of every coordinate is `tolerance` times what it was (in the norm
   /// of diag(J)^-1), or `most_iterations` times. Returns the number of iterations.
   int solve(const Points& B, Points& Y, double tolerance, int most_iterations);
 
  private:
-  StencilOperator& A_;
+  const JacobianRows& J_;
   Quads x_, r_, p_, q_;
 };
 

@@ -1,0 +1,141 @@
+#include "ibmfair/solve/jacobian_rows.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include <fmt/format.h>
+
+#include "ibmfair/base/errors.h"
+#include "ibmfair/base/parallel.h"
+#include "ibmfair/base/threads.h"
+
+namespace ibmfair {
+namespace {
+
+constexpr Index rows_per_task = 4096;
+
+/// Calls task(first, last, scratch) on parts of 0 .. count - 1, in parallel; scratch holds `count`
+/// zeros at first, and after that what earlier tasks of the same thread have left.
+template <class Task>
+void over_rows(Index count, const Task& task) {
+  std::vector<std::vector<Index>> scratch(worker_count());
+  run_tasks((count + rows_per_task - 1) / rows_per_task, count >= worth_sharing,
+            [&](std::int64_t part) {
+              auto& own = scratch[worker_index()];
+              own.resize(count, 0);
+              const auto first = static_cast<Index>(part * rows_per_task);
+              task(first, std::min(count, first + rows_per_task), own);
+            });
+}
+
+}  // namespace
+
+JacobianRows::JacobianRows(const Rows& stencils, const Unknowns& unknowns)
+    : stencils_(stencils),
+      unknowns_(unknowns),
+      places_(positions_by_value(stencils.value, static_cast<Index>(unknowns.unknown.size()))),
+      stencil_of_place_(stencils.value.size()),
+      a_(unknowns.size()),
+      inverse_diagonal_(unknowns.size()) {
+  parallel_for(stencils.size(), [&](std::int64_t s) {
+    std::fill(stencil_of_place_.begin() + stencils_.first[s],
+              stencil_of_place_.begin() + stencils_.first[s + 1], static_cast<Index>(s));
+  });
+  find_columns();
+}
+
+void JacobianRows::find_columns() {
+  std::vector<std::vector<Index>> parts((size() + rows_per_task - 1) / rows_per_task);
+  columns_.first.resize(static_cast<std::size_t>(size()) + 1);
+  over_rows(size(), [&](Index first, Index last, std::vector<Index>& row_of) {
+    std::vector<Index>& part = parts[first / rows_per_task];
+    for (Index u = first; u < last; ++u) {
+      const std::size_t before = part.size();
+      row_of[u] = u + 1;
+      for (const Index place : places_[unknowns_.vertex[u]]) {
+        for (const Index w : stencils_[stencil_of_place_[place]]) {
+          const Index v = unknowns_.unknown[w];
+          if (v >= 0 && row_of[v] != u + 1) {
+            row_of[v] = u + 1;
+            part.push_back(v);
+          }
+        }
+      }
+      columns_.first[u + 1] = static_cast<std::int64_t>(part.size() - before);
+    }
+  });
+  std::partial_sum(columns_.first.begin(), columns_.first.end(), columns_.first.begin());
+  columns_.value.resize(static_cast<std::size_t>(columns_.first.back()));
+  b_.resize(columns_.value.size());
+  parallel_for(static_cast<std::int64_t>(parts.size()), [&](std::int64_t p) {
+    std::copy(parts[p].begin(), parts[p].end(),
+              columns_.value.begin() + columns_.first[p * rows_per_task]);
+  });
+}
+
+void JacobianRows::update_diagonal(const StencilWeights& weights, const Eigen::VectorXd& D,
+                                   double h) {
+  Eigen::VectorXd diagonal(size());
+  parallel_for(size(), [&](std::int64_t u) {
+    double S = 0;
+    for (const Index place : places_[unknowns_.vertex[u]]) {
+      S += weights.w[stencil_of_place_[place]] * weights.c[place] * weights.c[place];
+    }
+    diagonal[u] = D[u] + h * S;
+  });
+  for (Index u = 0; u < size(); ++u) {
+    if (!(diagonal[u] > 0) || !std::isfinite(diagonal[u])) {
+      throw FactorizationFailed(fmt::format(
+          "the Jacobian is not positive definite at unknown {}: a triangle there has (almost) no "
+          "area, or a coordinate is not finite",
+          u));
+    }
+  }
+  unit_ = diagonal.size() > 0 ? diagonal.mean() : 1;
+  inverse_diagonal_ = (unit_ * diagonal.cwiseInverse()).cast<float>();
+}
+
+void JacobianRows::update(const StencilWeights& weights, const Eigen::VectorXd& D, double h) {
+  update_diagonal(weights, D, h);
+  over_rows(size(), [&](Index first, Index last, std::vector<Index>& position) {
+    std::vector<double> b;
+    for (Index u = first; u < last; ++u) {
+      const auto columns = columns_[u];
+      for (std::size_t k = 0; k < columns.size(); ++k) {
+        position[columns[k]] = static_cast<Index>(k);
+      }
+      b.assign(columns.size(), 0);
+      double a = D[u] / unit_;
+      for (const Index place : places_[unknowns_.vertex[u]]) {
+        const Index s = stencil_of_place_[place];
+        const double factor = h / unit_ * weights.w[s] * weights.c[place];
+        for (std::int64_t k = stencils_.first[s]; k < stencils_.first[s + 1]; ++k) {
+          const Index v = unknowns_.unknown[stencils_.value[k]];
+          if (v < 0) {
+            a -= factor * weights.c[k];
+          } else if (v != u) {
+            b[position[v]] += factor * weights.c[k];
+          }
+        }
+      }
+      a_[u] = static_cast<float>(a);
+      std::transform(b.begin(), b.end(), b_.begin() + columns_.first[u],
+                     [&](double value) { return static_cast<float>(value); });
+    }
+  });
+}
+
+QuadSums JacobianRows::apply(const Quads& p, Quads& q) const {
+  return parallel_sum(size(), QuadSums(QuadSums::Zero()), [&](std::int64_t u) -> QuadSums {
+    const Eigen::Array4f own = p.col(u);
+    Eigen::Array4f sum = a_[u] * own;
+    for (std::int64_t k = columns_.first[u]; k < columns_.first[u + 1]; ++k) {
+      sum += b_[k] * (p.col(columns_.value[k]) - own);
+    }
+    q.col(u) = sum;
+    return own.cast<double>() * sum.cast<double>();
+  });
+}
+
+}  // namespace ibmfair

@@ -1,0 +1,57 @@
+// The Jacobian J = D + h sum_s w_s c_s c_s^T by rows, in float32, for iterative solvers.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "ibmfair/energy/bending_energy.h"
+#include "ibmfair/energy/hessian.h"
+
+namespace ibmfair {
+
+/// One column of four float32 per unknown: the three coordinates, and one that is idle so that a
+/// column is one vector register.
+using Quads = Eigen::Array<float, 4, Eigen::Dynamic>;
+using QuadSums = Eigen::Array4d;  ///< one per coordinate
+
+/// J restricted to the unknowns and divided by `unit`, the mean of its diagonal; symmetric positive
+/// definite. Rows are kept as differences,
+///
+///   (J x)_u = a_u x_u + sum_v b_uv (x_v - x_u)
+///
+/// which float32 spoils less where x is smooth: the coefficients of a stencil sum to zero, so a_u
+/// is D_u, plus what the stencil's held vertices have taken with them.
+class JacobianRows {
+ public:
+  /// Refers to the stencils and the unknowns.
+  JacobianRows(const Rows& stencils, const Unknowns& unknowns);
+
+  /// D: one positive entry per unknown; h > 0. Throws FactorizationFailed where an entry of the
+  /// diagonal is not a positive number.
+  void update(const StencilWeights& weights, const Eigen::VectorXd& D, double h);
+
+  Index size() const { return unknowns_.size(); }
+  double unit() const { return unit_; }
+
+  /// unit / J_uu.
+  const Eigen::VectorXf& inverse_diagonal() const { return inverse_diagonal_; }
+
+  /// q = J p / unit, 4 x n each, and <p, q>. The same bytes for any number of threads.
+  QuadSums apply(const Quads& p, Quads& q) const;
+
+ private:
+  void find_columns();
+  void update_diagonal(const StencilWeights& weights, const Eigen::VectorXd& D, double h);
+
+  const Rows& stencils_;
+  const Unknowns& unknowns_;
+  Rows places_;                          // of each vertex, positions in stencils_.value
+  std::vector<Index> stencil_of_place_;  // as stencils_.value
+  Rows columns_;                         // of each unknown, the others that share a stencil with it
+  std::vector<float> b_;                 // as columns_.value
+  Eigen::VectorXf a_;
+  Eigen::VectorXf inverse_diagonal_;
+  double unit_ = 1;
+};
+
+}  // namespace ibmfair

@@ -1,0 +1,203 @@
+// Iterative solving: the Jacobian by rows, conjugate gradients, and the flow on top of them.
+#include "ibmfair/solve/conjugate_gradients.h"
+
+#include <cmath>
+#include <limits>
+
+#include <gtest/gtest.h>
+
+#include "ibmfair/base/errors.h"
+#include "ibmfair/base/threads.h"
+#include "ibmfair/flow/time_scale.h"
+#include "ibmfair/flow/willmore_flow.h"
+#include "ibmfair/shapes/shapes.h"
+#include "support/meshes.h"
+#include "support/states.h"
+
+namespace ibmfair::test {
+namespace {
+
+/// J = D + h S of a shaken mesh with every third vertex held, or none, by rows and assembled.
+struct Example {
+  Example(const State& state, std::string_view model, bool hold)
+      : energy(bending_model(model).bind(state.topology, {})), unknowns([&] {
+          std::vector<std::uint8_t> held(state.X.rows(), 0);
+          for (std::size_t v = 0; hold && v < held.size(); v += 3) {
+            held[v] = 1;
+          }
+          return Unknowns(held);
+        }()) {
+    energy->linearise(shaken(state, 0.1), weights);
+    D = Eigen::VectorXd::LinSpaced(unknowns.size(), 1, 3);
+    const HessianAssembler assembler(energy->stencils(), unknowns);
+    J = assembler.pattern();
+    assembler.assemble(weights, J);
+    double largest = 0;
+    for (std::int64_t j = 0; j < J.size(); ++j) {
+      largest = std::max(largest, J.value[J.column_first[j]]);
+    }
+    h = largest > 0 ? 100 / largest : 1;  // a condition of about a hundred
+    for (double& value : J.value) {
+      value *= h;
+    }
+    for (std::int64_t j = 0; j < J.size(); ++j) {
+      J.value[J.column_first[j]] += D[j];
+    }
+    rows = std::make_unique<JacobianRows>(energy->stencils(), unknowns);
+    rows->update(weights, D, h);
+  }
+
+  /// sqrt(<B, diag(J)^-1 B>), per coordinate.
+  Eigen::Array3d norm(const Points& B) const {
+    Eigen::Array3d squared = Eigen::Array3d::Zero();
+    for (std::int64_t j = 0; j < J.size(); ++j) {
+      squared += B.row(j).array().square().transpose() / J.value[J.column_first[j]];
+    }
+    return squared.sqrt();
+  }
+
+  std::unique_ptr<BendingEnergy> energy;
+  Unknowns unknowns;
+  StencilWeights weights;
+  Eigen::VectorXd D;
+  double h = 1;
+  SymmetricMatrix J;
+  std::unique_ptr<JacobianRows> rows;
+};
+
+template <class Check>
+void for_every_example(const Check& check) {
+  for (const BendingModel& model : bending_models()) {
+    for (const Placement placement : all_placements) {
+      for (const auto& [name, mesh] : placed(all_meshes(), placement)) {
+        for (const bool hold : {false, true}) {
+          SCOPED_TRACE(std::string(model.name) + ", " + name + (hold ? ", some held" : ""));
+          check(Example(State(mesh), model.name, hold));
+        }
+      }
+    }
+  }
+}
+
+TEST(JacobianRows, MultiplyAsTheAssembledMatrixDoes) {
+  for_every_example([](const Example& example) {
+    const Points X = random_directions(example.J.size());
+    Quads p = Quads::Zero(4, X.rows()), q(4, X.rows());
+    p.topRows(3) = X.transpose().cast<float>();
+    const QuadSums product = example.rows->apply(p, q);
+    const Points exact = multiply(example.J, X);
+    const Points Y = example.rows->unit() * q.topRows(3).cast<double>().transpose().matrix();
+    EXPECT_LE((Y - exact).norm(), 1e-5 * exact.norm());
+    const Eigen::Array3d curvature = X.cwiseProduct(exact).colwise().sum().transpose();
+    EXPECT_LE((example.rows->unit() * product.head<3>() - curvature).abs().maxCoeff(),
+              1e-5 * curvature.maxCoeff());
+  });
+}
+
+TEST(JacobianRows, SeeNothingButTheMetricInConstants) {
+  for_every_example([](const Example& example) {
+    if (example.unknowns.size() < static_cast<Index>(example.unknowns.unknown.size())) {
+      return;
+    }
+    const Quads p = Quads::Constant(4, example.unknowns.size(), 1);
+    Quads q(4, p.cols());
+    example.rows->apply(p, q);
+    for (Index u = 0; u < p.cols(); ++u) {
+      EXPECT_EQ(q(0, u), static_cast<float>(example.D[u] / example.rows->unit()));
+    }
+  });
+}
+
+TEST(JacobianRows, RefuseWhatIsNotPositive) {
+  const State state(Mesh(make_shape("icosphere", {})));
+  Example example(state, "lagrange", false);
+  example.weights.c[7] = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_THROW(example.rows->update(example.weights, example.D, example.h), FactorizationFailed);
+}
+
+TEST(ConjugateGradients, SolveToTheTolerance) {
+  for_every_example([](const Example& example) {
+    const Points B = random_directions(example.J.size());
+    ConjugateGradients solver(*example.rows);
+    for (const double tolerance : {1e-1, 1e-3}) {
+      Points Y;
+      EXPECT_LT(solver.solve(B, Y, tolerance, 1000), 200);
+      const Points residual = B - multiply(example.J, Y);
+      EXPECT_TRUE((example.norm(residual) <= 1.01 * tolerance * example.norm(B) + 1e-12).all());
+    }
+  });
+}
+
+// What the guard of the flow relies on.
+TEST(ConjugateGradients, StopAtAMinimumAlongTheirStep) {
+  for_every_example([](const Example& example) {
+    const Points B = random_directions(example.J.size());
+    ConjugateGradients solver(*example.rows);
+    for (const int iterations : {1, 2, 5}) {
+      Points d;
+      EXPECT_LE(solver.solve(B, d, 1e-12, iterations), iterations);
+      const double slope = d.cwiseProduct(B).sum();
+      EXPECT_NEAR(d.cwiseProduct(multiply(example.J, d)).sum(), slope, 1e-4 * slope);
+    }
+  });
+}
+
+TEST(ConjugateGradients, HaveNothingToDoForZero) {
+  const State state(Mesh(make_shape("icosphere", {})));
+  const Example example(state, "crouzeix-raviart", true);
+  Points Y;
+  EXPECT_EQ(ConjugateGradients(*example.rows)
+                .solve(Points::Zero(example.unknowns.size(), 3), Y, 1e-3, 10),
+            0);
+  EXPECT_EQ(Y, Points::Zero(example.unknowns.size(), 3));
+}
+
+TEST(ConjugateGradients, GiveTheSameBytesForAnyNumberOfThreads) {
+  ShapeSettings settings;
+  settings.subdivide = 6;
+  const State state(Mesh(make_shape("icosphere", settings)));
+  Points first;
+  for (const int threads : {1, 2, 3}) {
+    set_thread_count(threads);
+    const Example example(state, "crouzeix-raviart", true);
+    Points Y;
+    ConjugateGradients(*example.rows).solve(random_directions(example.J.size()), Y, 1e-3, 100);
+    if (threads == 1) {
+      first = Y;
+    }
+    EXPECT_EQ(Y, first);
+  }
+  set_thread_count(0);
+}
+
+// As near to the sphere that the noise was put on, and nearer to each other.
+TEST(ConjugateGradients, TakeTheFlowWhereCholeskyDoes) {
+  ShapeSettings settings;
+  settings.subdivide = 4;
+  const State state(Mesh(make_shape("icosphere", settings)));
+  for (const BendingModel& model : bending_models()) {
+    const auto ended = [&](const char* solver) {
+      Points X = shaken(state, 0.2);
+      FlowOptions options;
+      options.laplacian = model.name;
+      options.solver = solver;
+      const double edge = mean_edge_length(state.X, state.topology.E);
+      options.total_time =
+          time_in_flow_units(time_for_cutoff(8 * edge), state.X, state.topology, options);
+      const FlowReport report =
+          willmore_flow(X, state.topology, std::vector<std::uint8_t>(X.rows(), 0), options);
+      EXPECT_EQ(report.solver, solver);
+      return X;
+    };
+    const Points by_cg = ended("cg"), by_factor = ended("cholmod");
+    const auto roughness = [](const Points& X) {
+      return std::sqrt((X.rowwise().norm().array() - 1).square().mean());
+    };
+    EXPECT_LT(roughness(by_cg), 1.1 * roughness(by_factor)) << model.name;
+    EXPECT_LT((by_cg - by_factor).norm() / std::sqrt(double(state.X.rows())), roughness(by_factor))
+        << model.name;
+  }
+}
+
+}  // namespace
+}  // namespace ibmfair::test
