@@ -15,43 +15,43 @@ Vec3 move_of(const Points& step, Index unknown) {
   return unknown >= 0 ? Vec3(step.row(unknown)) : Vec3(Vec3::Zero());
 }
 
+/// Sums over the unknowns; each edge counts once.
+using Sums = Eigen::Array3d;  // roughness, strain, edges
+
 }  // namespace
 
-Points own_moves(const Points& step, const Topology& topology, const Unknowns& unknowns) {
-  Points shared = Points::Zero(unknowns.size(), 3);
-  Eigen::VectorXd valence = Eigen::VectorXd::Zero(unknowns.size());
-  for (const auto edge : topology.E.rowwise()) {
-    for (const int side : {0, 1}) {
-      if (const Index u = unknowns.unknown[edge[side]]; u >= 0) {
-        shared.row(u) += move_of(step, unknowns.unknown[edge[1 - side]]);
-        valence[u] += 1;
-      }
+void own_moves(const Points& step, const Rows& rings, const Unknowns& unknowns, Points& own) {
+  own.resize(step.rows(), 3);
+  parallel_for(unknowns.size(), [&](std::int64_t u) {
+    const auto ring = rings[unknowns.vertex[u]];
+    Vec3 shared = Vec3::Zero();
+    for (const Index w : ring) {
+      shared += move_of(step, unknowns.unknown[w]);
     }
-  }
-  return step - valence.cwiseMax(1).cwiseInverse().asDiagonal() * shared;
+    own.row(u) = step.row(u) - shared.transpose() / std::max(1.0, static_cast<double>(ring.size()));
+  });
 }
 
-double distortion(const Points& step, const Points& own, const Topology& topology,
+double distortion(const Points& step, const Points& own, const Rows& rings,
                   const Unknowns& unknowns, const PerVertex& edge_length) {
-  double strain = 0;
-  std::int64_t edges = 0;
-  for (const auto edge : topology.E.rowwise()) {
-    const Index a = unknowns.unknown[edge[0]], b = unknowns.unknown[edge[1]];
-    if (a >= 0 || b >= 0) {
-      const double length_a = edge_length[edge[0]], length_b = edge_length[edge[1]];
-      strain += 2 * (move_of(step, a) - move_of(step, b)).squaredNorm() /
-                (length_a * length_a + length_b * length_b);
-      ++edges;
+  const Sums sums = parallel_sum(unknowns.size(), Sums(Sums::Zero()), [&](std::int64_t u) -> Sums {
+    const Index v = unknowns.vertex[u];
+    const double squared_length = edge_length[v] * edge_length[v];
+    Sums at_vertex(own.row(u).squaredNorm() / squared_length, 0, 0);
+    for (const Index w : rings[v]) {
+      const Index other = unknowns.unknown[w];
+      const double share = other >= 0 ? 0.5 : 1;
+      const double change = (step.row(u).transpose() - move_of(step, other)).squaredNorm();
+      at_vertex[1] += share * 2 * change / (squared_length + edge_length[w] * edge_length[w]);
+      at_vertex[2] += share;
     }
-  }
-  if (edges == 0) {
+    return at_vertex;
+  });
+  if (sums[2] == 0) {
     return 0;
   }
-  const double roughness = parallel_sum(unknowns.size(), [&](std::int64_t u) {
-    return own.row(u).squaredNorm() / std::pow(edge_length[unknowns.vertex[u]], 2);
-  });
-  return std::max(std::sqrt(roughness / unknowns.size()) / largest_roughness,
-                  std::sqrt(strain / static_cast<double>(edges)) / largest_strain);
+  return std::max(std::sqrt(sums[0] / unknowns.size()) / largest_roughness,
+                  std::sqrt(sums[1] / sums[2]) / largest_strain);
 }
 
 }  // namespace ibmfair

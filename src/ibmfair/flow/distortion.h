@@ -7,8 +7,9 @@
 namespace ibmfair {
 
 /// The part of each unknown's move that its neighbours do not share: `step` (one row per unknown,
-/// length) minus the mean of the neighbours' moves, held ones being 0.
-Points own_moves(const Points& step, const Topology& topology, const Unknowns& unknowns);
+/// length) minus the mean of the neighbours' moves, held ones being 0. `rings` are those of
+/// vertex_rings.
+void own_moves(const Points& step, const Rows& rings, const Unknowns& unknowns, Points& own);
 
 /// A measure of what `step` does to the triangles; 1 is as much as one time step should. It is the
 /// larger of
@@ -19,7 +20,7 @@ Points own_moves(const Points& step, const Topology& topology, const Unknowns& u
 /// Steps beyond let noise grow into volume; the two limits were chosen on noisy spheres, tori and
 /// scans (tools/denoise_table) and on smooth shapes that change a lot (tools/figure9_table).
 /// `own` is what own_moves gives, `edge_length` (#V) the mean length of the edges at each vertex.
-double distortion(const Points& step, const Points& own, const Topology& topology,
+double distortion(const Points& step, const Points& own, const Rows& rings,
                   const Unknowns& unknowns, const PerVertex& edge_length);
 
 }  // namespace ibmfair

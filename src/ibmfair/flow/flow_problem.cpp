@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "ibmfair/base/errors.h"
+#include "ibmfair/base/parallel.h"
 #include "ibmfair/base/stopwatch.h"
 
 namespace ibmfair {
@@ -53,7 +54,22 @@ double FlowProblem::energy_at(const Points& Y) {
 }
 
 void FlowProblem::update_gradient() {
-  energy_ = energy_and_gradient_at(X, g_);
+  if (!gradient_is_new_) {
+    energy_ = energy_and_gradient_at(X, g_);
+  }
+  gradient_is_new_ = false;
+}
+
+double FlowProblem::try_state(const Points& Y) {
+  next_energy_ = evaluate(Y, next_g_);
+  return next_energy_;
+}
+
+void FlowProblem::move_to_tried(Points& Y) {
+  X.swap(Y);
+  g_.swap(next_g_);
+  energy_ = next_energy_;
+  gradient_is_new_ = true;
 }
 
 Points FlowProblem::gradient_at(const Points& Y) {
@@ -64,8 +80,14 @@ Points FlowProblem::gradient_at(const Points& Y) {
 
 double FlowProblem::energy_and_gradient_at(const Points& Y, Points& gradient) {
   const Stopwatch watch(report.seconds.gradient);
+  return evaluate(Y, gradient);
+}
+
+double FlowProblem::evaluate(const Points& Y, Points& gradient) {
   const double energy = bending_->energy_and_gradient(Y, G_);
-  gradient = G_(unknowns.vertex, Eigen::all);
+  gradient.resize(unknowns.size(), 3);
+  parallel_for(unknowns.size(),
+               [&](std::int64_t u) { gradient.row(u) = G_.row(unknowns.vertex[u]); });
   return energy;
 }
 
@@ -84,14 +106,17 @@ Points FlowProblem::newton_step() {
 }
 
 void FlowProblem::displace(const Points& move, Points& Y) const {
-  Y = X;
-  for (Index u = 0; u < unknowns.size(); ++u) {
-    const Index v = unknowns.vertex[u];
-    Y.row(v) += move.row(u);
-    if (options.max_move < std::numeric_limits<double>::infinity()) {
-      Y.row(v) = within_ball(start_.row(v), options.max_move, Y.row(v));
+  Y.resize(X.rows(), 3);
+  const bool bounded = options.max_move < std::numeric_limits<double>::infinity();
+  parallel_for(X.rows(), [&](std::int64_t v) {
+    Y.row(v) = X.row(v);
+    if (const Index u = unknowns.unknown[v]; u >= 0) {
+      Y.row(v) += move.row(u);
+      if (bounded) {
+        Y.row(v) = within_ball(start_.row(v), options.max_move, Y.row(v));
+      }
     }
-  }
+  });
 }
 
 double FlowProblem::gradient_norm() const {

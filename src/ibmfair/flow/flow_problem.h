@@ -30,8 +30,14 @@ class FlowProblem {
   double energy() const { return energy_; }
   double energy_at(const Points& Y);
 
-  /// Evaluates the energy and its gradient at the state.
+  /// Evaluates the energy and its gradient at the state, where that was not done on the way there.
   void update_gradient();
+
+  /// The energy at another place, where the state is likely to be next.
+  double try_state(const Points& Y);
+
+  /// Moves the state to Y, the last place that was tried, and leaves the one before in Y.
+  void move_to_tried(Points& Y);
 
   /// The gradient at the state (by `update_gradient`), one row per unknown.
   const Points& gradient() const { return g_; }
@@ -57,12 +63,15 @@ class FlowProblem {
   const Jacobian& jacobian() const { return *jacobian_; }
 
  private:
+  double evaluate(const Points& Y, Points& gradient);
+
   Points start_;
   std::unique_ptr<BendingEnergy> bending_;
   std::unique_ptr<Jacobian> jacobian_;
-  double energy_ = 0;
+  double energy_ = 0, next_energy_ = 0;
   Points G_;  // #V x 3, reused
-  Points g_;
+  Points g_, next_g_;
+  bool gradient_is_new_ = false;
 };
 
 }  // namespace ibmfair

@@ -32,8 +32,9 @@ class GuardedFlow {
   GuardedFlow(FlowProblem& problem, const StepObserver& observer)
       : p_(problem),
         observer_(observer),
+        rings_(vertex_rings(problem.topology)),
         folds_(problem.X, problem.topology, problem.unknowns),
-        relaxation_(problem.topology, problem.unknowns),
+        relaxation_(problem.topology, rings_, problem.unknowns),
         h_target_(problem.options.total_time / problem.options.steps),
         h_(h_target_),
         left_(problem.options.total_time) {}
@@ -95,7 +96,7 @@ class GuardedFlow {
   bool renew_jacobian() {
     {
       const Stopwatch watch(p_.report.seconds.guard);
-      edge_length_ = local_edge_length(p_.X, p_.topology);
+      edge_length_ = local_edge_length(p_.X, rings_);
     }
     if (!keep_damping_) {
       p_.jacobian().damping() = (p_.jacobian().damping() / lighter).cwiseMax(1.0);
@@ -122,24 +123,24 @@ class GuardedFlow {
 
   bool distorts(const Points& step) {
     const Stopwatch watch(p_.report.seconds.guard);
-    own_ = own_moves(step, p_.topology, p_.unknowns);
-    distortion_ = fraction_ * distortion(step, own_, p_.topology, p_.unknowns, edge_length_);
+    own_moves(step, rings_, p_.unknowns, own_);
+    distortion_ = fraction_ * distortion(step, own_, rings_, p_.unknowns, edge_length_);
     return distortion_ > 1;
   }
 
   /// No vertex leaves its neighbours by more than its mean edge length in one step. Returns how
   /// many would have.
   std::int64_t shorten_own_moves(Points& step) const {
-    std::int64_t shortened = 0;
-    for (Index u = 0; u < p_.unknowns.size(); ++u) {
+    const double shortened = parallel_sum(p_.unknowns.size(), [&](std::int64_t u) {
       const double limit = edge_length_[p_.unknowns.vertex[u]];
       const double length = own_.row(u).norm();
-      if (length > limit) {
-        step.row(u) -= (1 - limit / length) * own_.row(u);
-        ++shortened;
+      if (!(length > limit)) {
+        return 0;
       }
-    }
-    return shortened;
+      step.row(u) -= (1 - limit / length) * own_.row(u);
+      return 1;
+    });
+    return static_cast<std::int64_t>(shortened);
   }
 
   /// Displaces into Y_, withholding the moves of vertices whose hinges would fold over; false where
@@ -240,10 +241,10 @@ class GuardedFlow {
     for (int i = 0; i <= backtracks; ++i, move /= 2) {
       std::int64_t withheld = 0;
       if (displace_without_folds(move, withheld)) {
-        const double energy = p_.energy_at(Y_);
+        const double energy = p_.try_state(Y_);
         if (energy <= energy_before_step_) {
           p_.report.energy_after = energy;
-          p_.X.swap(Y_);
+          p_.move_to_tried(Y_);
           return;
         }
       }
@@ -265,6 +266,7 @@ class GuardedFlow {
 
   FlowProblem& p_;
   const StepObserver& observer_;
+  const Rows rings_;
   FoldWatch folds_;
   TangentialRelaxation relaxation_;
   const double h_target_;

@@ -38,6 +38,7 @@ StationaryFlow::StationaryFlow(const Points& X, const Topology& topology,
                                const std::vector<std::uint8_t>& held, const FlowOptions& options,
                                double h, double h_limit, bool normal_only)
     : problem_(X, topology, held, options),
+      rings_(vertex_rings(topology)),
       folds_(X, topology, problem_.unknowns),
       h_(h),
       h_limit_(h_limit),
@@ -79,7 +80,7 @@ bool StationaryFlow::renew() {
     h_ /= growth;
     return false;
   }
-  edge_length_ = local_edge_length(problem_.X, problem_.topology)(problem_.unknowns.vertex);
+  edge_length_ = local_edge_length(problem_.X, rings_)(problem_.unknowns.vertex);
   stale_ = false;
   steps_with_jacobian_ = 0;
   return true;

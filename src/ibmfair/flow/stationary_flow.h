@@ -58,6 +58,7 @@ class StationaryFlow {
   void adapt(double fraction, double ratio);
 
   FlowProblem problem_;
+  const Rows rings_;
   FoldWatch folds_;
   CurvaturePairs pairs_;
   double h_, h_limit_;

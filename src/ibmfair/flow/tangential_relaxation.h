@@ -2,8 +2,6 @@
 // too, which a curvature energy hardly sees.
 #pragma once
 
-#include <vector>
-
 #include "ibmfair/energy/hessian.h"
 #include "ibmfair/mesh/topology.h"
 
@@ -13,7 +11,8 @@ namespace ibmfair {
 /// with and stay.
 class TangentialRelaxation {
  public:
-  TangentialRelaxation(const Topology& topology, const Unknowns& unknowns);
+  /// Refers to all three; `rings` are those of vertex_rings.
+  TangentialRelaxation(const Topology& topology, const Rows& rings, const Unknowns& unknowns);
 
   /// The moves of one sweep at `X` (one row per unknown, length): half way to the mean of the
   /// neighbours, projected off the area-weighted vertex normal.
@@ -21,8 +20,8 @@ class TangentialRelaxation {
 
  private:
   const Topology& topology_;
-  std::vector<Index> vertex_;  // of each unknown, -1 where it is not relaxed
-  Rows neighbours_;            // per unknown
+  const Rows& rings_;
+  const Unknowns& unknowns_;
 };
 
 }  // namespace ibmfair

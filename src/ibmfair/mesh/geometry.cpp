@@ -97,17 +97,17 @@ PerVertex lumped_vertex_mass(const Points& X, const Topology& topology) {
   return mass;
 }
 
-PerVertex local_edge_length(const Points& X, const Topology& topology) {
-  PerVertex sum = PerVertex::Zero(topology.vertex_count);
-  PerVertex count = PerVertex::Zero(topology.vertex_count);
-  for (const auto edge : topology.E.rowwise()) {
-    const double length = (X.row(edge[0]) - X.row(edge[1])).norm();
-    for (const Index v : {edge[0], edge[1]}) {
-      sum[v] += length;
-      count[v] += 1;
+PerVertex local_edge_length(const Points& X, const Rows& rings) {
+  PerVertex length(rings.size());
+  parallel_for(rings.size(), [&](std::int64_t v) {
+    const auto ring = rings[static_cast<Index>(v)];
+    double sum = 0;
+    for (const Index w : ring) {
+      sum += (X.row(w) - X.row(v)).norm();
     }
-  }
-  return sum.cwiseQuotient(count.cwiseMax(1));
+    length[v] = sum / static_cast<double>(std::max<std::size_t>(1, ring.size()));
+  });
+  return length;
 }
 
 Vec3 bounding_box_size(const Points& X) {

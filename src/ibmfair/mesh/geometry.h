@@ -36,8 +36,9 @@ double mean_edge_length(const Points& X, const Edges& E);
 /// Lumped mass, #V: a third of the area of the usable triangles around each vertex, length^2.
 PerVertex lumped_vertex_mass(const Points& X, const Topology& topology);
 
-/// The mean length of the edges at each vertex, #V; 0 for an isolated vertex.
-PerVertex local_edge_length(const Points& X, const Topology& topology);
+/// The mean length of the edges at each vertex, #V; 0 for an isolated vertex. `rings` are those of
+/// vertex_rings (mesh/topology.h).
+PerVertex local_edge_length(const Points& X, const Rows& rings);
 
 /// Largest minus smallest coordinate, per axis.
 Vec3 bounding_box_size(const Points& X);

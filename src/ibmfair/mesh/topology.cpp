@@ -1,6 +1,7 @@
 #include "ibmfair/mesh/topology.h"
 
 #include <algorithm>
+#include <numeric>
 #include <utility>
 
 #include "ibmfair/base/parallel.h"
@@ -189,6 +190,22 @@ Topology build_topology(Index vertex_count, Triangles F, std::vector<Index> zero
 Topology build_topology(const Points& X, Triangles F) {
   std::vector<Index> zero_area = degenerate_triangles(X, F);
   return build_topology(static_cast<Index>(X.rows()), std::move(F), std::move(zero_area));
+}
+
+Rows vertex_rings(const Topology& topology) {
+  Rows rings;
+  rings.first.assign(static_cast<std::size_t>(topology.vertex_count) + 1, 0);
+  for (const Index v : topology.E.reshaped()) {
+    ++rings.first[v + 1];
+  }
+  std::partial_sum(rings.first.begin(), rings.first.end(), rings.first.begin());
+  rings.value.resize(static_cast<std::size_t>(rings.first.back()));
+  std::vector<std::int64_t> next(rings.first.begin(), rings.first.end() - 1);
+  for (const auto edge : topology.E.rowwise()) {
+    rings.value[next[edge[0]]++] = edge[1];
+    rings.value[next[edge[1]]++] = edge[0];
+  }
+  return rings;
 }
 
 std::vector<std::uint8_t> grow_one_ring(const Topology& topology,

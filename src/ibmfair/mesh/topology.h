@@ -86,6 +86,9 @@ Topology build_topology(Index vertex_count, Triangles F, std::vector<Index> zero
 /// The same with the zero-area triangles found by `degenerate_triangles` (mesh/geometry.h).
 Topology build_topology(const Points& X, Triangles F);
 
+/// The vertices that each vertex has an edge to, in increasing order.
+Rows vertex_rings(const Topology& topology);
+
 /// Grows a vertex set by one ring: true for every vertex that shares a triangle with a true one.
 std::vector<std::uint8_t> grow_one_ring(const Topology& topology,
                                         const std::vector<std::uint8_t>& vertices);
