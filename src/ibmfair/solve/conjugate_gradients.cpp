@@ -9,11 +9,6 @@ namespace {
 
 using Quad = Eigen::Array4f;
 
-/// Where b is zero, a coordinate is solved already.
-QuadSums quotient(const QuadSums& a, const QuadSums& b) {
-  return (b > 0).select(a / b, 0);
-}
-
 }  // namespace
 
 int ConjugateGradients::solve(const Points& B, Points& Y, double tolerance, int most_iterations) {
@@ -29,25 +24,28 @@ int ConjugateGradients::solve(const Points& B, Points& Y, double tolerance, int 
     Y.setZero(n, 3);
     return 0;
   }
-  QuadSums rho = parallel_sum(n, QuadSums(QuadSums::Zero()), [&](std::int64_t u) -> QuadSums {
+  double rho = parallel_sum(n, [&](std::int64_t u) {
     for (int c = 0; c < 3; ++c) {
       r_(c, u) = static_cast<float>(B(u, c) / unit);
     }
     p_.col(u) = N[u] * r_.col(u);
-    return r_.col(u).cast<double>() * p_.col(u).cast<double>();
+    return static_cast<double>((r_.col(u) * p_.col(u)).sum());
   });
-  const QuadSums enough = tolerance * tolerance * rho;
+  const double enough = tolerance * tolerance * rho;
   int iterations = 0;
-  while (iterations < most_iterations && (rho > enough).any()) {
+  while (iterations < most_iterations && rho > enough) {
     ++iterations;
-    const Quad alpha = quotient(rho, J_.apply(p_, q_)).cast<float>();
-    const QuadSums next =
-        parallel_sum(n, QuadSums(QuadSums::Zero()), [&](std::int64_t u) -> QuadSums {
-          const Quad r = r_.col(u) - alpha * q_.col(u);
-          r_.col(u) = r;
-          return (N[u] * r).cast<double>() * r.cast<double>();
-        });
-    const Quad beta = quotient(next, rho).cast<float>();
+    const double curvature = J_.apply(p_, q_);
+    if (!(curvature > 0)) {
+      break;  // what is left of the residual is rounding
+    }
+    const auto alpha = static_cast<float>(rho / curvature);
+    const double next = parallel_sum(n, [&](std::int64_t u) {
+      const Quad r = r_.col(u) - alpha * q_.col(u);
+      r_.col(u) = r;
+      return static_cast<double>(N[u] * r.square().sum());
+    });
+    const auto beta = static_cast<float>(next / rho);
     parallel_for(n, [&](std::int64_t u) {
       x_.col(u) += alpha * p_.col(u);
       p_.col(u) = N[u] * r_.col(u) + beta * p_.col(u);

@@ -1,4 +1,4 @@
-// Conjugate gradients on the three coordinates at once.
+// Conjugate gradients for a displacement of the unknowns.
 #pragma once
 
 #include "ibmfair/base/types.h"
@@ -7,15 +7,16 @@
 namespace ibmfair {
 
 /// Solves J Y = B by conjugate gradients preconditioned with diag(J), in workspaces that are kept.
-/// Started from zero, every iterate d of a coordinate satisfies <d, J d> = <d, b>: however few
-/// iterations there are, it is a direction of descent, and the Gauss-Newton model holds along it.
+/// The three coordinates are one vector, with one step length: so the result turns as B is turned.
+/// Started from zero, every iterate d satisfies <d, J d> = <d, b>: however few iterations there
+/// are, it is a direction of descent, and the Gauss-Newton model holds along it.
 class ConjugateGradients {
  public:
   /// Refers to the Jacobian.
   explicit ConjugateGradients(const JacobianRows& J) : J_(J) {}
 
-  /// Iterates until the residual of every coordinate is `tolerance` times what it was (in the norm
-  /// of diag(J)^-1), or `most_iterations` times. Returns the number of iterations.
+  /// Iterates until the residual is `tolerance` times what it was (in the norm of diag(J)^-1), or
+  /// `most_iterations` times. Returns the number of iterations.
   int solve(const Points& B, Points& Y, double tolerance, int most_iterations);
 
  private:

@@ -126,15 +126,15 @@ void JacobianRows::update(const StencilWeights& weights, const Eigen::VectorXd& 
   });
 }
 
-QuadSums JacobianRows::apply(const Quads& p, Quads& q) const {
-  return parallel_sum(size(), QuadSums(QuadSums::Zero()), [&](std::int64_t u) -> QuadSums {
+double JacobianRows::apply(const Quads& p, Quads& q) const {
+  return parallel_sum(size(), [&](std::int64_t u) {
     const Eigen::Array4f own = p.col(u);
     Eigen::Array4f sum = a_[u] * own;
     for (std::int64_t k = columns_.first[u]; k < columns_.first[u + 1]; ++k) {
       sum += b_[k] * (p.col(columns_.value[k]) - own);
     }
     q.col(u) = sum;
-    return own.cast<double>() * sum.cast<double>();
+    return static_cast<double>((own * sum).sum());
   });
 }
 

@@ -12,7 +12,6 @@ namespace ibmfair {
 /// One column of four float32 per unknown: the three coordinates, and one that is idle so that a
 /// column is one vector register.
 using Quads = Eigen::Array<float, 4, Eigen::Dynamic>;
-using QuadSums = Eigen::Array4d;  ///< one per coordinate
 
 /// J restricted to the unknowns and divided by `unit`, the mean of its diagonal; symmetric positive
 /// definite. Rows are kept as differences,
@@ -36,8 +35,9 @@ class JacobianRows {
   /// unit / J_uu.
   const Eigen::VectorXf& inverse_diagonal() const { return inverse_diagonal_; }
 
-  /// q = J p / unit, 4 x n each, and <p, q>. The same bytes for any number of threads.
-  QuadSums apply(const Quads& p, Quads& q) const;
+  /// q = J p / unit, 4 x n each, and <p, q> over all coordinates. The same bytes for any number of
+  /// threads.
+  double apply(const Quads& p, Quads& q) const;
 
  private:
   void find_columns();
