@@ -254,6 +254,9 @@ void add_flow_options(CLI::App& app, SmoothArguments& a) {
                  "memory) or auto (the one predicted to be quicker)")
       ->check(CLI::IsMember(solver_names()))
       ->capture_default_str();
+  add_real(app, "--solver-tolerance", a.flow.solver_tolerance, positive,
+           "residual at which conjugate gradients stop, of what it was: 0.3 halves the time, and "
+           "leaves ripples near the cut-off where there are few steps (default 0.05)");
   app.add_option("--tangential", a.tangential,
                  "relax or none: even out vertices within the surface after each step (default "
                  "relax; none where the mesh has texture coordinates)")

@@ -127,6 +127,7 @@ void add_smooth_figures(ordered_json& report, const SmoothFigures& figures,
                        {"total_time", options.total_time},
                        {"cutoff", figures.cutoff},
                        {"newton_iterations", options.newton_iterations},
+                       {"solver_tolerance", options.solver_tolerance},
                        {"guarded", options.guarded},
                        {"tangential", options.guarded && options.relax ? "relax" : "none"}};
   report["mesh"] = {{"vertices", topology.vertex_count},

@@ -6,6 +6,9 @@
 #include <functional>
 #include <vector>
 
+#include "ibmfair/base/threads.h"
+#include "ibmfair/base/types.h"
+
 namespace ibmfair {
 
 /// Loops shorter than this run on one thread: waking the others would take longer.
@@ -39,6 +42,19 @@ void parallel_for(std::int64_t count, Body&& body) {
     }
   };
   run_tasks((count + block - 1) / block, count >= worth_sharing, run);
+}
+
+/// Calls task(first, last, scratch) on parts of 0 .. count - 1 of `part_size` each, in parallel;
+/// scratch has `scratch_size` entries, zeros or what earlier tasks of the same thread have left.
+template <class Task>
+void parallel_parts(std::int64_t count, std::int64_t part_size, std::size_t scratch_size,
+                    const Task& task) {
+  std::vector<std::vector<Index>> scratch(worker_count());
+  run_tasks((count + part_size - 1) / part_size, count >= worth_sharing, [&](std::int64_t part) {
+    auto& own = scratch[worker_index()];
+    own.resize(scratch_size, 0);
+    task(part * part_size, std::min(count, (part + 1) * part_size), own);
+  });
 }
 
 /// `zero` plus the sum of body(i) over 0 .. count - 1. Blocks of fixed size are summed first and

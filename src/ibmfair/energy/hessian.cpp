@@ -5,6 +5,11 @@
 #include "ibmfair/base/parallel.h"
 
 namespace ibmfair {
+namespace {
+
+constexpr std::int64_t columns_per_task = 4096;
+
+}  // namespace
 
 Points multiply(const SymmetricMatrix& J, const Points& X) {
   Points Y = Points::Zero(X.rows(), 3);
@@ -58,21 +63,27 @@ HessianAssembler::HessianAssembler(const Rows& stencils, const Unknowns& unknown
 void HessianAssembler::assemble(const StencilWeights& weights, SymmetricMatrix& S) const {
   // Column by column, each gathered from the stencils at its vertex: nothing is stored per term,
   // and no two threads write the same entry.
-  parallel_for(S.size(), [&](std::int64_t j) {
-    const auto first = S.row.begin() + S.column_first[j];
-    const auto last = S.row.begin() + S.column_first[j + 1];
-    std::fill(S.value.begin() + S.column_first[j], S.value.begin() + S.column_first[j + 1], 0.0);
-    for (const Index place : places_[unknowns_.vertex[j]]) {
-      const Index s = stencil_of_place_[place];
-      const double wc = weights.w[s] * weights.c[place];
-      for (std::int64_t other = stencils_.first[s]; other < stencils_.first[s + 1]; ++other) {
-        if (const Index i = unknowns_.unknown[stencils_.value[other]]; i >= j) {
-          const auto entry = std::lower_bound(first, last, i) - S.row.begin();
-          S.value[entry] += wc * weights.c[other];
+  const auto fill = [&](std::int64_t first, std::int64_t last,
+                        std::vector<Index>& place_in_column) {
+    for (std::int64_t j = first; j < last; ++j) {
+      double* column = &S.value[S.column_first[j]];
+      const std::int64_t size = S.column_first[j + 1] - S.column_first[j];
+      for (std::int64_t k = 0; k < size; ++k) {
+        place_in_column[S.row[S.column_first[j] + k]] = static_cast<Index>(k);
+      }
+      std::fill(column, column + size, 0.0);
+      for (const Index place : places_[unknowns_.vertex[j]]) {
+        const Index s = stencil_of_place_[place];
+        const double wc = weights.w[s] * weights.c[place];
+        for (std::int64_t other = stencils_.first[s]; other < stencils_.first[s + 1]; ++other) {
+          if (const Index i = unknowns_.unknown[stencils_.value[other]]; i >= j) {
+            column[place_in_column[i]] += wc * weights.c[other];
+          }
         }
       }
     }
-  });
+  };
+  parallel_parts(S.size(), columns_per_task, unknowns_.vertex.size(), fill);
 }
 
 }  // namespace ibmfair

@@ -26,6 +26,8 @@ void FlowOptions::validate() const {
   require(total_time > 0 && std::isfinite(total_time),
           "the flow's time must be positive and finite");
   require(newton_iterations >= 1, "the number of Newton iterations must be at least 1");
+  require(solver_tolerance > 0 && solver_tolerance < 1,
+          "the tolerance of the solver must be above 0 and below 1");
   require(max_move > 0, "the largest move must be positive");
 }
 

@@ -26,7 +26,8 @@ struct FlowOptions {
   bool guarded = true;        ///< false: the scheme of [W07] as published
   bool relax = true;          ///< a sweep of tangential relaxation after each guarded step
   double max_move = std::numeric_limits<double>::infinity();  ///< from the start, length
-  std::string solver = "auto";  ///< a name from jacobian_backends(), or "auto"
+  std::string solver = "auto";     ///< a name from jacobian_backends(), or "auto"
+  double solver_tolerance = 0.05;  ///< of the residual, for iterative solvers; below 1
   Ordering ordering = Ordering::automatic;
 
   /// Throws BadOption where a value cannot be used.

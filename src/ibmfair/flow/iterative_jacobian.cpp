@@ -6,10 +6,6 @@
 namespace ibmfair {
 namespace {
 
-// Of the residual. The Jacobian is not exact either, and what one step leaves the next one takes:
-// on noisy tori a fiftieth of it moves the root mean square error by less than a per cent. With
-// twice as much, a model with needles kept a sixth more of its energy.
-constexpr double tolerance = 0.05;
 constexpr int most_iterations = 1000;
 
 }  // namespace
@@ -27,7 +23,7 @@ void IterativeJacobian::update(const JacobianParts& parts) {
 
 void IterativeJacobian::solve(const Points& B, Points& Y) {
   const Stopwatch watch(shape_.report.seconds.solve);
-  shape_.report.iterations += solver_.solve(B, Y, tolerance, most_iterations);
+  shape_.report.iterations += solver_.solve(B, Y, shape_.options.solver_tolerance, most_iterations);
 }
 
 }  // namespace ibmfair

@@ -8,26 +8,11 @@
 
 #include "ibmfair/base/errors.h"
 #include "ibmfair/base/parallel.h"
-#include "ibmfair/base/threads.h"
 
 namespace ibmfair {
 namespace {
 
-constexpr Index rows_per_task = 4096;
-
-/// Calls task(first, last, scratch) on parts of 0 .. count - 1, in parallel; scratch holds `count`
-/// zeros at first, and after that what earlier tasks of the same thread have left.
-template <class Task>
-void over_rows(Index count, const Task& task) {
-  std::vector<std::vector<Index>> scratch(worker_count());
-  run_tasks((count + rows_per_task - 1) / rows_per_task, count >= worth_sharing,
-            [&](std::int64_t part) {
-              auto& own = scratch[worker_index()];
-              own.resize(count, 0);
-              const auto first = static_cast<Index>(part * rows_per_task);
-              task(first, std::min(count, first + rows_per_task), own);
-            });
-}
+constexpr std::int64_t rows_per_task = 4096;
 
 }  // namespace
 
@@ -48,9 +33,9 @@ JacobianRows::JacobianRows(const Rows& stencils, const Unknowns& unknowns)
 void JacobianRows::find_columns() {
   std::vector<std::vector<Index>> parts((size() + rows_per_task - 1) / rows_per_task);
   columns_.first.resize(static_cast<std::size_t>(size()) + 1);
-  over_rows(size(), [&](Index first, Index last, std::vector<Index>& row_of) {
+  const auto find = [&](std::int64_t first, std::int64_t last, std::vector<Index>& row_of) {
     std::vector<Index>& part = parts[first / rows_per_task];
-    for (Index u = first; u < last; ++u) {
+    for (auto u = static_cast<Index>(first); u < last; ++u) {
       const std::size_t before = part.size();
       row_of[u] = u + 1;
       for (const Index place : places_[unknowns_.vertex[u]]) {
@@ -64,7 +49,8 @@ void JacobianRows::find_columns() {
       }
       columns_.first[u + 1] = static_cast<std::int64_t>(part.size() - before);
     }
-  });
+  };
+  parallel_parts(size(), rows_per_task, unknowns_.vertex.size(), find);
   std::partial_sum(columns_.first.begin(), columns_.first.end(), columns_.first.begin());
   columns_.value.resize(static_cast<std::size_t>(columns_.first.back()));
   b_.resize(columns_.value.size());
@@ -98,32 +84,32 @@ void JacobianRows::update_diagonal(const StencilWeights& weights, const Eigen::V
 
 void JacobianRows::update(const StencilWeights& weights, const Eigen::VectorXd& D, double h) {
   update_diagonal(weights, D, h);
-  over_rows(size(), [&](Index first, Index last, std::vector<Index>& position) {
-    std::vector<double> b;
-    for (Index u = first; u < last; ++u) {
+  // Two more sums than columns: for the vertex itself, which is not needed, and for what is held.
+  // The inner loop has no branches.
+  const auto fill = [&](std::int64_t first, std::int64_t last, std::vector<Index>& slot) {
+    std::vector<double> sums;
+    for (auto u = static_cast<Index>(first); u < last; ++u) {
       const auto columns = columns_[u];
-      for (std::size_t k = 0; k < columns.size(); ++k) {
-        position[columns[k]] = static_cast<Index>(k);
+      const auto own = static_cast<Index>(columns.size()), held = own + 1;
+      for (Index k = 0; k < own; ++k) {
+        slot[columns[k] + 1] = k;
       }
-      b.assign(columns.size(), 0);
-      double a = D[u] / unit_;
+      slot[u + 1] = own;
+      slot[0] = held;
+      sums.assign(columns.size() + 2, 0);
       for (const Index place : places_[unknowns_.vertex[u]]) {
         const Index s = stencil_of_place_[place];
         const double factor = h / unit_ * weights.w[s] * weights.c[place];
         for (std::int64_t k = stencils_.first[s]; k < stencils_.first[s + 1]; ++k) {
-          const Index v = unknowns_.unknown[stencils_.value[k]];
-          if (v < 0) {
-            a -= factor * weights.c[k];
-          } else if (v != u) {
-            b[position[v]] += factor * weights.c[k];
-          }
+          sums[slot[unknowns_.unknown[stencils_.value[k]] + 1]] += factor * weights.c[k];
         }
       }
-      a_[u] = static_cast<float>(a);
-      std::transform(b.begin(), b.end(), b_.begin() + columns_.first[u],
-                     [&](double value) { return static_cast<float>(value); });
+      a_[u] = static_cast<float>(D[u] / unit_ - sums[held]);
+      std::transform(sums.begin(), sums.begin() + own, b_.begin() + columns_.first[u],
+                     [](double sum) { return static_cast<float>(sum); });
     }
-  });
+  };
+  parallel_parts(size(), rows_per_task, unknowns_.vertex.size() + 1, fill);
 }
 
 double JacobianRows::apply(const Quads& p, Quads& q) const {
