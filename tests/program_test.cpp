@@ -251,6 +251,52 @@ TEST(Program, TooLittleMemoryHasExitCode5) {
   EXPECT_TRUE(contains(result.err, "memory")) << result.err;
 }
 
+/// A mesh for which a factor takes some 100 MB and conjugate gradients a fifth of that.
+std::string mesh_with_a_large_factor(const TemporaryDirectory& directory) {
+  const std::string mesh = directory / "large.ply";
+  EXPECT_EQ(run_program({"make", "torus", mesh, "--rows", "120", "--columns", "300"}).exit_code, 0);
+  return mesh;
+}
+
+TEST(Smooth, ADryRunForecastsEverySolverAndWritesNothing) {
+  const TemporaryDirectory directory;
+  const std::string in = mesh_with_a_large_factor(directory);
+  const json found =
+      figures({"smooth", in, directory / "out.ply", "--dry-run", "--quiet"})["forecast"];
+  EXPECT_EQ(found["unknowns"], 36000);
+  ASSERT_EQ(found["solvers"].size(), 2U);
+  for (const json& solver : found["solvers"]) {
+    EXPECT_GT(solver["seconds"], 0) << solver;
+    EXPECT_GT(solver["bytes"], 36000 * 100) << solver;
+    EXPECT_EQ(solver["factor_entries"] > 0, solver["solver"] == "cholmod");
+  }
+  EXPECT_EQ(directory.entries(), 1U);
+}
+
+TEST(Smooth, KeepsToTheMemoryItIsGiven) {
+  const TemporaryDirectory directory;
+  const std::string in = mesh_with_a_large_factor(directory), out = directory / "out.ply";
+  const Words words{"smooth", in, out, "--cutoff", "40"};
+  const auto forecast = [&](const Words& more) {
+    return figures(words + Words{"--dry-run", "--quiet"} + more)["forecast"];
+  };
+  const json free = forecast({});
+  EXPECT_EQ(free["solver"], "cholmod");
+  // Halfway between the two, only one of them fits.
+  const double between =
+      (free["solvers"][0]["bytes"].get<double>() + free["solvers"][1]["bytes"].get<double>()) / 2;
+  const Words limit{"--memory", std::to_string(between)};
+  EXPECT_EQ(forecast(limit)["solver"], "cg");
+
+  const RunResult refused = run_program(words + limit + Words{"--solver", "cholmod"});
+  EXPECT_EQ(refused.exit_code, 5);
+  EXPECT_TRUE(contains(refused.err, "--solver cg fits")) << refused.err;
+  const RunResult hopeless = run_program(words + Words{"--memory", "1M"});
+  EXPECT_EQ(hopeless.exit_code, 5);
+  EXPECT_TRUE(contains(hopeless.err, "the limit is 1 MB")) << hopeless.err;
+  EXPECT_EQ(directory.entries(), 1U);
+}
+
 TEST(Program, MeshesGoThroughPipesInEveryFormat) {
   for (const std::string format : {"obj", "ply", "off"}) {
     SCOPED_TRACE(format);

@@ -64,6 +64,11 @@ CLI::Option* add_real(CLI::App& app, const std::string& name, Target& target, Ra
   return option;
 }
 
+/// Declares an option for an amount of memory in bytes: a number, or one with k, M, G or T behind
+/// it for its thousands.
+CLI::Option* add_bytes(CLI::App& app, const std::string& name, double& target,
+                       const std::string& help);
+
 /// Declares an option for an integer that `Integer`, the type of `smallest`, can hold.
 template <class Target, class Integer>
 CLI::Option* add_integer(CLI::App& app, const std::string& name, Target& target, Integer smallest,

@@ -42,7 +42,7 @@ struct SmoothArguments {
   std::optional<double> time_step;
   std::optional<Length> cutoff;
   std::optional<Length> max_move;
-  bool plain = false, no_mass = false;
+  bool plain = false, no_mass = false, dry_run = false;
   std::string metric = "mass", boundary = "fixed", tangential;
   std::string fix_file, mask;
 };
@@ -109,13 +109,19 @@ void measure_moves(const Points& before, const Points& after, SmoothFigures& fig
   }
 }
 
-void run_flow(const SmoothArguments& arguments, FlowOptions options, const MeshFile& file,
-              const Topology& topology, Points& X, SmoothFigures& figures, Console& console) {
+/// Sets what depends on the mesh.
+void resolve(const SmoothArguments& arguments, const Points& X, const Topology& topology,
+             FlowOptions& options, SmoothFigures& figures) {
   options.total_time = total_time(arguments, X, topology);
   figures.cutoff = cutoff_of(options.total_time, X, topology, options);
   if (arguments.max_move) {
     options.max_move = arguments.max_move->on(X, topology);
   }
+}
+
+void run_flow(const SmoothArguments& arguments, FlowOptions options, const MeshFile& file,
+              const Topology& topology, Points& X, SmoothFigures& figures, Console& console) {
+  resolve(arguments, X, topology, options, figures);
   const auto held_vertices = held(arguments, file, topology);
   ProgressBar bar(console, options.total_time);
   figures.flow = willmore_flow(X, topology, held_vertices, options, [&](const StepRecord& step) {
@@ -125,6 +131,25 @@ void run_flow(const SmoothArguments& arguments, FlowOptions options, const MeshF
   if (figures.flow.unknowns == 0) {
     console.warning("no vertex is free to move: the mesh is written as it was read");
   }
+}
+
+ExitCode forecast(const SmoothArguments& arguments, FlowOptions options, const MeshFile& file,
+                  const Topology& topology, Console& console) {
+  SmoothFigures figures;
+  FlowForecast forecast;
+  if (options.steps > 0) {
+    const Points& X = file.mesh().X;
+    resolve(arguments, X, topology, options, figures);
+    forecast = forecast_flow(X, topology, held(arguments, file, topology), options);
+  }
+  nlohmann::ordered_json report = start_report("smooth");
+  report["input"] = arguments.input;
+  report["forecast"] = forecast_json(forecast);
+  deliver_report(arguments.report, arguments.output.write.overwrite, report);
+  console.note(fmt::format("{}: {} of {} vertices would move in {} steps\n{}", arguments.input,
+                           forecast.unknowns, topology.vertex_count, options.steps,
+                           forecast_table(forecast)));
+  return ExitCode::done;
 }
 
 void draw(const SmoothArguments& arguments, const Topology& topology, const Points& before,
@@ -181,6 +206,9 @@ ExitCode run_smooth(const SmoothArguments& arguments, Console& console) {
   options.relax = relaxes(arguments, *file, console);
   SmoothArguments resolved = arguments;
   resolved.flow = options;
+  if (arguments.dry_run) {
+    return forecast(resolved, options, *file, topology, console);
+  }
   figures.mean_edge_length = mean_edge_length(before, topology.E);
   figures.before = mesh_figures(before, topology, options);
   Points after = before;
@@ -257,6 +285,12 @@ void add_flow_options(CLI::App& app, SmoothArguments& a) {
   add_real(app, "--solver-tolerance", a.flow.solver_tolerance, positive,
            "residual at which conjugate gradients stop, of what it was: 0.3 halves the time, and "
            "leaves ripples near the cut-off where there are few steps (default 0.05)");
+  add_bytes(
+      app, "--memory", a.flow.memory_limit,
+      "memory that the program may take, as in 800M or 4G: auto takes a solver that fits, and "
+      "what fits with none is refused before the first step (default: what there is)");
+  app.add_flag("--dry-run", a.dry_run,
+               "print what time and memory it would take, and write no mesh");
   app.add_option("--tangential", a.tangential,
                  "relax or none: even out vertices within the surface after each step (default "
                  "relax; none where the mesh has texture coordinates)")

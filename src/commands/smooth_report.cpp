@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "ibmfair/base/process_memory.h"
 #include "ibmfair/energy/bending_energy.h"
 #include "ibmfair/flow/folds.h"
 #include "ibmfair/mesh/geometry.h"
@@ -114,6 +115,30 @@ std::string smooth_table(const SmoothFigures& figures, const Topology& topology)
     text += fmt::format(" {} {:.3f}", stage, value.get<double>());
   }
   return text + "\n";
+}
+
+std::string forecast_table(const FlowForecast& forecast) {
+  std::string text =
+      fmt::format("  {:<10}{:>14}{:>12}{:>18}\n", "solver", "seconds/core", "MB", "factor entries");
+  for (const BackendForecast& backend : forecast.backends) {
+    const SolverForecast& f = backend.forecast;
+    text += fmt::format("  {:<10}{:>14.2g}{:>12.0f}{:>18}{}\n", backend.solver, f.seconds,
+                        (resident_bytes() + f.bytes) / 1e6,
+                        f.factor_entries > 0 ? fmt::format("{:.2g}", f.factor_entries) : "-",
+                        backend.solver == forecast.solver ? "  <- would be used" : "");
+  }
+  return text;
+}
+
+ordered_json forecast_json(const FlowForecast& forecast) {
+  ordered_json backends = ordered_json::array();
+  for (const BackendForecast& backend : forecast.backends) {
+    backends.push_back({{"solver", backend.solver},
+                        {"seconds", backend.forecast.seconds},
+                        {"bytes", resident_bytes() + backend.forecast.bytes},
+                        {"factor_entries", backend.forecast.factor_entries}});
+  }
+  return {{"unknowns", forecast.unknowns}, {"solver", forecast.solver}, {"solvers", backends}};
 }
 
 void add_smooth_figures(ordered_json& report, const SmoothFigures& figures,

@@ -5,7 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "ibmfair/flow/flow_options.h"
+#include "ibmfair/flow/willmore_flow.h"
 #include "ibmfair/mesh/topology.h"
 
 namespace ibmfair::commands {
@@ -32,6 +32,10 @@ MeshFigures mesh_figures(const Points& X, const Topology& topology, const FlowOp
 
 /// Aligned lines, ending in a line feed.
 std::string smooth_table(const SmoothFigures& figures, const Topology& topology);
+
+/// What a run would take, as aligned lines and as JSON.
+std::string forecast_table(const FlowForecast& forecast);
+nlohmann::ordered_json forecast_json(const FlowForecast& forecast);
 
 /// The fields of the report that the run fills; see the README for the schema.
 void add_smooth_figures(nlohmann::ordered_json& report, const SmoothFigures& figures,

@@ -42,7 +42,9 @@ std::vector<CLI::Option*> add_batch_options(CLI::App& app, BatchOptions& options
   added.push_back(add_parsed_option(
       app, "--shard", "I/N", "run the I-th of N parts of the list, counted from 1",
       [&options](const std::string& text) { options.shard = parse_shard(text); }));
-  added.push_back(app.add_flag("--dry-run", options.dry_run, "print the commands, run nothing"));
+  if (app.get_option_no_throw("--dry-run") == nullptr) {
+    added.push_back(app.add_flag("--dry-run", options.dry_run, "print the commands, run nothing"));
+  }
   added.push_back(app.add_option("--summary", options.summary,
                                  "write what became of every file to this .csv or .json file")
                       ->type_name(file_to_write));

@@ -1,59 +1,70 @@
 #include <algorithm>
 #include <cmath>
-#include <vector>
+#include <string>
 
+#include <fmt/format.h>
+
+#include "ibmfair/base/errors.h"
+#include "ibmfair/base/process_memory.h"
 #include "ibmfair/flow/jacobian_solver.h"
 
 namespace ibmfair {
 namespace {
 
-// Seconds on one core of a machine of 2023; only their ratios matter. tools/solver_table prints
-// what they were chosen by.
-constexpr double ordering_per_unknown = 5.5e-6;
-constexpr double per_flop = 1 / 20e9;  // of the factorization, float32
-constexpr double per_entry = 8 / 5e9;  // of the factor, read twice in each solve
-constexpr double per_place = 2.7e-9;   // of the stencils, in each iteration
-constexpr double renewals = 5;         // of the guarded flow, where the mesh is noisy
+/// Not worth a look at what the system has.
+constexpr double few_bytes = 64e6;
 
-// Surfaces have small separators: nested dissection leaves about this much.
-double factor_entries(double n) {
-  return 10 * n * std::log2(n + 2);
-}
-double factor_flops(double n) {
-  return 300 * std::pow(n, 1.5);
+bool fits(const SolverForecast& forecast, const FlowOptions& options) {
+  const bool allowed =
+      std::isinf(options.memory_limit) || resident_bytes() + forecast.bytes <= options.memory_limit;
+  return allowed && (forecast.bytes < few_bytes || forecast.bytes <= available_bytes());
 }
 
-/// Iterations to the default tolerance: a square root of a condition number,
-/// which the larger ones of diag(J) / D make. The largest of all belong to needles, of which there
-/// are few, or which a noisy mesh has for the first steps only. Within a third of what was counted
-/// on tori, noisy and not, and on eleven models.
-double iterations(const JacobianShape& shape, const JacobianParts& parts) {
-  std::vector<double> ratio(static_cast<std::size_t>(shape.unknowns.size()), 0);  // h diag(S) / D
-  for (Index s = 0; s < shape.stencils.size(); ++s) {
-    for (std::int64_t k = shape.stencils.first[s]; k < shape.stencils.first[s + 1]; ++k) {
-      if (const Index u = shape.unknowns.unknown[shape.stencils.value[k]]; u >= 0) {
-        const double c = parts.weights.c[k];
-        ratio[u] += parts.h * parts.weights.w[s] * c * c / parts.D[u];
-      }
+[[noreturn]] void refuse(const JacobianBackend& wanted, const JacobianShape& shape,
+                         const JacobianParts& parts) {
+  constexpr double mega = 1e6;
+  const double limit = std::min(shape.options.memory_limit, resident_bytes() + available_bytes());
+  std::string message = fmt::format(
+      "{:.0f} MB would be needed with the solver {}, {:.0f} MB of them in use already; the limit "
+      "is {:.0f} MB",
+      (resident_bytes() + wanted.forecast(shape, parts).bytes) / mega, wanted.name,
+      resident_bytes() / mega, limit / mega);
+  for (const JacobianBackend& other : jacobian_backends()) {
+    if (fits(other.forecast(shape, parts), shape.options)) {
+      message += fmt::format("; --solver {} fits", other.name);
     }
   }
-  const auto large = ratio.begin() + static_cast<std::ptrdiff_t>(0.9 * ratio.size());
-  std::nth_element(ratio.begin(), large, ratio.end());
-  return 3.2 * std::sqrt(1 + (ratio.empty() ? 0 : *large));
+  throw OutOfMemory(message);
 }
 
 }  // namespace
 
-std::string_view cheaper_backend(const JacobianShape& shape, const JacobianParts& parts) {
-  if (parts.directions != nullptr || !shape.options.guarded) {  // the scheme as published factors
-    return "cholmod";
+const JacobianBackend& choose_backend(const JacobianShape& shape, const JacobianParts& parts) {
+  const bool open = shape.options.solver == "auto";
+  if (!open || !shape.options.guarded) {  // the scheme as published factors
+    const JacobianBackend& named = jacobian_backend(open ? "cholmod" : shape.options.solver);
+    if (!fits(named.forecast(shape, parts), shape.options)) {
+      refuse(named, shape, parts);
+    }
+    return named;
   }
-  const double n = shape.unknowns.size(), steps = shape.options.steps;
-  const double factored = ordering_per_unknown * n + per_flop * factor_flops(n) * renewals +
-                          per_entry * factor_entries(n) * steps;
-  const double iterated = per_place * static_cast<double>(shape.stencils.value.size()) *
-                          iterations(shape, parts) * steps;
-  return iterated < factored ? "cg" : "cholmod";
+  const JacobianBackend *best = nullptr, *smallest = nullptr;
+  SolverForecast of_best, of_smallest;
+  for (const JacobianBackend& backend : jacobian_backends()) {
+    const SolverForecast forecast = backend.forecast(shape, parts);
+    if (fits(forecast, shape.options) && (best == nullptr || forecast.seconds < of_best.seconds)) {
+      best = &backend;
+      of_best = forecast;
+    }
+    if (smallest == nullptr || forecast.bytes < of_smallest.bytes) {
+      smallest = &backend;
+      of_smallest = forecast;
+    }
+  }
+  if (best == nullptr) {
+    refuse(*smallest, shape, parts);
+  }
+  return *best;
 }
 
 }  // namespace ibmfair

@@ -16,6 +16,25 @@ constexpr double good_enough = 1e-3;
 /// Where an entry of diag(J) is more than this times that of D, float32 would lose D next to it.
 constexpr double widest_float32 = 1e6;
 
+// Seconds on one core of a machine of 2023; only their ratios matter. tools/solver_table prints
+// what they were chosen by, here and in iterative_jacobian.cpp.
+constexpr double ordering_per_unknown = 5.5e-6;
+constexpr double per_flop = 1 / 20e9;  // of the factorization, float32
+constexpr double per_entry = 8 / 5e9;  // of the factor, read twice in each solve
+constexpr double renewals = 5;         // of the guarded flow, where the mesh is noisy
+
+// Bytes, as seen on tori of 41 and 164 thousand vertices: the analysis and the assembled matrix,
+// and the factor, which may have to be float64, with what factoring it needs.
+constexpr double bytes_per_unknown = 1600, bytes_per_entry = 8.5;
+
+// Surfaces have small separators: nested dissection leaves about this much.
+double factor_entries(double n) {
+  return 10 * n * std::log2(n + 2);
+}
+double factor_flops(double n) {
+  return 300 * std::pow(n, 1.5);
+}
+
 /// |B - J Y| / |B| in the norm of D^-1, D being the diagonal of J: every row counts alike, however
 /// small its triangles are.
 double relative_residual(const SymmetricMatrix& J, const Points& Y, const Points& B) {
@@ -30,6 +49,15 @@ double relative_residual(const SymmetricMatrix& J, const Points& Y, const Points
 }
 
 }  // namespace
+
+SolverForecast forecast_direct(const JacobianShape& shape, const JacobianParts& /*parts*/) {
+  const double n = shape.unknowns.size(), entries = factor_entries(n);
+  const double factorizations = shape.options.guarded ? renewals : 1;
+  return {.seconds = ordering_per_unknown * n + per_flop * factor_flops(n) * factorizations +
+                     per_entry * entries * shape.options.steps,
+          .bytes = bytes_per_unknown * n + bytes_per_entry * entries,
+          .factor_entries = entries};
+}
 
 DirectJacobian::DirectJacobian(const JacobianShape& shape)
     : shape_(shape), assembler_(shape.stencils, shape.unknowns), J_(assembler_.pattern()) {}

@@ -32,4 +32,7 @@ class DirectJacobian final : public JacobianSolver {
   std::optional<CholeskySolver> solver_;
 };
 
+/// The cost of a DirectJacobian, from the size of its shape alone.
+SolverForecast forecast_direct(const JacobianShape& shape, const JacobianParts& parts);
+
 }  // namespace ibmfair

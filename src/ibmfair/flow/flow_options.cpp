@@ -28,6 +28,7 @@ void FlowOptions::validate() const {
   require(newton_iterations >= 1, "the number of Newton iterations must be at least 1");
   require(solver_tolerance > 0 && solver_tolerance < 1,
           "the tolerance of the solver must be above 0 and below 1");
+  require(memory_limit > 0, "the memory limit must be positive");
   require(max_move > 0, "the largest move must be positive");
 }
 

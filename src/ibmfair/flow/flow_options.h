@@ -5,6 +5,7 @@
 #include <functional>
 #include <limits>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "ibmfair/base/types.h"
@@ -28,6 +29,7 @@ struct FlowOptions {
   double max_move = std::numeric_limits<double>::infinity();  ///< from the start, length
   std::string solver = "auto";     ///< a name from jacobian_backends(), or "auto"
   double solver_tolerance = 0.05;  ///< of the residual, for iterative solvers; below 1
+  double memory_limit = std::numeric_limits<double>::infinity();  ///< of the whole process, bytes
   Ordering ordering = Ordering::automatic;
 
   /// Throws BadOption where a value cannot be used.
@@ -45,6 +47,18 @@ struct StepRecord {
   double decrease_ratio = 0;   ///< actual decrease over the predicted one, before relaxation
   bool refactored = false;     ///< the Jacobian was factored for this step
   std::int64_t held_back = 0;  ///< vertices whose move was shortened or withheld
+};
+
+/// What solving the linear systems of a flow is predicted to take.
+struct SolverForecast {
+  double seconds = 0;         ///< on one core, in all steps
+  double bytes = 0;           ///< on top of what the mesh takes
+  double factor_entries = 0;  ///< 0 without a factor
+};
+
+struct BackendForecast {
+  std::string_view solver;
+  SolverForecast forecast;
 };
 
 enum class FlowStatus : std::uint8_t {

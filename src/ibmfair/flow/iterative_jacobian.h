@@ -23,4 +23,7 @@ class IterativeJacobian final : public JacobianSolver {
   ConjugateGradients solver_;
 };
 
+/// The cost of an IterativeJacobian: the condition of J decides.
+SolverForecast forecast_iterative(const JacobianShape& shape, const JacobianParts& parts);
+
 }  // namespace ibmfair

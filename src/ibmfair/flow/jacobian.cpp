@@ -17,26 +17,42 @@ Jacobian::Jacobian(BendingEnergy& energy, const Topology& topology, const Unknow
       D_(Eigen::VectorXd::Ones(unknowns.size())),
       damping_(D_) {}
 
-void Jacobian::refactor(const Points& X, double h, const Points* directions) {
-  {
-    const Stopwatch watch(report_.seconds.assemble);
-    energy_.linearise(X, weights_);
-    if (options_.metric == Metric::mass) {
-      D_ = lumped_vertex_mass(X, topology_)(unknowns_.vertex);
-    } else {
-      D_.setOnes();
-    }
-    D_ = D_.cwiseProduct(damping_);
+JacobianParts Jacobian::linearise(const Points& X, double h, const Points* directions) {
+  const Stopwatch watch(report_.seconds.assemble);
+  energy_.linearise(X, weights_);
+  if (options_.metric == Metric::mass) {
+    D_ = lumped_vertex_mass(X, topology_)(unknowns_.vertex);
+  } else {
+    D_.setOnes(unknowns_.size());
   }
-  const JacobianParts parts{weights_, D_, h, directions};
+  D_ = D_.cwiseProduct(damping_);
+  return {weights_, D_, h, directions};
+}
+
+JacobianShape Jacobian::shape() const {
+  return {energy_.stencils(), unknowns_, options_, report_};
+}
+
+void Jacobian::refactor(const Points& X, double h, const Points* directions) {
+  const JacobianParts parts = linearise(X, h, directions);
   if (!solver_) {
-    const JacobianShape shape{energy_.stencils(), unknowns_, options_, report_};
-    report_.solver = options_.solver == "auto" ? cheaper_backend(shape, parts) : options_.solver;
-    solver_ = jacobian_backend(report_.solver).make(shape);
+    const JacobianBackend& backend = choose_backend(shape(), parts);
+    report_.solver = backend.name;
+    solver_ = backend.make(shape());
   }
   h_ = 0;
   solver_->update(parts);
   h_ = h;
+}
+
+std::vector<BackendForecast> Jacobian::forecasts(const Points& X, double h) {
+  const JacobianParts parts = linearise(X, h, nullptr);
+  std::vector<BackendForecast> result;
+  for (const JacobianBackend& backend : jacobian_backends()) {
+    result.push_back({backend.name, backend.forecast(shape(), parts)});
+  }
+  report_.solver = choose_backend(shape(), parts).name;
+  return result;
 }
 
 void Jacobian::solve(const Points& B, Points& Y) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <vector>
 
 #include "ibmfair/energy/bending_energy.h"
 #include "ibmfair/energy/hessian.h"
@@ -22,6 +23,10 @@ class Jacobian {
   /// the options leave that open.
   void refactor(const Points& X, double h, const Points* directions = nullptr);
 
+  /// What each backend is predicted to take. Notes in the report which one `refactor` would choose;
+  /// throws what it would throw.
+  std::vector<BackendForecast> forecasts(const Points& X, double h);
+
   /// Y = J^-1 B, one row per unknown.
   void solve(const Points& B, Points& Y);
 
@@ -36,6 +41,9 @@ class Jacobian {
   const Eigen::VectorXd& damping() const { return damping_; }
 
  private:
+  JacobianParts linearise(const Points& X, double h, const Points* directions);
+  JacobianShape shape() const;
+
   BendingEnergy& energy_;
   const Topology& topology_;
   const Unknowns& unknowns_;

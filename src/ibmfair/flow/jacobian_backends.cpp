@@ -15,8 +15,9 @@ std::unique_ptr<JacobianSolver> make(const JacobianShape& shape) {
 }
 
 constexpr JacobianBackend backends[] = {
-    {"cholmod", "factored once, by CHOLMOD's analysis", make<DirectJacobian>},
-    {"cg", "conjugate gradients without a factor: least memory", make<IterativeJacobian>},
+    {"cholmod", "factored once, by CHOLMOD's analysis", make<DirectJacobian>, forecast_direct},
+    {"cg", "conjugate gradients without a factor: least memory", make<IterativeJacobian>,
+     forecast_iterative},
 };
 
 }  // namespace

@@ -52,6 +52,7 @@ struct JacobianBackend {
   std::string_view name;     ///< as the command line takes it
   std::string_view summary;  ///< one line
   std::unique_ptr<JacobianSolver> (*make)(const JacobianShape& shape);
+  SolverForecast (*forecast)(const JacobianShape& shape, const JacobianParts& parts);
 };
 
 /// All backends; options.solver names one of them, or "auto".
@@ -60,8 +61,9 @@ std::span<const JacobianBackend> jacobian_backends();
 /// The backend of that name; throws BadOption, naming those there are.
 const JacobianBackend& jacobian_backend(std::string_view name);
 
-/// The name of the backend that is predicted to take less time in all for a Jacobian of these
-/// parts.
-std::string_view cheaper_backend(const JacobianShape& shape, const JacobianParts& parts);
+/// The backend that options.solver names; for "auto", of those that fit into the memory the one
+/// that is predicted to take the least time for a Jacobian of these parts. Throws OutOfMemory where
+/// the named one, or none of them, fits.
+const JacobianBackend& choose_backend(const JacobianShape& shape, const JacobianParts& parts);
 
 }  // namespace ibmfair

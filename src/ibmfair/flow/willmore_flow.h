@@ -26,4 +26,15 @@ namespace ibmfair {
 FlowReport willmore_flow(Points& X, const Topology& topology, const std::vector<std::uint8_t>& held,
                          const FlowOptions& options, const StepObserver& observer = {});
 
+/// What such a flow would take.
+struct FlowForecast {
+  std::int64_t unknowns = 0;
+  std::string solver;                     ///< the backend that would be used
+  std::vector<BackendForecast> backends;  ///< all there are; empty without unknowns
+};
+
+/// Throws what the flow would throw before its first step.
+FlowForecast forecast_flow(const Points& X, const Topology& topology,
+                           const std::vector<std::uint8_t>& held, const FlowOptions& options);
+
 }  // namespace ibmfair
