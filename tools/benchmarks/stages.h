@@ -12,6 +12,7 @@
 #include "ibmfair/io/mesh_file.h"
 #include "ibmfair/mesh/topology.h"
 #include "ibmfair/solve/cholesky.h"
+#include "ibmfair/solve/conjugate_gradients.h"
 
 namespace ibmfair::benchmarks {
 
@@ -48,6 +49,10 @@ struct StageInputs {
   /// None where factoring would take too long or too much memory, or floats do not suffice.
   std::optional<CholeskyFactor> factor, float_factor;
   std::optional<CholeskySolver> solver, float_solver;
+  JacobianRows rows;
+  ConjugateGradients iteration;
+  double h = 0;
+  PerVertex mass;
   Points B, Y, G;
 
   StageResults results;

@@ -30,6 +30,9 @@ class JacobianRows {
   void update(const StencilWeights& weights, const Eigen::VectorXd& D, double h);
 
   Index size() const { return unknowns_.size(); }
+  /// Off the diagonal.
+  std::int64_t entries() const { return columns_.first.back(); }
+
   double unit() const { return unit_; }
 
   /// unit / J_uu.
