@@ -12,7 +12,7 @@ import matplotlib
 matplotlib.use("Agg")
 from matplotlib import pyplot  # noqa: E402
 
-STAGES = ["analyse", "factor", "solve", "gradient"]
+STAGES = ["analyse", "factor", "solve", "20 iterations", "gradient"]
 
 
 def curve(axes, points, label, **style):

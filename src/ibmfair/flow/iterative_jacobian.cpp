@@ -19,8 +19,8 @@ constexpr double seconds_per_place = 2.7e-9;  // of the stencils, in each iterat
 // As seen on tori of 41 and 164 thousand vertices, with both Laplacians.
 constexpr double bytes_per_place = 8, bytes_per_unknown = 300;
 
-/// Iterations to the default tolerance: a square root of a condition number,
-/// which the larger ones of diag(J) / D make. The largest of all belong to needles, of which there
+/// Iterations to the default tolerance: a square root of a condition number, which the larger ones
+/// of diag(J) / D make. The largest of all belong to needles, of which there
 /// are few, or which a noisy mesh has for the first steps only. Within a third of what was counted
 /// on tori, noisy and not, and on eleven models.
 double iterations(const JacobianShape& shape, const JacobianParts& parts) {

@@ -78,7 +78,7 @@ void JacobianRows::update_diagonal(const StencilWeights& weights, const Eigen::V
           u));
     }
   }
-  unit_ = diagonal.size() > 0 ? diagonal.mean() : 1;
+  unit_ = diagonal.size() > 0 ? std::sqrt(diagonal.minCoeff()) * std::sqrt(diagonal.maxCoeff()) : 1;
   inverse_diagonal_ = (unit_ * diagonal.cwiseInverse()).cast<float>();
 }
 

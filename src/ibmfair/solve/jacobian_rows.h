@@ -13,8 +13,9 @@ namespace ibmfair {
 /// column is one vector register.
 using Quads = Eigen::Array<float, 4, Eigen::Dynamic>;
 
-/// J restricted to the unknowns and divided by `unit`, the mean of its diagonal; symmetric positive
-/// definite. Rows are kept as differences,
+/// J restricted to the unknowns and divided by `unit`, the geometric mean of the smallest and the
+/// largest entry of its diagonal, so that float32 holds both; symmetric positive definite. Rows are
+/// kept as differences,
 ///
 ///   (J x)_u = a_u x_u + sum_v b_uv (x_v - x_u)
 ///
