@@ -6,7 +6,7 @@
 namespace ibmfair {
 namespace {
 
-struct HalfEdge {
+struct OpenSide {
   Index low, high, triangle, corner;
 };
 
@@ -14,7 +14,7 @@ struct HalfEdge {
 
 void TriangleNet::append(const Triangles& F) {
   const Index first = size();
-  std::vector<HalfEdge> edges;
+  std::vector<OpenSide> edges;
   edges.reserve(3 * static_cast<std::size_t>(F.rows()));
   for (Index t = 0; t < F.rows(); ++t) {
     corner_.push_back({F(t, 0), F(t, 1), F(t, 2)});
@@ -24,11 +24,11 @@ void TriangleNet::append(const Triangles& F) {
       edges.push_back({low, high, first + t, i});
     }
   }
-  std::sort(edges.begin(), edges.end(), [](const HalfEdge& a, const HalfEdge& b) {
+  std::sort(edges.begin(), edges.end(), [](const OpenSide& a, const OpenSide& b) {
     return std::pair(a.low, a.high) < std::pair(b.low, b.high);
   });
   for (std::size_t i = 1; i < edges.size(); ++i) {
-    const HalfEdge &a = edges[i - 1], &b = edges[i];
+    const OpenSide &a = edges[i - 1], &b = edges[i];
     if (a.low == b.low && a.high == b.high) {
       across_[a.triangle][a.corner] = b.triangle;
       across_[b.triangle][b.corner] = a.triangle;

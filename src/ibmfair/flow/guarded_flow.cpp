@@ -18,7 +18,8 @@ namespace {
 constexpr double least_decrease = 0.1;  // of the predicted decrease, to accept a step
 constexpr double stale_decrease = 0.1;  // at or below, the Jacobian has gone stale
 constexpr double good_decrease = 0.5;   // above, a time step that was cut may grow again
-constexpr double cut = 1.0 / 32;        // of the time step, where a step distorts too much or fails
+constexpr double time_step_cut =
+    1.0 / 32;  // of the time step, where a step distorts too much or fails
 constexpr double growth = 2, fast_growth = 4;  // of the time step; fast below half the distortion
 constexpr double heavier = 16, lighter = 4;    // factors of local damping
 constexpr double culprit_share = 0.05;         // of the largest uphill slope, to be damped
@@ -105,7 +106,7 @@ class GuardedFlow {
     try {
       p_.jacobian().refactor(p_.X, h_);
     } catch (const FactorizationFailed&) {
-      if (h_ * cut < smallest_time_step * h_target_) {
+      if (h_ * time_step_cut < smallest_time_step * h_target_) {
         throw;
       }
       cut_time_step();
@@ -116,7 +117,7 @@ class GuardedFlow {
   }
 
   void cut_time_step() {
-    h_ *= cut;
+    h_ *= time_step_cut;
     stale_ = true;
     ++p_.report.rejected;
   }
@@ -214,7 +215,7 @@ class GuardedFlow {
     }
     keep_damping_ = true;
     if (count == 0 || static_cast<double>(count) > local_share * p_.unknowns.size()) {
-      h_ *= cut;
+      h_ *= time_step_cut;
     }
   }
 

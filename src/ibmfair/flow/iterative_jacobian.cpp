@@ -17,7 +17,7 @@ constexpr int most_iterations = 1000;
 constexpr double seconds_per_place = 2.7e-9;  // of the stencils, in each iteration
 
 // As seen on tori of 41 and 164 thousand vertices, with both Laplacians.
-constexpr double bytes_per_place = 8, bytes_per_unknown = 300;
+constexpr double bytes_per_place = 8, bytes_per_row = 300;
 
 /// Iterations to the default tolerance: a square root of a condition number, which the larger ones
 /// of diag(J) / D make. The largest of all belong to needles, of which there
@@ -47,7 +47,7 @@ SolverForecast forecast_iterative(const JacobianShape& shape, const JacobianPart
   }
   const auto places = static_cast<double>(shape.stencils.value.size());
   return {.seconds = seconds_per_place * places * iterations(shape, parts) * shape.options.steps,
-          .bytes = bytes_per_place * places + bytes_per_unknown * shape.unknowns.size()};
+          .bytes = bytes_per_place * places + bytes_per_row * shape.unknowns.size()};
 }
 
 IterativeJacobian::IterativeJacobian(const JacobianShape& shape)

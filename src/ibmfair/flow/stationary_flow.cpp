@@ -9,9 +9,9 @@
 namespace ibmfair {
 namespace {
 
-constexpr double least_decrease = 0.1;  // of the predicted decrease, to accept a step
-constexpr double good_decrease = 0.5;   // above, the time step may grow
-constexpr double growth = 256;          // of the time step, and its inverse where a step fails
+constexpr double accepted_share = 0.1;  // of the predicted decrease, to accept a step
+constexpr double growing_share = 0.5;   // above, the time step may grow
+constexpr double leap = 256;            // of the time step, and its inverse where a step fails
 constexpr double longest_move = 2;      // along the normal in one step, in edge lengths
 constexpr int most_attempts = 12;
 constexpr int most_steps_with_jacobian = 10;
@@ -77,7 +77,7 @@ bool StationaryFlow::renew() {
   try {
     problem_.jacobian().refactor(problem_.X, h_, normal_only_ ? &normals_ : nullptr);
   } catch (const FactorizationFailed&) {
-    h_ /= growth;
+    h_ /= leap;
     return false;
   }
   edge_length_ = local_edge_length(problem_.X, rings_)(problem_.unknowns.vertex);
@@ -97,7 +97,7 @@ bool StationaryFlow::advance() {
       return true;
     }
     if (fresh) {
-      h_ /= growth;
+      h_ /= leap;
     }
     stale_ = true;
   }
@@ -128,7 +128,7 @@ bool StationaryFlow::search(const Points& step) {
     const double trial = problem_.energy_and_gradient_at(Y, gradient);
     const double predicted = (fraction - fraction * fraction / 2) * slope;
     const double ratio = (energy_ - trial) / std::min(predicted, energy_);
-    if (ratio >= least_decrease && folds_.new_folds(Y).empty()) {
+    if (ratio >= accepted_share && folds_.new_folds(Y).empty()) {
       last_move_ = fraction * move;
       accept(fraction * step, Y, gradient, trial);
       adapt(fraction, ratio);
@@ -152,8 +152,8 @@ void StationaryFlow::accept(const Points& step, Points& Y, Points& gradient, dou
 void StationaryFlow::adapt(double fraction, double ratio) {
   if (fraction < 1 || ++steps_with_jacobian_ >= most_steps_with_jacobian) {
     stale_ = true;
-  } else if (ratio > good_decrease && h_ < h_limit_) {
-    h_ = std::min(h_limit_, h_ * growth);
+  } else if (ratio > growing_share && h_ < h_limit_) {
+    h_ = std::min(h_limit_, h_ * leap);
     stale_ = true;
   }
 }

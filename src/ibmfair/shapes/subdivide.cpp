@@ -60,18 +60,18 @@ class Midpoints {
   std::vector<Edge> edges_;
 };
 
-using Corners = std::array<Index, 3>;
+using Triple = std::array<Index, 3>;
 
-Corners corners_of(const Triangles& F, Eigen::Index f) {
+Triple corners_of(const Triangles& F, Eigen::Index f) {
   return {F(f, 0), F(f, 1), F(f, 2)};
 }
 
 // The midpoints of the edges that start at corner 0, 1 and 2.
-Corners midpoints_of(const Midpoints& midpoints, const Corners& t) {
+Triple midpoints_of(const Midpoints& midpoints, const Triple& t) {
   return {midpoints.find(t[0], t[1]), midpoints.find(t[1], t[2]), midpoints.find(t[2], t[0])};
 }
 
-int split_count(const Corners& middle) {
+int split_count(const Triple& middle) {
   return 3 - static_cast<int>(std::count(middle.begin(), middle.end(), Midpoints::none));
 }
 
@@ -81,7 +81,7 @@ void close(const Triangles& F, std::vector<std::uint8_t>& marked, Midpoints& mid
   while (changed) {
     changed = false;
     for (Eigen::Index f = 0; f < F.rows(); ++f) {
-      const Corners t = corners_of(F, f);
+      const Triple t = corners_of(F, f);
       std::uint8_t& mark = marked[static_cast<std::size_t>(f)];
       if (mark == 0 && split_count(midpoints_of(midpoints, t)) >= 2) {
         mark = 1;
@@ -96,7 +96,7 @@ void close(const Triangles& F, std::vector<std::uint8_t>& marked, Midpoints& mid
   }
 }
 
-void append_children(const Corners& t, const Corners& m, std::vector<Corners>& out) {
+void append_children(const Triple& t, const Triple& m, std::vector<Triple>& out) {
   const int splits = split_count(m);
   if (splits == 0) {
     out.push_back(t);
@@ -121,9 +121,9 @@ TriangleMesh split_triangles(const TriangleMesh& mesh, std::vector<std::uint8_t>
                      3.0 * static_cast<double>(std::count(marked.begin(), marked.end(), 1)));
   Midpoints midpoints(static_cast<Index>(mesh.X.rows()));
   close(mesh.F, marked, midpoints);
-  std::vector<Corners> children;
+  std::vector<Triple> children;
   for (Eigen::Index f = 0; f < mesh.F.rows(); ++f) {
-    const Corners t = corners_of(mesh.F, f);
+    const Triple t = corners_of(mesh.F, f);
     append_children(t, midpoints_of(midpoints, t), children);
   }
   TriangleMesh result{midpoints.positions(mesh.X), {}};
