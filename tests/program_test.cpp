@@ -18,23 +18,16 @@ namespace ibmfair {
 namespace {
 
 using nlohmann::json;
+using test::contains;
 using test::run_program;
 using test::RunOptions;
 using test::RunResult;
 using test::StandardOutput;
 using test::TemporaryDirectory;
+using test::Words;
+using test::operator+;
 
 using std::numbers::pi;
-using Words = std::vector<std::string>;
-
-Words operator+(Words a, const Words& b) {
-  a.insert(a.end(), b.begin(), b.end());
-  return a;
-}
-
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
 
 /// The JSON that a run prints; the run must succeed and say nothing else.
 json figures(const Words& arguments, const RunOptions& options = {}) {

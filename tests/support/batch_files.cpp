@@ -11,15 +11,6 @@ namespace ibmfair::test {
 namespace fs = std::filesystem;
 using nlohmann::json;
 
-Words operator+(Words a, const Words& b) {
-  a.insert(a.end(), b.begin(), b.end());
-  return a;
-}
-
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
-
 BatchTest::BatchTest() {
   fs::create_directory(full("in"));
   for (const std::string name : {"a", "b", "c"}) {

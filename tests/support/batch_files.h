@@ -12,13 +12,8 @@
 
 namespace ibmfair::test {
 
-using Words = std::vector<std::string>;
-
 /// What became of the items of a batch, by input, or by output where an item has no input.
 using Statuses = std::map<std::string, std::string>;
-
-Words operator+(Words a, const Words& b);
-bool contains(const std::string& text, const std::string& part);
 
 /// Holds meshes `in/a.off`, `in/b.off` and `in/c.off` of 162 vertices; the program is run there.
 class BatchTest : public testing::Test {

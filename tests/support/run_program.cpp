@@ -238,4 +238,13 @@ RunResult run_program(const std::vector<std::string>& arguments, const RunOption
   return result;
 }
 
+Words operator+(Words a, const Words& b) {
+  a.insert(a.end(), b.begin(), b.end());
+  return a;
+}
+
+bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
 }  // namespace ibmfair::test
