@@ -246,7 +246,7 @@ TEST(Program, TooLittleMemoryHasExitCode5) {
 
 /// A mesh for which a factor takes some 100 MB and conjugate gradients a fifth of that.
 std::string mesh_with_a_large_factor(const TemporaryDirectory& directory) {
-  const std::string mesh = directory / "large.ply";
+  std::string mesh = directory / "large.ply";
   EXPECT_EQ(run_program({"make", "torus", mesh, "--rows", "120", "--columns", "300"}).exit_code, 0);
   return mesh;
 }

@@ -85,8 +85,8 @@ CLI::Option* add_bytes(CLI::App& app, const std::string& name, double& target,
                        const std::string& help) {
   return add_parsed_option(app, name, "BYTES", help, [&target, name](const std::string& text) {
     constexpr std::string_view units = "kMGT";
-    const std::size_t unit = text.empty() ? units.npos : units.find(text.back());
-    const bool has_unit = unit != units.npos;
+    const std::size_t unit = text.empty() ? std::string_view::npos : units.find(text.back());
+    const bool has_unit = unit != std::string_view::npos;
     const double number = parse_real_option(
         name, std::string_view(text).substr(0, text.size() - (has_unit ? 1 : 0)), positive);
     target = has_unit ? number * std::pow(1000.0, static_cast<double>(unit + 1)) : number;

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
 
 #include <fmt/format.h>
@@ -48,17 +49,18 @@ const JacobianBackend& choose_backend(const JacobianShape& shape, const Jacobian
     }
     return named;
   }
-  const JacobianBackend *best = nullptr, *smallest = nullptr;
-  SolverForecast of_best, of_smallest;
+  const JacobianBackend* best = nullptr;
+  const JacobianBackend* smallest = &jacobian_backends().front();
+  double least_seconds = 0, least_bytes = std::numeric_limits<double>::infinity();
   for (const JacobianBackend& backend : jacobian_backends()) {
     const SolverForecast forecast = backend.forecast(shape, parts);
-    if (fits(forecast, shape.options) && (best == nullptr || forecast.seconds < of_best.seconds)) {
+    if (fits(forecast, shape.options) && (best == nullptr || forecast.seconds < least_seconds)) {
       best = &backend;
-      of_best = forecast;
+      least_seconds = forecast.seconds;
     }
-    if (smallest == nullptr || forecast.bytes < of_smallest.bytes) {
+    if (forecast.bytes < least_bytes) {
       smallest = &backend;
-      of_smallest = forecast;
+      least_bytes = forecast.bytes;
     }
   }
   if (best == nullptr) {
