@@ -123,6 +123,20 @@ TEST(Flow, CleanInputTakesExactlyTheStepsAndOneFactorization) {
   }
 }
 
+TEST(Flow, AFlatSheetIsDoneAtOnce) {
+  const State state(flat_sheet(8, 8));
+  for (const char* laplacian : {"crouzeix-raviart", "lagrange"}) {
+    FlowOptions options;
+    options.laplacian = laplacian;
+    options = options_for(state, 8, options);
+    Points X = state.X;
+    const FlowReport report = willmore_flow(X, state.topology, hold(state), options);
+    EXPECT_EQ(report.status, FlowStatus::completed) << laplacian;
+    EXPECT_EQ(report.time_reached, options.total_time) << laplacian;
+    EXPECT_EQ(X, state.X) << laplacian;
+  }
+}
+
 TEST(Flow, DoesNotDependOnTheNumberOfThreads) {
   const State state(shape("icosphere", 4));
   State noisy = state;

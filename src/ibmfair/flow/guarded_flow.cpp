@@ -59,6 +59,11 @@ class GuardedFlow {
   /// One attempt at a step; false when the observer asks to stop.
   bool take_step() {
     p_.update_gradient();
+    if (p_.energy() == 0) {  // flat: nothing will ever move
+      left_ = 0;
+      p_.report.time_reached = p_.options.total_time;
+      return true;
+    }
     const bool fresh = stale_;
     if (fresh && !renew_jacobian()) {
       return true;
