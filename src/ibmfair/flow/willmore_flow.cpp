@@ -6,7 +6,6 @@
 #include "ibmfair/flow/plain_flow.h"
 
 namespace ibmfair {
-
 namespace {
 
 void require_usable(const Points& X, const FlowOptions& options) {

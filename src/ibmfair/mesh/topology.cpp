@@ -1,7 +1,7 @@
 #include "ibmfair/mesh/topology.h"
 
 #include <algorithm>
-#include <numeric>
+#include <span>
 #include <utility>
 
 #include "ibmfair/base/parallel.h"
@@ -193,17 +193,10 @@ Topology build_topology(const Points& X, Triangles F) {
 }
 
 Rows vertex_rings(const Topology& topology) {
-  Rows rings;
-  rings.first.assign(static_cast<std::size_t>(topology.vertex_count) + 1, 0);
-  for (const Index v : topology.E.reshaped()) {
-    ++rings.first[v + 1];
-  }
-  std::partial_sum(rings.first.begin(), rings.first.end(), rings.first.begin());
-  rings.value.resize(static_cast<std::size_t>(rings.first.back()));
-  std::vector<std::int64_t> next(rings.first.begin(), rings.first.end() - 1);
-  for (const auto edge : topology.E.rowwise()) {
-    rings.value[next[edge[0]]++] = edge[1];
-    rings.value[next[edge[1]]++] = edge[0];
+  const std::span<const Index> ends(topology.E.data(), static_cast<std::size_t>(topology.E.size()));
+  Rows rings = positions_by_value(ends, topology.vertex_count);
+  for (Index& place : rings.value) {
+    place = ends[place ^ 1];  // the other end of the edge
   }
   return rings;
 }
