@@ -19,8 +19,8 @@ constexpr double limit_growth = 1 << 24;  // of the time step: beyond, a step is
 constexpr double coarse_rim = 20;         // edges of the coarsest level's rim, about
 constexpr int most_late_refinements = 3;
 constexpr double late_share = 0.05;   // of edges too long that makes fairing once more worth it
-constexpr double small_move = 0.001;  // along the normal, in edge lengths: settled
-constexpr double coarse_small_move = 0.005;  // the same where a finer level follows
+constexpr double small_move = 0.004;  // along the normal, in edge lengths: settled
+constexpr double coarse_small_move = 0.02;  // the same where a finer level follows
 
 Triangles all_triangles(const Patch& patch) {
   Triangles F(patch.surroundings.rows() + patch.net.size(), 3);
@@ -84,6 +84,7 @@ class PatchFairing {
         h_limit_(h_ * limit_growth) {
     flow_options_.laplacian = options.laplacian;
     flow_options_.mass = options.mass;
+    flow_options_.solver = "cholmod";  // toward the limit no other solver's steps are good enough
   }
 
   /// One level, on triangles that stay as they are or follow the patch while it finds its shape.

@@ -85,10 +85,6 @@ void DirectJacobian::assemble(const JacobianParts& parts) {
     const std::int64_t diagonal = J_.column_first[j];
     for (std::int64_t k = diagonal; k < J_.column_first[j + 1]; ++k) {
       J_.value[k] *= parts.h;
-      // Where a direction is zero, the diagonal keeps J definite.
-      if (parts.directions != nullptr && k > diagonal) {
-        J_.value[k] *= parts.directions->row(j).dot(parts.directions->row(J_.row[k]));
-      }
     }
     J_.value[diagonal] += parts.D[j];
   });

@@ -2,10 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <vector>
 
-#include "ibmfair/base/errors.h"
 #include "ibmfair/base/stopwatch.h"
 
 namespace ibmfair {
@@ -41,10 +39,6 @@ double iterations(const JacobianShape& shape, const JacobianParts& parts) {
 }  // namespace
 
 SolverForecast forecast_iterative(const JacobianShape& shape, const JacobianParts& parts) {
-  if (parts.directions != nullptr) {
-    constexpr double never = std::numeric_limits<double>::infinity();
-    return {.seconds = never, .bytes = never};
-  }
   const auto places = static_cast<double>(shape.stencils.value.size());
   return {.seconds = seconds_per_place * places * iterations(shape, parts) * shape.options.steps,
           .bytes = bytes_per_place * places + bytes_per_row * shape.unknowns.size()};
@@ -54,9 +48,6 @@ IterativeJacobian::IterativeJacobian(const JacobianShape& shape)
     : shape_(shape), J_(shape.stencils, shape.unknowns), solver_(J_) {}
 
 void IterativeJacobian::update(const JacobianParts& parts) {
-  if (parts.directions != nullptr) {
-    throw BadOption("conjugate gradients do not solve stationary problems");
-  }
   const Stopwatch watch(shape_.report.seconds.assemble);
   J_.update(parts.weights, parts.D, parts.h);
 }

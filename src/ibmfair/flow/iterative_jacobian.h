@@ -12,8 +12,6 @@ class IterativeJacobian final : public JacobianSolver {
  public:
   explicit IterativeJacobian(const JacobianShape& shape);
 
-  /// Throws BadOption for a Jacobian along directions: those of stationary problems, far too badly
-  /// conditioned for it.
   void update(const JacobianParts& parts) override;
   void solve(const Points& B, Points& Y) override;
 

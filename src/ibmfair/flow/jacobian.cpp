@@ -17,7 +17,7 @@ Jacobian::Jacobian(BendingEnergy& energy, const Topology& topology, const Unknow
       D_(Eigen::VectorXd::Ones(unknowns.size())),
       damping_(D_) {}
 
-JacobianParts Jacobian::linearise(const Points& X, double h, const Points* directions) {
+JacobianParts Jacobian::linearise(const Points& X, double h) {
   const Stopwatch watch(report_.seconds.assemble);
   energy_.linearise(X, weights_);
   if (options_.metric == Metric::mass) {
@@ -26,15 +26,15 @@ JacobianParts Jacobian::linearise(const Points& X, double h, const Points* direc
     D_.setOnes(unknowns_.size());
   }
   D_ = D_.cwiseProduct(damping_);
-  return {weights_, D_, h, directions};
+  return {weights_, D_, h};
 }
 
 JacobianShape Jacobian::shape() const {
   return {energy_.stencils(), unknowns_, options_, report_};
 }
 
-void Jacobian::refactor(const Points& X, double h, const Points* directions) {
-  const JacobianParts parts = linearise(X, h, directions);
+void Jacobian::refactor(const Points& X, double h) {
+  const JacobianParts parts = linearise(X, h);
   if (!solver_) {
     const JacobianBackend& backend = choose_backend(shape(), parts);
     report_.solver = backend.name;
@@ -46,7 +46,7 @@ void Jacobian::refactor(const Points& X, double h, const Points* directions) {
 }
 
 std::vector<BackendForecast> Jacobian::forecasts(const Points& X, double h) {
-  const JacobianParts parts = linearise(X, h, nullptr);
+  const JacobianParts parts = linearise(X, h);
   std::vector<BackendForecast> result;
   for (const JacobianBackend& backend : jacobian_backends()) {
     result.push_back({backend.name, backend.forecast(shape(), parts)});

@@ -18,10 +18,8 @@ class Jacobian {
            const FlowOptions& options, FlowReport& report);
 
   /// Takes `X` as the reference and `h` as the time step. Throws FactorizationFailed, OutOfMemory.
-  /// With `directions` n (a unit vector or zero for each unknown) every vertex may move along its
-  /// own only: J then acts on lengths, J_ij <n_i, n_j>. The first call chooses the backend where
-  /// the options leave that open.
-  void refactor(const Points& X, double h, const Points* directions = nullptr);
+  /// The first call chooses the backend where the options leave that open.
+  void refactor(const Points& X, double h);
 
   /// What each backend is predicted to take. Notes in the report which one `refactor` would choose;
   /// throws what it would throw.
@@ -41,7 +39,7 @@ class Jacobian {
   const Eigen::VectorXd& damping() const { return damping_; }
 
  private:
-  JacobianParts linearise(const Points& X, double h, const Points* directions);
+  JacobianParts linearise(const Points& X, double h);
   JacobianShape shape() const;
 
   BendingEnergy& energy_;

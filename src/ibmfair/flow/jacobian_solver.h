@@ -16,9 +16,6 @@ struct JacobianParts {
   const StencilWeights& weights;  ///< of S
   const Eigen::VectorXd& D;       ///< one positive entry per unknown
   double h;                       ///< positive
-  /// Unit or zero vectors n, one per unknown, or null. With them J acts on lengths along n:
-  /// J_ij <n_i, n_j>.
-  const Points* directions = nullptr;
 };
 
 class JacobianSolver {

@@ -75,7 +75,7 @@ double StationaryFlow::normal_gradient() const {
 bool StationaryFlow::renew() {
   pairs_.forget();
   try {
-    problem_.jacobian().refactor(problem_.X, h_, normal_only_ ? &normals_ : nullptr);
+    problem_.jacobian().refactor(problem_.X, h_);
   } catch (const FactorizationFailed&) {
     h_ /= leap;
     return false;

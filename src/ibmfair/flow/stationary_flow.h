@@ -18,6 +18,12 @@ namespace ibmfair {
 /// well enough; h grows toward infinity, where the step is Gauss-Newton's, while steps keep what
 /// they promise, and shrinks when one does not. S is renewed at X when h changed, or when the
 /// last step with the old one brought the gradient down too little.
+///
+/// With `normal_only` a vertex moves by d_v n_v, and the same Jacobian acts on the lengths d_v: the
+/// squared Laplacian, which is the leading part of the second variation of the Willmore energy
+/// for normal displacements. Restricting S to them instead, S_uv <n_u, n_v>, would also charge for
+/// the change of the normals, which the energy does not: on a half sphere that takes twice as many
+/// steps.
 class StationaryFlow {
  public:
   /// `options` says which energy; its steps and time are not used. The flow starts at `X` with time
