@@ -16,6 +16,7 @@ namespace {
 constexpr double too_long = 1.45;
 constexpr double grading = 0.5;
 constexpr int most_passes = 40;
+constexpr double few = 0.01;  // of the patch's vertices: no pass for so few edges that are too long
 constexpr int sweeps_per_pass = 2;
 
 struct LongEdge {
@@ -43,6 +44,7 @@ class Refinement {
  private:
   double length(Index a, Index b) const { return (p_.X.row(a) - p_.X.row(b)).norm(); }
   double wanted(Index a, Index b) const { return (p_.wanted[a] + p_.wanted[b]) / 2; }
+  bool is_taken(Index a, Index b) const { return b < p_.own_from && p_.taken.contains(a, b); }
 
   std::vector<LongEdge> long_edges() const {
     std::vector<LongEdge> edges;
@@ -54,7 +56,7 @@ class Refinement {
           continue;  // seen from its other side, or on the rim
         }
         const double excess = length(a, b) / wanted(a, b);
-        if (excess > too_long || p_.taken.contains(a, b)) {
+        if (excess > too_long || is_taken(a, b)) {
           edges.push_back({excess, a, b, e});
         }
       }
@@ -92,14 +94,20 @@ class Refinement {
     return (xa + xb) / 2 + (chord.dot(nb) * nb - chord.dot(na) * na) / 8;
   }
 
-  /// One pass over the edges that are too long now; whether any was split.
+  /// One pass over the edges that are too long now; whether another one is worth it.
   bool split_long_edges() {
+    const std::vector<LongEdge> edges = long_edges();
+    const bool all_may_stay = std::none_of(
+        edges.begin(), edges.end(), [this](const LongEdge& e) { return is_taken(e.a, e.b); });
+    if (all_may_stay && static_cast<double>(edges.size()) <= few * p_.own_size()) {
+      return false;
+    }
     const Index before = p_.size();
     std::vector<Vec3> added;
     if (options_.curved) {
       update_normals();
     }
-    for (const auto& [excess, a, b, e] : long_edges()) {
+    for (const auto& [excess, a, b, e] : edges) {
       // Splits before this one may have changed its triangle; the next pass finds it again.
       if (p_.net.start(e) != a || p_.net.end(e) != b) {
         continue;

@@ -12,9 +12,9 @@ struct RefineOptions {
 };
 
 /// Splits edges that are too long (the longest first, at their middle) and edges that the mesh has
-/// already, flips to Delaunay and evens the new vertices out, until nothing is too long. The edge
-/// length grows from the rim's to the coarse one by at most half of the distance. Returns false
-/// where `most_vertices` ended it.
+/// already, flips to Delaunay and evens the new vertices out, until edges that are too long are
+/// fewer than a hundredth of the patch's own vertices. The edge length grows from the rim's to the
+/// coarse one by at most half of the distance. Returns false where `most_vertices` ended it.
 bool refine(Patch& patch, const RefineOptions& options);
 
 /// The number of edges of the patch that `refine` with no coarsening would split at once.

@@ -26,7 +26,7 @@ class TriangleNet {
   Triangles triangles() const;
 
   /// The same edge from its other side; triangle -1 at the rim.
-  NetEdge other_side(NetEdge e) const;
+  NetEdge other_side(NetEdge e) const { return across_[e.triangle][e.corner]; }
 
   /// The ends of an edge in the order in which its triangle runs along it, and the corner opposite.
   Index start(NetEdge e) const { return corner_[e.triangle][(e.corner + 1) % 3]; }
@@ -45,11 +45,11 @@ class TriangleNet {
 
  private:
   int place(Index t, Index v) const;
-  int place_of_neighbour(Index t, Index neighbour) const;
-  void redirect(Index t, Index from, Index to);
+  void join(NetEdge e, NetEdge o);
+  void put(Index t, const std::array<Index, 3>& corners, const std::array<NetEdge, 3>& across);
 
   std::vector<std::array<Index, 3>> corner_;
-  std::vector<std::array<Index, 3>> across_;  // the triangle opposite to each corner, or -1
+  std::vector<std::array<NetEdge, 3>> across_;  // the other side of each edge
 };
 
 }  // namespace ibmfair
