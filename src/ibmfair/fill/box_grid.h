@@ -2,16 +2,17 @@
 #pragma once
 
 #include <cstdint>
-#include <unordered_map>
 #include <vector>
 
 #include <Eigen/Geometry>
 
+#include "ibmfair/base/rows.h"
 #include "ibmfair/base/types.h"
 
 namespace ibmfair {
 
-/// Boxes hashed by the cells of a regular grid that they touch.
+/// Boxes hashed by the cells of a regular grid that they touch. Cells whose hashes agree share a
+/// slot, which costs a comparison of boxes here and there and no look at the cells' numbers.
 class BoxGrid {
  public:
   using Box = Eigen::AlignedBox3d;
@@ -26,14 +27,13 @@ class BoxGrid {
 
   Cell cell(const Vec3& x) const;
   template <class Visit>
-  void each_cell(const Box& box, const Visit& visit) const;
+  void each_slot(const Box& box, const Visit& visit) const;
 
   std::vector<Box> boxes_;
   Box all_;
   double size_ = 1;  // of a cell
-  std::unordered_map<std::uint64_t, std::vector<Index>> cells_;
-  std::vector<std::uint8_t>
-      maybe_;  // by a hash of the cell: false where the cell is empty for sure
+  int hash_bits_ = 1;
+  Rows slots_;  // of boxes
 };
 
 }  // namespace ibmfair
