@@ -219,6 +219,19 @@ TEST(Fill, ALoopThatEndsAtANonManifoldEdgeIsLeftWithTheReason) {
   }
 }
 
+TEST(Fill, APatchThroughAnIslandInTheHoleIsReported) {
+  for (const double lift : {0.0, 0.3}) {
+    SCOPED_TRACE(lift);
+    const State state(with_island(sphere(4), lift));
+    const Filling filling = fill_holes(state.X, state.topology, {}, {});
+    ASSERT_EQ(filling.holes.size(), 2U);
+    EXPECT_EQ(filling.holes[0].status, HoleStatus::filled);
+    EXPECT_EQ(filling.holes[0].intersections > 0, lift == 0);
+    EXPECT_EQ(filling.holes[1].status, HoleStatus::skipped);  // the island's own border
+    EXPECT_NE(filling.holes[1].reason, "");
+  }
+}
+
 TEST(Fill, ARoughRimIsSmoothedWithTheRingsThatMayMove) {
   Mesh mesh = without_cap(sphere(4), 45);
   State state(mesh);

@@ -175,6 +175,8 @@ ExitCode fill(const FillArguments& arguments, const Input& input, FillSeconds& s
     filling = fill_holes(X, input.topology, hole_choice(arguments, X, input.topology),
                          fill_options(arguments));
   }
+  seconds.audit = filling.audit_seconds;
+  seconds.fill -= filling.audit_seconds;
   const std::string missed = shortfall(filling, arguments.allow_intersections);
   if (missed.empty() || !arguments.strict) {
     const Stopwatch watch(seconds.write);

@@ -39,6 +39,7 @@ ordered_json seconds_json(const FillSeconds& seconds) {
   return {{"read", seconds.read},
           {"topology", seconds.topology},
           {"fill", seconds.fill},
+          {"audit", seconds.audit},
           {"write", seconds.write}};
 }
 
@@ -74,8 +75,9 @@ std::string hole_line(const HoleReport& hole) {
 }
 
 std::string times(const FillSeconds& seconds) {
-  return fmt::format("  seconds: read {:.3f} topology {:.3f} fill {:.3f} write {:.3f}\n",
-                     seconds.read, seconds.topology, seconds.fill, seconds.write);
+  return fmt::format(
+      "  seconds: read {:.3f} topology {:.3f} fill {:.3f} audit {:.3f} write {:.3f}\n",
+      seconds.read, seconds.topology, seconds.fill, seconds.audit, seconds.write);
 }
 
 }  // namespace

@@ -12,7 +12,7 @@ namespace ibmfair::commands {
 
 /// Wall time of the command's stages.
 struct FillSeconds {
-  double read = 0, topology = 0, fill = 0, write = 0;
+  double read = 0, topology = 0, fill = 0, audit = 0, write = 0;
 };
 
 /// One line for each hole that was not skipped, all of them with `detailed`, else the first few,

@@ -37,6 +37,13 @@ Mesh without_unused_vertices(const Mesh& mesh) {
   return result;
 }
 
+const Vec3 cap_axis = Vec3(0.3, 0.5, 0.81).normalized();
+
+/// Whether a point lies within `degrees` of the axis, seen from the origin.
+bool in_cap(const Vec3& x, double degrees) {
+  return x.dot(cap_axis) > std::cos(degrees * std::numbers::pi / 180) * x.norm();
+}
+
 /// Without the faces at a vertex.
 Mesh without_star(const Mesh& mesh, Index vertex) {
   return without_unused_vertices(with_faces(mesh, [&](Index f) {
@@ -75,14 +82,27 @@ Mesh without_triangles(const Mesh& mesh, const std::vector<Index>& faces) {
 }
 
 Mesh without_cap(const Mesh& mesh, double degrees) {
-  const Vec3 axis = Vec3(0.3, 0.5, 0.81).normalized();
-  const double limit = std::cos(degrees * std::numbers::pi / 180);
   return without_unused_vertices(with_faces(mesh, [&](Index f) {
     const auto corners = mesh.faces[f];
-    return !std::all_of(corners.begin(), corners.end(), [&](Index v) {
-      return mesh.X.row(v).dot(axis) > limit * mesh.X.row(v).norm();
+    return !std::all_of(corners.begin(), corners.end(),
+                        [&](Index v) { return in_cap(mesh.X.row(v), degrees); });
+  }));
+}
+
+Mesh with_island(const Mesh& ball, double lift) {
+  constexpr double island = 12, hole = 40;
+  Mesh mesh = without_unused_vertices(with_faces(ball, [&](Index f) {
+    const auto corners = ball.faces[f];
+    return std::none_of(corners.begin(), corners.end(), [&](Index v) {
+      return in_cap(ball.X.row(v), hole) && !in_cap(ball.X.row(v), island);
     });
   }));
+  for (Index v = 0; v < mesh.X.rows(); ++v) {
+    if (in_cap(mesh.X.row(v), island)) {
+      mesh.X.row(v) += lift * cap_axis.transpose();
+    }
+  }
+  return mesh;
 }
 
 Mesh with_square_hole(const Mesh& sheet, Index cells) {

@@ -17,6 +17,10 @@ Mesh without_triangles(const Mesh& mesh, const std::vector<Index>& faces);
 /// origin, and without the vertices that nothing uses any more.
 Mesh without_cap(const Mesh& mesh, double degrees);
 
+/// A sphere without a cap of 40 degrees, but with the cap of 12 degrees in the middle of the hole,
+/// `lift` above its place.
+Mesh with_island(const Mesh& ball, double lift);
+
 /// A sheet (`flat_sheet`) without the faces in the middle third and more: those whose centre is
 /// within `cells` cells of the sheet's centre, in both directions.
 Mesh with_square_hole(const Mesh& sheet, Index cells);

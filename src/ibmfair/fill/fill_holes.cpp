@@ -6,6 +6,7 @@
 
 #include "ibmfair/base/errors.h"
 #include "ibmfair/base/parallel.h"
+#include "ibmfair/base/stopwatch.h"
 #include "ibmfair/fill/harmonic_extension.h"
 #include "ibmfair/fill/hole_groups.h"
 #include "ibmfair/fill/intersections.h"
@@ -346,6 +347,7 @@ Filling fill_holes(const Points& X, const Topology& topology, const HoleChoice& 
   }
   assembly.finish();
   if (filling.new_F.rows() > 0) {
+    const Stopwatch watch(filling.audit_seconds);
     count_intersections(topology, filling);
   }
   return filling;

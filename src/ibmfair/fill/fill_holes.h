@@ -53,6 +53,7 @@ struct Filling {
   std::vector<Index> hole_of_triangle;  ///< #new triangles: Hole::id
   std::vector<HoleReport> holes;        ///< one for every hole of the mesh, by id
   std::vector<Patch> patches;           ///< in the order of their vertices in `new_X`
+  double audit_seconds = 0;             ///< spent on the search for intersections
 
   /// Extends values at `rim()` (a row each) to the new vertices: harmonically, patch by patch.
   Eigen::MatrixXd extend(const Eigen::MatrixXd& at_rim) const;
