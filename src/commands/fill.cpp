@@ -322,7 +322,8 @@ void add_fairing_options(CLI::App& app, FillArguments& a) {
   add_integer(app, "--max-steps", a.fill.fairing.most_steps, 1, 1'000'000,
               "steps at each level of refinement before giving up (default 100)");
   add_integer(app, "--max-new-vertices", a.fill.most_new_vertices, Index{1}, most,
-              "in all holes together (default: as many as the mesh has, at least 100000)");
+              "in all holes together (default: as many as the mesh has, at least 100000, and half the "
+           "square of its edges in a hole)");
   app.add_flag("--allow-intersections", a.allow_intersections,
                "do not fail where a patch passes through itself or the mesh");
 }

@@ -15,7 +15,9 @@
 namespace ibmfair {
 namespace {
 
-constexpr Index least_limit = 100'000;  // of new vertices, where none is given
+constexpr Index least_limit = 100'000;         // of new vertices, where none is given
+constexpr double most_per_squared_edge = 0.5;  // the same for one hole
+constexpr double least_per_hole = 64;
 
 /// Holes that are filled together, and what becomes of them.
 struct GroupResult {
@@ -173,9 +175,13 @@ class HoleFiller {
   const FillOptions& options_;
 };
 
-/// A hole of n edges asks for about n^2 vertices; a hostile one must not take what others need.
+/// The most vertices that each group may get. A hole of n edges asks for about n^2 / 10; a hostile
+/// one must not take what others need.
 std::vector<Index> shares(const std::vector<std::vector<Index>>& groups,
-                          const std::vector<Hole>& holes, Index limit) {
+                          const std::vector<Hole>& holes, const FillOptions& options,
+                          Index vertex_count) {
+  const bool given = options.most_new_vertices > 0;
+  const Index limit = given ? options.most_new_vertices : std::max(least_limit, vertex_count);
   std::vector<double> need;
   double all = 0;
   for (const auto& group : groups) {
@@ -189,7 +195,9 @@ std::vector<Index> shares(const std::vector<std::vector<Index>>& groups,
   std::vector<Index> result;
   result.reserve(need.size());
   for (const double part : need) {
-    result.push_back(static_cast<Index>(limit * (part / all)));
+    const double share = limit * (part / all);
+    result.push_back(static_cast<Index>(
+        given ? share : std::min(share, least_per_hole + most_per_squared_edge * part)));
   }
   return result;
 }
@@ -336,11 +344,8 @@ Filling fill_holes(const Points& X, const Topology& topology, const HoleChoice& 
     }
   }
   const auto groups = group_holes(topology, holes, chosen, options.rim_smooth);
-  const Index limit = options.most_new_vertices > 0
-                          ? options.most_new_vertices
-                          : std::max(least_limit, static_cast<Index>(X.rows()));
-  auto results =
-      fill_groups(HoleFiller(X, topology, holes, options), groups, shares(groups, holes, limit));
+  auto results = fill_groups(HoleFiller(X, topology, holes, options), groups,
+                             shares(groups, holes, options, static_cast<Index>(X.rows())));
   Assembly assembly(X, filling);
   for (GroupResult& group : results) {
     assembly.add(group);
