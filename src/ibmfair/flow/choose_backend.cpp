@@ -69,4 +69,17 @@ const JacobianBackend& choose_backend(const JacobianShape& shape, const Jacobian
   return *best;
 }
 
+const JacobianBackend* without_factor(const JacobianShape& shape, const JacobianParts& parts) {
+  if (shape.options.solver != "auto" || !shape.options.guarded) {
+    return nullptr;
+  }
+  for (const JacobianBackend& backend : jacobian_backends()) {
+    const SolverForecast forecast = backend.forecast(shape, parts);
+    if (forecast.factor_entries == 0 && fits(forecast, shape.options)) {
+      return &backend;
+    }
+  }
+  return nullptr;
+}
+
 }  // namespace ibmfair

@@ -27,6 +27,7 @@ constexpr double local_share = 0.02;          // of the vertices: more culprits 
 constexpr int backtracks = 2;                 // halvings of a step before it is given up
 constexpr int fold_passes = 6;                // rounds of withholding moves that would fold
 constexpr double smallest_time_step = 1e-12;  // of the target, before giving up
+constexpr double rounding = 1e-14;            // of the energy: a smaller decrease is not seen
 
 class GuardedFlow {
  public:
@@ -59,9 +60,8 @@ class GuardedFlow {
   /// One attempt at a step; false when the observer asks to stop.
   bool take_step() {
     p_.update_gradient();
-    if (p_.energy() == 0) {  // flat: nothing will ever move
-      left_ = 0;
-      p_.report.time_reached = p_.options.total_time;
+    if (p_.energy() == 0) {  // flat
+      stay_to_the_end();
       return true;
     }
     const bool fresh = stale_;
@@ -77,6 +77,12 @@ class GuardedFlow {
     record.gradient_norm = p_.gradient_norm();
     record.held_back = (p_.jacobian().damping().array() > 1).count();
     fraction_ = std::min(1.0, left_ / p_.jacobian().time_step());
+    // g^T (D/h + S)^-1 g grows with h no faster than h does.
+    const double longer = h_target_ / p_.jacobian().time_step();
+    if (longer * predicted_decrease() <= rounding * p_.energy()) {
+      stay_to_the_end();
+      return true;
+    }
     if (distorts(step)) {
       cut_time_step();
       return true;
@@ -96,6 +102,12 @@ class GuardedFlow {
       p_.report.status = FlowStatus::interrupted;
     }
     return go_on;
+  }
+
+  /// The state is stationary: nothing will move in what is left of the time.
+  void stay_to_the_end() {
+    left_ = 0;
+    p_.report.time_reached = p_.options.total_time;
   }
 
   /// Factors at the state; a matrix that rounding made indefinite is met with a smaller step.

@@ -2,10 +2,17 @@
 
 #include <string>
 
+#include "ibmfair/base/errors.h"
 #include "ibmfair/base/stopwatch.h"
 #include "ibmfair/mesh/geometry.h"
 
 namespace ibmfair {
+namespace {
+
+/// Factorizations that fail before a backend without a factor takes over.
+constexpr int patience = 8;
+
+}  // namespace
 
 Jacobian::Jacobian(BendingEnergy& energy, const Topology& topology, const Unknowns& unknowns,
                    const FlowOptions& options, FlowReport& report)
@@ -36,13 +43,27 @@ JacobianShape Jacobian::shape() const {
 void Jacobian::refactor(const Points& X, double h) {
   const JacobianParts parts = linearise(X, h);
   if (!solver_) {
-    const JacobianBackend& backend = choose_backend(shape(), parts);
-    report_.solver = backend.name;
-    solver_ = backend.make(shape());
+    take(choose_backend(shape(), parts));
   }
   h_ = 0;
-  solver_->update(parts);
+  try {
+    solver_->update(parts);
+  } catch (const FactorizationFailed&) {
+    // With a shorter time step, which the flow tries next, the matrix may have a factor.
+    const JacobianBackend* other =
+        ++failures_ > patience ? without_factor(shape(), parts) : nullptr;
+    if (other == nullptr || other->name == report_.solver) {
+      throw;
+    }
+    take(*other);
+    solver_->update(parts);
+  }
   h_ = h;
+}
+
+void Jacobian::take(const JacobianBackend& backend) {
+  report_.solver = backend.name;
+  solver_ = backend.make(shape());
 }
 
 std::vector<BackendForecast> Jacobian::forecasts(const Points& X, double h) {

@@ -18,7 +18,8 @@ class Jacobian {
            const FlowOptions& options, FlowReport& report);
 
   /// Takes `X` as the reference and `h` as the time step. Throws FactorizationFailed, OutOfMemory.
-  /// The first call chooses the backend where the options leave that open.
+  /// The first call chooses the backend where the options leave that open; then one that has no
+  /// factor also follows one whose factorizations keep failing.
   void refactor(const Points& X, double h);
 
   /// What each backend is predicted to take. Notes in the report which one `refactor` would choose;
@@ -41,6 +42,7 @@ class Jacobian {
  private:
   JacobianParts linearise(const Points& X, double h);
   JacobianShape shape() const;
+  void take(const JacobianBackend& backend);
 
   BendingEnergy& energy_;
   const Topology& topology_;
@@ -51,6 +53,7 @@ class Jacobian {
   StencilWeights weights_;
   Eigen::VectorXd D_, damping_;
   double h_ = 0;
+  int failures_ = 0;
 };
 
 }  // namespace ibmfair

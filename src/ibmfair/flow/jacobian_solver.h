@@ -63,4 +63,9 @@ const JacobianBackend& jacobian_backend(std::string_view name);
 /// the named one, or none of them, fits.
 const JacobianBackend& choose_backend(const JacobianShape& shape, const JacobianParts& parts);
 
+/// The backend without a factor, where the options leave the choice open and it fits; else null.
+/// Triangles with angles below 1e-8 are too much for a factor, not for the differences that such a
+/// backend takes.
+const JacobianBackend* without_factor(const JacobianShape& shape, const JacobianParts& parts);
+
 }  // namespace ibmfair
