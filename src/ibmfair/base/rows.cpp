@@ -1,6 +1,9 @@
 #include "ibmfair/base/rows.h"
 
+#include <algorithm>
 #include <numeric>
+
+#include "ibmfair/base/parallel.h"
 
 namespace ibmfair {
 
@@ -17,6 +20,14 @@ Rows positions_by_value(std::span<const Index> values, Index count) {
     if (values[i] >= 0) rows.value[next[values[i]]++] = static_cast<Index>(i);
   }
   return rows;
+}
+
+std::vector<Index> row_of_position(const Rows& rows) {
+  std::vector<Index> row(rows.value.size());
+  parallel_for(rows.size(), [&](std::int64_t i) {
+    std::fill(row.begin() + rows.first[i], row.begin() + rows.first[i + 1], static_cast<Index>(i));
+  });
+  return row;
 }
 
 }  // namespace ibmfair

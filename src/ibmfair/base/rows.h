@@ -24,4 +24,7 @@ struct Rows {
 /// in no row.
 Rows positions_by_value(std::span<const Index> values, Index count);
 
+/// For each position in `rows.value` the row that it belongs to.
+std::vector<Index> row_of_position(const Rows& rows);
+
 }  // namespace ibmfair

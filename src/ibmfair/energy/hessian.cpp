@@ -37,11 +37,7 @@ HessianAssembler::HessianAssembler(const Rows& stencils, const Unknowns& unknown
     : stencils_(stencils),
       unknowns_(unknowns),
       places_(positions_by_value(stencils.value, static_cast<Index>(unknowns.unknown.size()))),
-      stencil_of_place_(stencils.value.size()) {
-  for (Index s = 0; s < stencils_.size(); ++s) {
-    std::fill(stencil_of_place_.begin() + stencils_.first[s],
-              stencil_of_place_.begin() + stencils_.first[s + 1], s);
-  }
+      stencil_of_place_(row_of_position(stencils)) {
   std::vector<Index> rows;
   for (Index j = 0; j < unknowns_.size(); ++j) {
     rows.assign(1, j);

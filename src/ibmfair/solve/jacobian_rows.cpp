@@ -20,13 +20,9 @@ JacobianRows::JacobianRows(const Rows& stencils, const Unknowns& unknowns)
     : stencils_(stencils),
       unknowns_(unknowns),
       places_(positions_by_value(stencils.value, static_cast<Index>(unknowns.unknown.size()))),
-      stencil_of_place_(stencils.value.size()),
+      stencil_of_place_(row_of_position(stencils)),
       a_(unknowns.size()),
       inverse_diagonal_(unknowns.size()) {
-  parallel_for(stencils.size(), [&](std::int64_t s) {
-    std::fill(stencil_of_place_.begin() + stencils_.first[s],
-              stencil_of_place_.begin() + stencils_.first[s + 1], static_cast<Index>(s));
-  });
   find_columns();
 }
 
