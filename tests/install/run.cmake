@@ -34,5 +34,5 @@ endloop
 endfacet
 endsolid one
 ")
-# A file that only assimp reads: the installed program must find its module.
+# A file that only assimp reads: the installed program must find its helper.
 run(${WORK}/installed/bin/ibmfair smooth ${WORK}/one.stl ${WORK}/one.obj --steps 0)

@@ -1,31 +1,27 @@
-// Every format that is not our own, read through assimp. The importer lives in a shared module of
-// its own that is loaded when it is first needed: starting the program does not pay for it.
+// Every format that is not our own, read through assimp. It runs in a process of its own (the
+// program ibmfair-assimp, src/assimp_helper), which a file that exploits or exhausts it ends
+// without harm, and which opens nothing but files in the folder of the one that it reads.
 #pragma once
 
-#include <string>
+#include <cstddef>
 #include <string_view>
-#include <vector>
 
 #include "ibmfair/io/formats.h"
+#include "ibmfair/io/import_reply.h"
 
 namespace ibmfair {
 
-/// What the module hands over: the scene's meshes one after the other, node transforms applied.
-struct ImportedScene {
-  Mesh mesh;
-  MeshAttributes attributes;
-  std::string error;                ///< not empty: nothing was read
-  std::int64_t left_out_faces = 0;  ///< points and lines
-};
+/// Many times what assimp takes for the slowest formats: 10 s and 4 s a megabyte, 2 GiB and 64
+/// bytes a byte.
+ImportLimits import_limits(std::size_t file_size);
 
-/// Reads the file through assimp. Throws BadFile where assimp or the module is missing, and where
-/// assimp refuses the file. `extension` tells assimp the format of standard input.
+/// Reads the file through assimp; `extension` tells it the format. Throws BadFile where assimp is
+/// missing, refuses the file, crashes on it or exceeds the limits (of time, by four times as much
+/// where it only waits); OutOfMemory where a limit of this process itself is in the way.
+ParsedMesh read_through_assimp(const SourceBytes& source, std::string_view extension,
+                               const ImportLimits& limits);
+
+/// The same within the limits for a file of this size.
 ParsedMesh read_through_assimp(const SourceBytes& source, std::string_view extension);
-
-/// The module's one function, found by name. `path` is empty for bytes that come from no file; with
-/// a path, files that it refers to are found beside it.
-constexpr const char* import_function_name = "ibmfair_import_scene";
-using ImportFunction = void (*)(std::string_view bytes, const std::string& path,
-                                const std::string& extension, ImportedScene& scene);
 
 }  // namespace ibmfair

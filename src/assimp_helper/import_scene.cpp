@@ -1,18 +1,26 @@
-// The shared module through which the library reads everything that is not OBJ, PLY or OFF.
+#include "assimp_helper/import_scene.h"
+
+#include <exception>
+#include <initializer_list>
 #include <limits>
+#include <new>
+#include <sstream>
+#include <stdexcept>
 #include <string>
-#include <string_view>
 #include <vector>
 
+#include <Eigen/Core>
 #include <assimp/Importer.hpp>
+#include <assimp/config.h>
+#include <assimp/importerdesc.h>
 #include <assimp/scene.h>
 
-#include "ibmfair/io/assimp_import.h"
+#include "assimp_helper/folder_files.h"
 
 namespace ibmfair {
 namespace {
 
-constexpr std::size_t most = static_cast<std::size_t>(std::numeric_limits<Index>::max());
+constexpr std::size_t most = static_cast<std::size_t>(std::numeric_limits<std::int32_t>::max());
 
 using Transform = Eigen::Matrix4d;
 
@@ -34,25 +42,23 @@ class SceneReader {
     for (unsigned i = 0; i < scene.mNumMeshes; ++i) {
       any_texture_ = any_texture_ || scene.mMeshes[i]->HasTextureCoords(0);
       any_colours_ = any_colours_ || scene.mMeshes[i]->HasVertexColors(0);
-      result_.attributes.normals = result_.attributes.normals || scene.mMeshes[i]->HasNormals();
+      result_.normals = result_.normals || scene.mMeshes[i]->HasNormals();
     }
-    result_.attributes.opacity = any_colours_;
   }
 
   void run() {
     if (scene_.mRootNode != nullptr) visit(*scene_.mRootNode, Transform::Identity());
-    if (!result_.error.empty()) return;
-    result_.mesh.X =
-        Eigen::Map<const Points>(positions_.data(), static_cast<Eigen::Index>(vertex_count()), 3);
   }
 
  private:
-  std::size_t vertex_count() const { return positions_.size() / 3; }
-
   void visit(const aiNode& node, const Transform& parent) {
     const Transform transform = parent * to_double(node.mTransformation);
     for (unsigned i = 0; i < node.mNumMeshes && result_.error.empty(); ++i) {
-      add(*scene_.mMeshes[node.mMeshes[i]], transform);
+      if (node.mMeshes[i] >= scene_.mNumMeshes) {
+        result_.error = "a node shows a mesh that is not there";
+      } else {
+        add(*scene_.mMeshes[node.mMeshes[i]], transform);
+      }
     }
     for (unsigned i = 0; i < node.mNumChildren && result_.error.empty(); ++i) {
       visit(*node.mChildren[i], transform);
@@ -60,7 +66,7 @@ class SceneReader {
   }
 
   void add(const aiMesh& mesh, const Transform& transform) {
-    const std::size_t first = vertex_count();
+    const std::size_t first = result_.vertex_count();
     if (first + mesh.mNumVertices > most) {
       result_.error = "too many vertices";
       return;
@@ -74,77 +80,111 @@ class SceneReader {
         result_.error = "vertex " + std::to_string(first + v) + " is not finite";
         return;
       }
-      positions_.insert(positions_.end(), {at.x(), at.y(), at.z()});
+      result_.positions.insert(result_.positions.end(), {at.x(), at.y(), at.z()});
       add_vertex_attributes(mesh, v);
     }
     add_faces(mesh, first);
   }
 
   void add_vertex_attributes(const aiMesh& mesh, unsigned v) {
-    MeshAttributes& attributes = result_.attributes;
     if (any_texture_) {
       const aiVector3D t = mesh.HasTextureCoords(0) ? mesh.mTextureCoords[0][v] : aiVector3D();
-      attributes.texture_coordinates.push_back(
-          {static_cast<double>(t.x), static_cast<double>(t.y)});
+      append({t.x, t.y}, result_.texture_coordinates);
     }
     if (any_colours_) {
       const aiColor4D c = mesh.HasVertexColors(0) ? mesh.mColors[0][v] : aiColor4D(1, 1, 1, 1);
-      attributes.colours.push_back({static_cast<double>(c.r), static_cast<double>(c.g),
-                                    static_cast<double>(c.b), static_cast<double>(c.a)});
+      append({c.r, c.g, c.b, c.a}, result_.colours);
     }
   }
 
+  static void append(std::initializer_list<float> values, std::vector<double>& list) {
+    for (const float value : values)
+      list.push_back(static_cast<double>(value));
+  }
+
   void add_faces(const aiMesh& mesh, std::size_t first) {
-    Polygons& faces = result_.mesh.faces;
-    std::vector<Index> corners;
+    std::vector<std::int32_t>& corners = result_.corner;
     for (unsigned f = 0; f < mesh.mNumFaces; ++f) {
       const aiFace& face = mesh.mFaces[f];
       if (face.mNumIndices < 3) {
         ++result_.left_out_faces;
         continue;
       }
-      if (faces.corner.size() + face.mNumIndices > most) {
+      if (corners.size() + face.mNumIndices > most) {
         result_.error = "too many face corners";
         return;
       }
-      corners.clear();
       for (unsigned i = 0; i < face.mNumIndices; ++i) {
         if (face.mIndices[i] >= mesh.mNumVertices) {
           result_.error =
-              "face " + std::to_string(faces.size()) + " names a vertex that is not there";
+              "face " + std::to_string(result_.face_count()) + " names a vertex that is not there";
           return;
         }
-        corners.push_back(static_cast<Index>(first + face.mIndices[i]));
-        // Texture coordinates are stored vertex by vertex, so that they share their numbers.
-        if (any_texture_) result_.attributes.corner_texture.push_back(corners.back());
+        corners.push_back(static_cast<std::int32_t>(first + face.mIndices[i]));
       }
-      faces.add(corners);
+      result_.first.push_back(static_cast<std::int64_t>(corners.size()));
     }
   }
 
   const aiScene& scene_;
   ImportedScene& result_;
-  std::vector<double> positions_;
   bool any_texture_ = false;
   bool any_colours_ = false;
 };
 
-}  // namespace
-}  // namespace ibmfair
+/// Leaves only the importers that declare this extension: assimp would otherwise try all of them on
+/// a file that its own importer does not recognise.
+void keep_importers_of(const std::string& extension, Assimp::Importer& importer) {
+  for (std::size_t i = importer.GetImporterCount(); i-- > 0;) {
+    std::istringstream declared(importer.GetImporterInfo(i)->mFileExtensions);
+    bool fits = false;
+    for (std::string word; declared >> word;) {
+      fits = fits || word == extension;
+    }
+    if (!fits) importer.UnregisterLoader(importer.GetImporter(i));
+  }
+}
 
-extern "C" void ibmfair_import_scene(std::string_view bytes, const std::string& path,
-                                     const std::string& extension, ibmfair::ImportedScene& result) {
+/// assimp makes a message of every exception, this one too.
+void rethrow_want_of_memory(const std::exception_ptr& exception) {
+  if (exception == nullptr) return;
+  try {
+    std::rethrow_exception(exception);
+  } catch (const std::bad_alloc&) {
+    throw;
+  } catch (const std::length_error&) {  // a vector of more than any memory holds
+    throw std::bad_alloc();
+  } catch (...) {
+    return;  // told by its message
+  }
+}
+
+}  // namespace
+
+ImportedScene import_scene(FolderFiles& files, const std::string& extension) {
   Assimp::Importer importer;
+  keep_importers_of(extension, importer);
+  ImportedScene result;
+  if (importer.GetImporterCount() == 0) {
+    result.error = "assimp was built without this format";
+    return result;
+  }
   // No post-processing: every step of it renumbers or merges something.
   constexpr unsigned no_steps = 0;
-  const aiScene* scene = path.empty() ? importer.ReadFileFromMemory(bytes.data(), bytes.size(),
-                                                                    no_steps, extension.c_str())
-                                      : importer.ReadFile(path, no_steps);
+  // A file without meshes would get some that show its bones.
+  importer.SetPropertyBool(AI_CONFIG_IMPORT_NO_SKELETON_MESHES, true);
+  importer.SetIOHandler(&files);
+  const aiScene* scene = importer.ReadFile(files.main_name(), no_steps);
+  importer.SetIOHandler(nullptr);  // takes it away from the importer, which would delete it
   if (scene == nullptr) {
+    rethrow_want_of_memory(importer.GetException());
     result.error = std::string("assimp cannot read it: ") + importer.GetErrorString();
-    return;
+    return result;
   }
-  ibmfair::SceneReader(*scene, result).run();
+  SceneReader(*scene, result).run();
   // A facet's normal says nothing that its corners do not.
-  if (extension == "stl") result.attributes.normals = false;
+  if (extension == "stl") result.normals = false;
+  return result;
 }
+
+}  // namespace ibmfair

@@ -1,0 +1,101 @@
+#include "assimp_helper/folder_files.h"
+
+#include <cerrno>
+#include <filesystem>
+#include <memory>
+#include <string_view>
+
+#include <assimp/MemoryIOWrapper.h>
+#include <fcntl.h>
+#include <linux/openat2.h>
+#include <sys/stat.h>
+#include <sys/syscall.h>
+#include <unistd.h>
+
+namespace ibmfair {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Importers put this before the names of what they refer to, too.
+constexpr const char* folder_as_seen = "./";
+
+std::string with_extension(const fs::path& path, const std::string& extension) {
+  const std::string name = path.filename().string();
+  const std::string end = "." + extension;
+  return name.ends_with(end) ? name : name + end;
+}
+
+/// Reads what there is; a file that shrinks meanwhile ends early.
+Assimp::IOStream* read_into_stream(int fd, std::size_t size) {
+  auto bytes = std::make_unique<std::uint8_t[]>(size);
+  std::size_t done = 0;
+  while (done < size) {
+    const ssize_t count = read(fd, bytes.get() + done, size - done);
+    if (count < 0 && errno == EINTR) continue;
+    if (count <= 0) break;
+    done += static_cast<std::size_t>(count);
+  }
+  constexpr bool owned = true;
+  return new Assimp::MemoryIOStream(bytes.release(), done, owned);
+}
+
+}  // namespace
+
+FolderFiles::FolderFiles(const std::string& path, const std::string& extension,
+                         std::span<const std::uint8_t> bytes)
+    : main_name_(folder_as_seen + with_extension(path.empty() ? "input" : path, extension)),
+      bytes_(bytes) {
+  if (path.empty()) return;
+  const std::string parent = fs::path(path).parent_path().string();
+  folder_ = open(parent.empty() ? "." : parent.c_str(), O_PATH | O_DIRECTORY | O_CLOEXEC);
+}
+
+FolderFiles::~FolderFiles() {
+  if (folder_ >= 0) close(folder_);
+}
+
+/// The kernel itself resolves the name within the folder, so that nobody can exchange a link
+/// between a check and its use. Negative: there is no such file, or it must not be read.
+int FolderFiles::open_beneath(const char* name) const {
+  struct open_how how {};
+  how.flags = O_RDONLY | O_CLOEXEC | O_NOCTTY | O_NONBLOCK;  // a pipe must not make it wait
+  how.resolve = RESOLVE_BENEATH | RESOLVE_NO_MAGICLINKS;
+  const auto opened = syscall(SYS_openat2, folder_, name, &how, sizeof how);
+  if (opened < 0) {
+    if (errno == EXDEV && outside_.empty()) outside_ = name;
+    return -1;
+  }
+  const int fd = static_cast<int>(opened);
+  struct stat status {};
+  if (fstat(fd, &status) == 0 && S_ISREG(status.st_mode)) return fd;
+  close(fd);
+  return -1;
+}
+
+bool FolderFiles::Exists(const char* name) const {
+  if (name == main_name_) return true;
+  const int fd = open_beneath(name);
+  if (fd >= 0) close(fd);
+  return fd >= 0;
+}
+
+Assimp::IOStream* FolderFiles::Open(const char* name, const char* mode) {
+  if (std::string_view(mode).find_first_of("wa+") != std::string_view::npos) return nullptr;
+  if (name == main_name_) return new Assimp::MemoryIOStream(bytes_.data(), bytes_.size());
+  const int fd = open_beneath(name);
+  if (fd < 0) return nullptr;
+  struct stat status {};
+  fstat(fd, &status);
+  std::unique_ptr<Assimp::IOStream> stream;
+  try {
+    stream.reset(read_into_stream(fd, static_cast<std::size_t>(status.st_size)));
+  } catch (...) {
+    close(fd);
+    throw;
+  }
+  close(fd);
+  return stream.release();
+}
+
+}  // namespace ibmfair
