@@ -6,6 +6,7 @@
 
 #include <unistd.h>
 
+#include "commands/printable.h"
 #include "ibmfair/io/atomic_file.h"
 
 namespace ibmfair::commands {
@@ -34,26 +35,27 @@ void Console::warning(std::string_view text) const {
   }
 }
 
-void Console::note(std::string_view text) const {
-  if (level_ != Level::quiet) {
-    say("", "", text);
-  }
-}
-
 void Console::detail(std::string_view text) const {
   if (level_ == Level::verbose) {
     say("", "", text);
   }
 }
 
-void Console::say(std::string_view label, std::string_view colour, std::string_view text) const {
+void Console::note(std::string_view text, std::string_view table) const {
+  if (level_ != Level::quiet) {
+    say("", "", text, table);
+  }
+}
+
+void Console::say(std::string_view label, std::string_view colour, std::string_view text,
+                  std::string_view table) const {
   std::string line = "ibmfair: ";
   if (coloured_ && !colour.empty()) {
     line.append(colour).append(label).append("\x1b[0m");
   } else {
     line.append(label);
   }
-  line.append(text).append("\n");
+  line.append(printable(text)).append("\n").append(table);
   // One call a line, so that lines of several programs on one terminal do not mix. There is nobody
   // left to tell where it fails.
   std::fwrite(line.data(), 1, line.size(), stderr);

@@ -23,13 +23,16 @@ class Console {
   /// Whether standard error is a terminal: progress is shown only there.
   bool on_terminal() const { return terminal_; }
 
+  // Each says one line, whatever names of files hold: see commands/printable.h.
   void error(std::string_view text) const;    ///< `ibmfair: error: text`
   void warning(std::string_view text) const;  ///< `ibmfair: warning: text`
-  void note(std::string_view text) const;     ///< `ibmfair: text`
-  void detail(std::string_view text) const;   ///< the same, with -v only
+  void detail(std::string_view text) const;   ///< `ibmfair: text`, with -v only
+  /// `ibmfair: text`, and below it the lines of a table that are printable as they are.
+  void note(std::string_view text, std::string_view table = {}) const;
 
  private:
-  void say(std::string_view label, std::string_view colour, std::string_view text) const;
+  void say(std::string_view label, std::string_view colour, std::string_view text,
+           std::string_view table = {}) const;
 
   Level level_ = Level::normal;
   bool terminal_;

@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include "commands/printable.h"
+
 namespace ibmfair::commands {
 
 void FigureList::add(std::string label, std::string value) {
@@ -21,7 +23,7 @@ std::string FigureList::text() const {
   }
   std::string text;
   for (const auto& [label, value] : lines_) {
-    text += fmt::format("{:<{}}  {}\n", label, width, value);
+    text += fmt::format("{:<{}}  {}\n", label, width, printable(value));
   }
   return text;
 }

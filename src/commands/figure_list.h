@@ -14,7 +14,7 @@ class FigureList {
   /// The same with eight significant digits.
   void add(std::string label, double value);
 
-  /// One line a figure.
+  /// One line a figure, whatever its value holds: see commands/printable.h.
   std::string text() const;
 
  private:

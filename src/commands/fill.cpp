@@ -199,14 +199,14 @@ ExitCode fill(const FillArguments& arguments, const Input& input, FillSeconds& s
   add_filling(report, filling, holes, seconds);
   const auto filled = std::count_if(filling.holes.begin(), filling.holes.end(),
                                     [](const HoleReport& hole) { return hole.new_triangles > 0; });
-  console.note(
-      filling.holes.empty()
-          ? fmt::format("{}: no holes, the mesh is closed", arguments.input)
-          : fmt::format("{} -> {}, {} of {} holes filled: {} new vertices, {} new "
-                        "triangles\n{}",
-                        arguments.input, arguments.output.path, filled, filling.holes.size(),
-                        filling.new_X.rows(), filling.new_F.rows(),
-                        fill_text(filling, seconds, console.level() == Console::Level::verbose)));
+  if (filling.holes.empty()) {
+    console.note(fmt::format("{}: no holes, the mesh is closed", arguments.input));
+  } else {
+    console.note(fmt::format("{} -> {}, {} of {} holes filled: {} new vertices, {} new triangles",
+                             arguments.input, arguments.output.path, filled, filling.holes.size(),
+                             filling.new_X.rows(), filling.new_F.rows()),
+                 fill_text(filling, seconds, console.level() == Console::Level::verbose));
+  }
   return conclude(missed, arguments.strict, console);
 }
 
@@ -231,8 +231,9 @@ ExitCode fair_again(const FillArguments& arguments, const Input& input, FillSeco
     draw(arguments, X, input.topology.F, input.topology.F.rows());
   }
   add_region(report, region, seconds);
-  console.note(fmt::format("{} -> {}, region '{}' faired\n{}", arguments.input,
-                           arguments.output.path, arguments.region, region_text(region, seconds)));
+  console.note(fmt::format("{} -> {}, region '{}' faired", arguments.input, arguments.output.path,
+                           arguments.region),
+               region_text(region, seconds));
   return conclude(missed, arguments.strict, console);
 }
 

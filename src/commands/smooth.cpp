@@ -153,9 +153,9 @@ ExitCode forecast(const SmoothArguments& arguments, FlowOptions options, const M
   report["input"] = arguments.input;
   report["forecast"] = forecast_json(forecast);
   deliver_report(arguments.report, arguments.output.write.overwrite, report);
-  console.note(fmt::format("{}: {} of {} vertices would move in {} steps\n{}", arguments.input,
-                           forecast.unknowns, topology.vertex_count, options.steps,
-                           forecast_table(forecast)));
+  console.note(fmt::format("{}: {} of {} vertices would move in {} steps", arguments.input,
+                           forecast.unknowns, topology.vertex_count, options.steps),
+               forecast_table(forecast));
   return ExitCode::done;
 }
 
@@ -241,9 +241,9 @@ ExitCode run_smooth(const SmoothArguments& arguments, Console& console) {
   report["defects"] = defects_json(topology);
   report["moved_vertices"] = written.moved_vertices;
   deliver_report(arguments.report, overwrite, report);
-  console.note(fmt::format("{} -> {}, {} of {} vertices moved\n{}", arguments.input,
-                           arguments.output.path, written.moved_vertices, before.rows(),
-                           smooth_table(figures, topology)));
+  console.note(fmt::format("{} -> {}, {} of {} vertices moved", arguments.input,
+                           arguments.output.path, written.moved_vertices, before.rows()),
+               smooth_table(figures, topology));
   return conclude(figures.flow.status, console);
 }
 

@@ -166,7 +166,7 @@ ExitCode run_batch(const std::vector<Job>& jobs, const BatchOptions& options,
     const Stopwatch watch(seconds);
     result = run_and_tell(items, all.size(), options, earlier, record, console);
   }
-  console.note(summary_table(items, result.outcomes, seconds));
+  console.note(summary_line(result.outcomes, seconds), summary_table(items, result.outcomes));
   write_summary(options, items, result.outcomes, seconds);
   return exit_code_of(result);
 }

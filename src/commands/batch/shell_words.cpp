@@ -4,6 +4,8 @@
 #include <cctype>
 #include <string_view>
 
+#include "commands/printable.h"
+
 namespace ibmfair::commands {
 
 namespace {
@@ -14,9 +16,28 @@ bool is_plain(char c) {
          others.find(c) != std::string_view::npos;
 }
 
+/// The form for words that a terminal would not show as they are: $'...'.
+std::string escaped(std::string_view word) {
+  std::string text = "$'";
+  while (!word.empty()) {
+    const std::size_t length = visible_length(word);
+    if (length == 0) {
+      text += escaped_byte(word.front());
+    } else {
+      text.append(word.front() == '\'' || word.front() == '\\' ? "\\" : "")
+          .append(word.substr(0, length));
+    }
+    word.remove_prefix(std::max<std::size_t>(length, 1));
+  }
+  return text + "'";
+}
+
 std::string quoted(const std::string& word) {
   if (!word.empty() && std::all_of(word.begin(), word.end(), is_plain)) {
     return word;
+  }
+  if (printable(word) != word) {
+    return escaped(word);
   }
   std::string text = "'";
   for (const char c : word) {

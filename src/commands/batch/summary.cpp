@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "commands/printable.h"
 #include "commands/shared_options.h"
 
 namespace ibmfair::commands {
@@ -97,24 +98,26 @@ std::string status_line(const Item& item, const Outcome& outcome, std::size_t to
   return outcome.message.empty() ? line : line + ": " + outcome.message;
 }
 
-std::string summary_table(const std::vector<Item>& items, const std::vector<Outcome>& outcomes,
-                          double seconds) {
-  std::string text =
-      fmt::format("{} of {} done in {:.2f} s\n",
-                  std::count_if(outcomes.begin(), outcomes.end(), is_done), items.size(), seconds);
-  text += fmt::format("  {:<12}{:>8}{:>12}", "", "items", "seconds");
+std::string summary_line(const std::vector<Outcome>& outcomes, double seconds) {
+  return fmt::format("{} of {} done in {:.2f} s",
+                     std::count_if(outcomes.begin(), outcomes.end(), is_done), outcomes.size(),
+                     seconds);
+}
+
+std::string summary_table(const std::vector<Item>& items, const std::vector<Outcome>& outcomes) {
+  std::string text = fmt::format("  {:<12}{:>8}{:>12}\n", "", "items", "seconds");
   for (const Status status : all_statuses) {
     if (const Total total = total_of(outcomes, status); total.items > 0) {
-      text += fmt::format("\n  {:<12}{:>8}{:>12.2f}", name_of(status), total.items, total.seconds);
+      text += fmt::format("  {:<12}{:>8}{:>12.2f}\n", name_of(status), total.items, total.seconds);
     }
   }
   std::size_t lines = 0;
   for (std::size_t i = 0; i < items.size(); ++i) {
     if (!is_done(outcomes[i]) && outcomes[i].status != Status::not_run && ++lines <= most_lines) {
-      text += "\n  " + status_line(items[i], outcomes[i], items.size());
+      text += "  " + printable(status_line(items[i], outcomes[i], items.size())) + "\n";
     }
   }
-  return lines <= most_lines ? text : text + fmt::format("\n  and {} more", lines - most_lines);
+  return lines <= most_lines ? text : text + fmt::format("  and {} more\n", lines - most_lines);
 }
 
 ordered_json summary_json(const std::vector<Item>& items, const std::vector<Outcome>& outcomes,

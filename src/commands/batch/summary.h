@@ -14,9 +14,11 @@ namespace ibmfair::commands {
 /// `[3/12] failed  0.02 s  a.obj -> b.obj: a.obj:7:3: ...`
 std::string status_line(const Item& item, const Outcome& outcome, std::size_t total);
 
+/// `3 of 12 done in 1.25 s`
+std::string summary_line(const std::vector<Outcome>& outcomes, double seconds);
+
 /// For people: how many items ended how, the time they took, and those that are not done.
-std::string summary_table(const std::vector<Item>& items, const std::vector<Outcome>& outcomes,
-                          double seconds);
+std::string summary_table(const std::vector<Item>& items, const std::vector<Outcome>& outcomes);
 
 /// For machines: command, input, output, status, exit code, seconds, memory, message and figures of
 /// every item.
