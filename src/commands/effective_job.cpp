@@ -7,6 +7,7 @@
 
 #include "commands/argument_roles.h"
 #include "commands/shared_options.h"
+#include "ibmfair/base/errors.h"
 
 namespace ibmfair::commands {
 
@@ -65,7 +66,12 @@ ordered_json effective_job(const CLI::App& command) {
 }
 
 std::string job_file_text(const std::vector<ordered_json>& jobs) {
-  return text_of({{"jobs", jobs}});
+  const ordered_json file = {{"jobs", jobs}};
+  std::string text = text_of(file);
+  if (ordered_json::parse(text) != file) {
+    throw BadOption("a job file cannot hold names that are not UTF-8");
+  }
+  return text;
 }
 
 }  // namespace ibmfair::commands

@@ -16,7 +16,7 @@ namespace ibmfair::commands {
 /// default that is known beforehand. Running it is running the command with these arguments.
 nlohmann::ordered_json effective_job(const CLI::App& command);
 
-/// The job file that holds these jobs.
+/// The job file that holds these jobs. Throws BadOption for a text that is not UTF-8.
 std::string job_file_text(const std::vector<nlohmann::ordered_json>& jobs);
 
 }  // namespace ibmfair::commands

@@ -72,7 +72,9 @@ Item make_item(const Job& job, const std::string& input) {
   item.words = words_for(command, settings);
   line.parse(item.words);
   collect_files(command, item);
-  item.job = text_of(effective_job(command));
+  const nlohmann::ordered_json job_json = effective_job(command);
+  item.job = text_of(job_json);
+  item.job_is_exact = nlohmann::ordered_json::parse(item.job) == job_json;
   const auto has = [&](const char* name) { return command.get_option_no_throw(name) != nullptr; };
   item.takes_overwrite = has("--overwrite");
   item.overwrite = item.takes_overwrite && command.count("--overwrite") > 0;

@@ -16,6 +16,7 @@ struct Item {
   std::vector<std::string> reads;      ///< all files that its result depends on
   std::vector<std::string> writes;     ///< all files that it makes, the output first
   std::string job;                     ///< JSON, as commands/effective_job.h has it
+  bool job_is_exact = true;            ///< false: it lacks bytes that are no UTF-8, see `words`
 
   bool overwrite = false;        ///< among its options
   bool takes_overwrite = false;  ///< has such an option

@@ -39,7 +39,7 @@ std::vector<std::string> words_for(const CLI::App& command, const std::vector<Se
       }
       for (const std::string& value : setting.values) {
         // Otherwise it would be taken for an option.
-        const bool looks_like_option = value.starts_with('-') && value != "-";
+        const bool looks_like_option = (value.starts_with('-') && value != "-") || value == "++";
         words.push_back(looks_like_option ? "./" + value : value);
       }
     }

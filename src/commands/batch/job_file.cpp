@@ -30,7 +30,12 @@ using nlohmann::ordered_json;
 std::string scalar_text(const ordered_json& value, const std::string& place,
                         const std::string& key) {
   if (value.is_string()) {
-    return value.get<std::string>();
+    auto text = value.get<std::string>();
+    if (text.find('\0') != std::string::npos) {
+      // An argument would end there: not the name that was checked.
+      fail(place, key, "a text cannot hold a zero character");
+    }
+    return text;
   }
   if (value.is_number()) {
     return value.dump();

@@ -1,9 +1,11 @@
 #include "commands/batch/journal.h"
 
+#include <array>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <string_view>
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -55,6 +57,14 @@ ordered_json finished_json(const std::string& key, const Finished& finished) {
           {"figures", outcome.figures}};
 }
 
+/// Whether the file begins as one does, or is too short to tell.
+bool starts_as_journal(int fd) {
+  constexpr std::string_view start = R"({"event":")";
+  std::array<char, start.size()> found{};
+  const ssize_t count = pread(fd, found.data(), found.size(), 0);
+  return count <= 0 || start.starts_with({found.data(), static_cast<std::size_t>(count)});
+}
+
 Finished finished_from(const ordered_json& json) {
   Finished finished;
   finished.program = json.at("program").get<std::string>();
@@ -76,14 +86,20 @@ Finished finished_from(const ordered_json& json) {
 }  // namespace
 
 Journal::Journal(const std::string& path) : path_(path) {
-  fd_ = open(path.c_str(), O_RDWR | O_CREAT | O_APPEND | O_CLOEXEC, 0666);
+  fd_ = open(path.c_str(), O_RDWR | O_CREAT | O_APPEND | O_NOFOLLOW | O_CLOEXEC, 0666);
   if (fd_ < 0) {
-    throw CannotWrite(fmt::format("{}: cannot be written: {}", path, std::strerror(errno)));
+    throw CannotWrite(fmt::format(
+        "{}: cannot be written: {}", path,
+        errno == ELOOP ? "a journal is not kept behind a symbolic link" : std::strerror(errno)));
   }
   if (flock(fd_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
     close(fd_);
     throw CannotWrite(
         fmt::format("{}: another batch is writing it now (--journal FILE keeps another)", path));
+  }
+  if (!starts_as_journal(fd_)) {
+    close(fd_);
+    throw CannotWrite(fmt::format("{}: exists already and is not a batch's journal", path));
   }
   char last = '\n';
   const off_t size = lseek(fd_, 0, SEEK_END);

@@ -48,7 +48,9 @@ class JournalRecord {
 /// Appends whole lines to a file that only one batch at a time writes.
 class Journal {
  public:
-  /// Opens or makes the file. Throws CannotWrite, also where another batch has it open.
+  /// Opens or makes the file. Throws CannotWrite, also where another batch has it open, and where
+  /// the name leads to something else: a folder that others can write might turn the batch's own
+  /// record against a file that runs what it holds.
   explicit Journal(const std::string& path);
   ~Journal();
   Journal(const Journal&) = delete;

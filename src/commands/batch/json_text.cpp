@@ -32,12 +32,16 @@ std::string reason_of(const ordered_json::parse_error& error) {
   throw BadFile(fmt::format("{}:{}:{}: {}", name, line, column, reason_of(error)));
 }
 
-/// The parser itself would take the last of several values silently.
-class UniqueKeys {
+/// What no job file needs: the parser itself would take the last of several values silently, and
+/// copies and prints values by recursion.
+class Scrutiny {
  public:
-  explicit UniqueKeys(const std::string& name) : name_(name) {}
+  explicit Scrutiny(const std::string& name) : name_(name) {}
 
-  bool operator()(int /*depth*/, ordered_json::parse_event_t event, const ordered_json& value) {
+  bool operator()(int depth, ordered_json::parse_event_t event, const ordered_json& value) {
+    if (depth > deepest) {
+      throw BadFile(fmt::format("{}: values are nested more than {} deep", name_, deepest));
+    }
     if (event == ordered_json::parse_event_t::object_start) {
       open_.emplace_back();
     } else if (event == ordered_json::parse_event_t::object_end) {
@@ -52,6 +56,8 @@ class UniqueKeys {
   }
 
  private:
+  static constexpr int deepest = 100;
+
   const std::string& name_;
   std::vector<std::set<std::string>> open_;
 };
@@ -60,13 +66,13 @@ class UniqueKeys {
 
 ordered_json parse_json_text(std::string_view text, const std::string& name) {
   try {
-    UniqueKeys unique(name);
+    Scrutiny scrutiny(name);
     constexpr bool with_exceptions = true;
     constexpr bool with_comments = true;
     return ordered_json::parse(
         text,
         [&](int depth, ordered_json::parse_event_t event, const ordered_json& value) {
-          return unique(depth, event, value);
+          return scrutiny(depth, event, value);
         },
         with_exceptions, with_comments);
   } catch (const ordered_json::parse_error& error) {

@@ -9,7 +9,8 @@
 namespace ibmfair::commands {
 
 /// Parses a text with `//` and `/* */` comments allowed. Throws BadFile that starts with
-/// `NAME:LINE:COLUMN:` for a syntax error, and one that names the key where an object has it twice.
+/// `NAME:LINE:COLUMN:` for a syntax error, one that names the key where an object has it twice, and
+/// one for values nested so deeply that looking at them could exhaust the stack.
 nlohmann::ordered_json parse_json_text(std::string_view text, const std::string& name);
 
 }  // namespace ibmfair::commands

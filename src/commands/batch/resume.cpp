@@ -4,6 +4,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "commands/batch/shell_words.h"
+#include "commands/printable.h"
 #include "ibmfair/base/version.h"
 
 namespace ibmfair::commands {
@@ -52,7 +54,8 @@ std::string journal_key(const Item& item, const std::string& journal_path) {
   std::error_code error;
   const fs::path folder = fs::weakly_canonical(fs::absolute(journal_path, error), error);
   const fs::path file = fs::weakly_canonical(fs::absolute(item.writes.front(), error), error);
-  return file.lexically_relative(folder.parent_path()).string();
+  const std::string name = file.lexically_relative(folder.parent_path()).string();
+  return printable(name) == name ? name : shell_words({name});  // which JSON keeps as it is
 }
 
 std::string options_hash(const Item& item) {
@@ -60,7 +63,7 @@ std::string options_hash(const Item& item) {
   // Neither changes a byte of the result.
   job["options"].erase("threads");
   job["options"].erase("overwrite");
-  return hash_of_text(job.dump());
+  return hash_of_text(job.dump() + (item.job_is_exact ? "" : shell_words(item.words)));
 }
 
 Finished begin_record(const Item& item) {

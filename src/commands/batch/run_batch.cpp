@@ -72,6 +72,9 @@ void print_jobs(const std::vector<Item>& items) {
   std::vector<nlohmann::ordered_json> jobs;
   jobs.reserve(items.size());
   for (const Item& item : items) {
+    if (!item.job_is_exact) {
+      throw BadOption(item.label() + ": a job file cannot hold names that are not UTF-8");
+    }
     jobs.push_back(nlohmann::ordered_json::parse(item.job));
   }
   write_standard_output(job_file_text(jobs));
