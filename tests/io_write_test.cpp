@@ -81,7 +81,9 @@ TEST(AtomicFile, FollowsSymbolicLinks) {
   std::filesystem::create_symlink("elsewhere/file", directory / "link");
   std::filesystem::create_symlink("elsewhere/missing", directory / "dangling");
   EXPECT_EQ(cannot_write(directory / "link", true), "");
-  EXPECT_EQ(cannot_write(directory / "dangling", false), "");
+  EXPECT_NE(cannot_write(directory / "dangling", false).find("symbolic link"), std::string::npos);
+  EXPECT_FALSE(std::filesystem::exists(directory / "elsewhere/missing"));
+  EXPECT_EQ(cannot_write(directory / "dangling", true), "");
   EXPECT_TRUE(std::filesystem::is_symlink(directory / "link"));
   EXPECT_EQ(read_bytes(directory / "elsewhere/file").size(), std::size_t{1} << 20);
   EXPECT_EQ(read_bytes(directory / "elsewhere/missing").size(), std::size_t{1} << 20);

@@ -44,12 +44,16 @@ bool names_a_descriptor(const std::string& path) {
 }  // namespace
 
 AtomicFile::AtomicFile(const std::string& path, bool overwrite)
-    : name_(path == "-" ? "standard output" : path), overwrite_(overwrite) {
+    : name_(path == "-"    ? "standard output"
+            : path.empty() ? "''"
+                           : path),
+      overwrite_(overwrite) {
   buffer_ = std::make_unique_for_overwrite<char[]>(capacity);
   if (path == "-") {
     fd_ = STDOUT_FILENO;
     return;
   }
+  if (path.empty()) fail(ENOENT);
   struct stat status {};
   const bool exists = stat(path.c_str(), &status) == 0;
   if (exists && S_ISDIR(status.st_mode)) fail(EISDIR);
@@ -60,6 +64,11 @@ AtomicFile::AtomicFile(const std::string& path, bool overwrite)
   }
   if (exists && !overwrite) {
     throw CannotWrite(fmt::format("{}: exists already; --overwrite replaces it", name_));
+  }
+  std::error_code error;
+  if (!exists && !overwrite && std::filesystem::is_symlink(path, error)) {
+    throw CannotWrite(
+        fmt::format("{}: a symbolic link to what is not there; --overwrite makes it", name_));
   }
   if (exists && access(path.c_str(), W_OK) != 0) fail(errno);
   target_ = follow_links(path);

@@ -12,8 +12,8 @@ namespace ibmfair {
 /// Collects output in a temporary file in the target's directory, where possible one without a name
 /// so that not even a killed process leaves anything behind; commit() flushes it to the disk and
 /// renames it over the target. Without commit() the target stays as it was. A symbolic link is
-/// followed, the file that it names is replaced. An existing file keeps its permissions. Standard
-/// output ("-"), devices and pipes are written directly.
+/// followed, the file that it names is replaced or, with `overwrite` only, made. An existing file
+/// keeps its permissions. Standard output ("-"), devices and pipes are written directly.
 ///
 /// Every member throws CannotWrite, naming the target and the reason.
 class AtomicFile {

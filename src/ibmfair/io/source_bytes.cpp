@@ -57,7 +57,7 @@ std::string quote(const SourceBytes& source, const char* where) {
 std::shared_ptr<const SourceBytes> SourceBytes::read(const std::string& path) {
   std::shared_ptr<SourceBytes> source(new SourceBytes);
   const bool standard_input = path == "-";
-  source->name_ = standard_input ? "standard input" : path;
+  source->name_ = standard_input ? "standard input" : path.empty() ? "''" : path;
   if (!standard_input) source->path_ = path;
 
   const Descriptor file(standard_input ? STDIN_FILENO : open(path.c_str(), O_RDONLY | O_CLOEXEC));
