@@ -58,15 +58,14 @@ double total_time(const SmoothArguments& arguments, const Points& X, const Topol
   }
   const Length cutoff = arguments.cutoff.value_or(Length{default_cutoff_edges});
   const double parts = arguments.cutoff ? arguments.flow.steps : default_steps;
-  const double time =
-      time_in_flow_units(time_for_cutoff(cutoff.on(X, topology)), X, topology, arguments.flow);
-  if (!(time > 0 && std::isfinite(time))) {
-    throw BadMesh(fmt::format(
-        "with edges of mean length {:.3g} the flow's time, of the unit length^4, is not a number "
-        "that can be computed with: scale the mesh",
-        mean_edge_length(X, topology.E)));
+  const double time = time_for_cutoff(cutoff.on(X, topology));
+  const double total =
+      time_in_flow_units(time, X, topology, arguments.flow) / parts * arguments.flow.steps;
+  if (!(total > 0 && std::isfinite(total))) {
+    throw BadMesh(fmt::format("edges of mean length {} are too {} to smooth",
+                              mean_edge_length(X, topology.E), total > 0 ? "long" : "short"));
   }
-  return time / parts * arguments.flow.steps;
+  return total;
 }
 
 /// The cut-off that the total time corresponds to: the inverse of time_for_cutoff.

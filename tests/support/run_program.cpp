@@ -9,6 +9,7 @@
 #include <fcntl.h>
 #include <poll.h>
 #include <spawn.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -204,6 +205,10 @@ bool exchange(pid_t child, Pipe& in, Pipe& out, Pipe& err, const RunOptions& opt
   return true;
 }
 
+double seconds(const timeval& time) {
+  return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
+}
+
 }  // namespace
 
 RunResult run_program(const std::vector<std::string>& arguments, const RunOptions& options) {
@@ -229,11 +234,14 @@ RunResult run_program(const std::vector<std::string>& arguments, const RunOption
     kill(child, SIGKILL);
   }
   int status = 0;
-  while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
+  struct rusage usage {};
+  while (wait4(child, &status, 0, &usage) < 0 && errno == EINTR) {
   }
   if (!ended) {
     throw std::runtime_error("the program did not end in time");
   }
+  result.cpu_seconds = seconds(usage.ru_utime) + seconds(usage.ru_stime);
+  result.peak_megabytes = static_cast<double>(usage.ru_maxrss) / 1024;
   result.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
   return result;
 }

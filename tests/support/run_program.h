@@ -35,6 +35,8 @@ struct RunResult {
   int exit_code = -1;  ///< negative: ended by that signal
   std::string out;
   std::string err;
+  double cpu_seconds = 0;     ///< of all its threads, and of the processes that it waited for
+  double peak_megabytes = 0;  ///< the most memory that it, or one of those, held at a time
 };
 
 using Words = std::vector<std::string>;

@@ -1,0 +1,85 @@
+// The program on odd and hostile files that others collected: each ends as the table of outcomes
+// says, soon, and without taking much memory.
+#include "support/malformed_outcomes.h"
+
+#include <cstdlib>
+#include <filesystem>
+
+#include <gtest/gtest.h>
+
+#include "support/files.h"
+#include "support/run_program.h"
+#include "support/temporary_directory.h"
+
+namespace ibmfair::test {
+namespace {
+
+/// Set to write the table anew; what changed is then for a person to judge.
+constexpr const char* record_variable = "IBMFAIR_RECORD_OUTCOMES";
+
+/// Two seconds of a core that does nothing else; others on the machine can double them.
+constexpr double most_cpu_seconds = 4;
+constexpr double most_megabytes = 1000;
+
+/// The first error, without the program's name and the file's.
+std::string error_text(const RunResult& result, const std::string& path) {
+  const std::string start = "ibmfair: error: ";
+  const std::size_t at = result.err.find(start);
+  if (at == std::string::npos) return {};
+  std::string text = result.err.substr(at + start.size());
+  text.resize(text.find('\n'));
+  if (text.starts_with(path + ":")) text.erase(0, path.size() + 1);
+  return text.starts_with(" ") ? text.substr(1) : text;
+}
+
+Outcome outcome_of(const std::string& command, const std::string& path) {
+  const TemporaryDirectory directory;
+  Words words{command, path};
+  const bool writes = command != "info";
+  if (writes) words.push_back(directory / "out.ply");
+  const RunResult result = run_program(words);
+  Outcome outcome{result.exit_code, error_text(result, path)};
+  // Whatever was written is complete; after an error nothing was.
+  const bool written = std::filesystem::exists(directory / "out.ply");
+  EXPECT_EQ(written, writes && outcome.message.empty());
+  if (written) {
+    EXPECT_EQ(run_program({"info", directory / "out.ply"}).exit_code, 0);
+  }
+  EXPECT_EQ(directory.entries(), written ? 1U : 0U);
+#ifndef __SANITIZE_ADDRESS__
+  EXPECT_LE(result.cpu_seconds, most_cpu_seconds);
+  EXPECT_LE(result.peak_megabytes, most_megabytes);
+#endif
+  return outcome;
+}
+
+TEST(MalformedOutcomes, AreThoseOfTheTable) {
+  const std::vector<std::string> paths = shared_meshes("malformed");
+  if (paths.empty()) GTEST_SKIP() << "no ../shared/meshes";
+  Outcomes found;
+  for (const std::string& path : paths) {
+    const std::filesystem::path full(path);
+    const std::string name = full.parent_path().filename() / full.filename();
+    for (const std::string& command : outcome_commands()) {
+      SCOPED_TRACE(command + " " + name);
+      found[name][command] = outcome_of(command, path);
+    }
+  }
+  if (std::getenv(record_variable) != nullptr) {
+    write_bytes(outcomes_path(), outcomes_text(found));
+  }
+  const Outcomes expected = expected_outcomes();
+  EXPECT_EQ(found.size(), expected.size());
+  for (const auto& [name, by_command] : found) {
+    for (const auto& [command, outcome] : by_command) {
+      SCOPED_TRACE(command + " " + name);
+      const auto row = expected.find(name);
+      ASSERT_NE(row, expected.end());
+      EXPECT_EQ(outcome.exit_code, row->second.at(command).exit_code) << outcome.message;
+      EXPECT_EQ(outcome.message, row->second.at(command).message);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace ibmfair::test
