@@ -3,6 +3,10 @@
 
 namespace ibmfair::commands {
 
+/// The variable in the environment that says for which instructions our own kernels shall be those
+/// compiled: `baseline` for what every processor has, `avx2` (the default) for the best there is.
+inline constexpr const char* kernels_variable = "IBMFAIR_KERNELS";
+
 /// Parses the arguments by the table of commands, runs the one that they name, and tells on
 /// standard error what went wrong. Returns the exit code.
 int run_program(int argc, const char* const* argv);

@@ -14,7 +14,7 @@ InstructionSet best_instruction_set();
 /// What kernels use: the best there is, unless chosen otherwise.
 InstructionSet kernel_set();
 
-/// For tests, which show that the bytes are the same: chooses what kernels use, at most the best.
+/// For showing that the bytes are the same: chooses what kernels use, at most the best.
 void choose_kernel_set(InstructionSet set);
 
 }  // namespace ibmfair
