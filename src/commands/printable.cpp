@@ -1,5 +1,7 @@
 #include "commands/printable.h"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
 namespace ibmfair::commands {
@@ -66,6 +68,22 @@ std::string printable(std::string_view text) {
     const std::size_t length = visible_length(text);
     result += length > 0 ? std::string(text.substr(0, length)) : escaped_byte(text.front());
     text.remove_prefix(length > 0 ? length : 1);
+  }
+  return result;
+}
+
+std::string printable_json(std::string_view json) {
+  std::string result;
+  result.reserve(json.size());
+  while (!json.empty()) {
+    Character character = 0;
+    const std::size_t length = std::max<std::size_t>(decode(json, character), 1);
+    if (character == '\n' || !(is_control(character) || turns_direction(character))) {
+      result += json.substr(0, length);
+    } else {
+      result += fmt::format("\\u{:04x}", static_cast<unsigned>(character));
+    }
+    json.remove_prefix(length);
   }
   return result;
 }

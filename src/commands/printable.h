@@ -19,4 +19,8 @@ std::string escaped_byte(char byte);
 /// into messages may hold anything.
 std::string printable(std::string_view text);
 
+/// JSON, which is UTF-8 and whose line feeds are its own, with the other such characters escaped in
+/// its way, as `\u009b`: it means the same.
+std::string printable_json(std::string_view json);
+
 }  // namespace ibmfair::commands

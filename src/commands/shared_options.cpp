@@ -1,12 +1,10 @@
 #include "commands/shared_options.h"
 
-#include <string_view>
-
 #include <CLI/CLI.hpp>
-#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "commands/argument_roles.h"
+#include "commands/printable.h"
 #include "ibmfair/base/errors.h"
 #include "ibmfair/base/version.h"
 #include "ibmfair/io/atomic_file.h"
@@ -16,24 +14,6 @@ namespace ibmfair::commands {
 namespace {
 
 constexpr int report_version = 1;
-
-/// The one control character of ASCII and those above it, U+0080 to U+009F, which the JSON library
-/// leaves as they are although some terminals obey them.
-std::string with_controls_escaped(std::string_view json) {
-  std::string text;
-  text.reserve(json.size());
-  for (std::size_t i = 0; i < json.size(); ++i) {
-    const bool delete_character = json[i] == '\x7f';
-    const bool upper = json[i] == '\xc2' && static_cast<unsigned char>(json[i + 1]) < 0xa0;
-    if (delete_character || upper) {
-      i += upper ? 1 : 0;
-      text += fmt::format("\\u{:04x}", static_cast<unsigned char>(json[i]));
-    } else {
-      text += json[i];
-    }
-  }
-  return text;
-}
 
 }  // namespace
 
@@ -78,9 +58,8 @@ void add_report_options(CLI::App& app, ReportOptions& options) {
 
 std::string text_of(const nlohmann::ordered_json& report) {
   // File names need not be UTF-8; JSON must be.
-  const std::string text =
-      report.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
-  return with_controls_escaped(text);
+  return printable_json(
+      report.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n");
 }
 
 nlohmann::ordered_json start_report(const std::string& command) {

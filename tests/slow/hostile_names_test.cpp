@@ -104,7 +104,7 @@ TEST_F(NamesTest, AnyNameIsReadAndWritten) {
     EXPECT_EQ(bytes(name), mesh_);
 
     for (const Words& words : {Words{"info", "--", name}, Words{"holes", "--", name},
-                               Words{"compare", "--", name, "copy.off"}}) {
+                               Words{"compare", "--samples", "10", "--", name, "copy.off"}}) {
       const RunResult told = run(words);
       EXPECT_EQ(told.exit_code, 0) << told.err;
       expect_printable(told.out + told.err);

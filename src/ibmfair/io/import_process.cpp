@@ -52,7 +52,8 @@ pid_t spawn_import(const std::string& program, std::vector<std::string>& argumen
 }  // namespace
 
 ImportProcess::ImportProcess(const std::string& program, std::vector<std::string> arguments,
-                             std::chrono::seconds patience) {
+                             std::chrono::seconds patience)
+    : deadline_(Clock::now() + patience) {
   std::array<int, 2> ends{};
   if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0) {
     fail_to_start(program, errno);
@@ -93,9 +94,10 @@ bool ImportProcess::receive(void* data, std::size_t size) {
   while (size > 0) {
     const ssize_t count = recv(socket_, rest, size, 0);
     if (count < 0 && errno == EINTR) continue;
-    timed_out_ = count < 0 && (errno == EAGAIN || errno == EWOULDBLOCK);
-    if (timed_out_) kill(id_, SIGKILL);
-    if (count <= 0) return false;
+    // It is too late, too, where it sends something now and then.
+    timed_out_ = (count < 0 && errno == EAGAIN) || Clock::now() > deadline_;
+    if (timed_out_ && id_ > 0) kill(id_, SIGKILL);
+    if (count <= 0 || timed_out_) return false;
     rest += count;
     size -= static_cast<std::size_t>(count);
   }

@@ -15,14 +15,14 @@ namespace ibmfair {
 struct ProcessEnd {
   int exit_code = -1;      ///< negative: it did not come to an end of its own
   int signal_number = 0;   ///< that ended it
-  bool timed_out = false;  ///< it said nothing for too long, and was killed
+  bool timed_out = false;  ///< it had not said everything after too long, and was killed
 };
 
 /// Its standard input is a socket for bytes both ways, its other streams lead nowhere.
 class ImportProcess {
  public:
-  /// Starts `program`. Throws std::system_error where the system refuses to. Waiting for bytes
-  /// ends after `patience`.
+  /// Starts `program`. Throws std::system_error where the system refuses to. Receiving bytes must
+  /// be done after `patience`.
   ImportProcess(const std::string& program, std::vector<std::string> arguments,
                 std::chrono::seconds patience);
   /// Kills it if it still runs.
@@ -40,6 +40,9 @@ class ImportProcess {
   ProcessEnd end();
 
  private:
+  using Clock = std::chrono::steady_clock;
+
+  Clock::time_point deadline_;
   pid_t id_ = -1;
   int socket_ = -1;
   bool timed_out_ = false;
