@@ -2,21 +2,17 @@
 
 #include <csignal>
 #include <cstdlib>
-#include <initializer_list>
 #include <string>
 
 #include <fcntl.h>
 #include <sys/prctl.h>
 #include <unistd.h>
 
+#include "commands/signals.h"
+
 namespace ibmfair::commands {
 
 namespace {
-
-// Outputs are files without a name until they are complete, so there is nothing to clean up.
-extern "C" void end_at_once(int signal_number) {
-  _exit(128 + signal_number);
-}
 
 void keep_open(int descriptor, int unusable_mode) {
   if (fcntl(descriptor, F_GETFD) == -1) {
@@ -43,18 +39,7 @@ void prepare_process() {
   keep_open(STDIN_FILENO, O_WRONLY);
   keep_open(STDOUT_FILENO, O_RDONLY);
   keep_open(STDERR_FILENO, O_RDONLY);
-
-  struct sigaction action {};
-  action.sa_handler = SIG_IGN;
-  sigaction(SIGPIPE, &action, nullptr);
-  for (const int signal_number : {SIGINT, SIGTERM, SIGHUP}) {
-    struct sigaction inherited {};
-    sigaction(signal_number, nullptr, &inherited);
-    if (inherited.sa_handler != SIG_IGN) {  // nohup and background jobs want them ignored
-      action.sa_handler = end_at_once;
-      sigaction(signal_number, &action, nullptr);
-    }
-  }
+  handle_signals();
 }
 
 }  // namespace ibmfair::commands

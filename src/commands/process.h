@@ -7,10 +7,9 @@ namespace ibmfair::commands {
 /// that one's id.
 inline constexpr const char* parent_variable = "IBMFAIR_PARENT";
 
-/// Makes a write to a closed pipe an error instead of the end of the process, makes an interrupt
-/// (SIGINT, SIGTERM, SIGHUP) end it with exit code 128 + signal, and makes sure that no file that
-/// is opened later can take the place of a standard stream that the caller closed. A process that
-/// belongs to a batch ends with it, however that ends.
+/// Sets up how signals are met (commands/signals.h), and makes sure that no file that is opened
+/// later can take the place of a standard stream that the caller closed. A process that belongs to
+/// a batch ends with it, however that ends.
 void prepare_process();
 
 }  // namespace ibmfair::commands

@@ -1,7 +1,6 @@
 #include "ibmfair/io/atomic_file.h"
 
 #include <cerrno>
-#include <cstdio>
 #include <filesystem>
 
 #include <fcntl.h>
@@ -16,7 +15,6 @@ namespace ibmfair {
 namespace {
 
 constexpr int most_links = 40;  // as the kernel allows
-constexpr int most_names = 1000;
 
 std::string directory_of(const std::string& path) {
   const std::string parent = std::filesystem::path(path).parent_path().string();
@@ -41,6 +39,11 @@ bool names_a_descriptor(const std::string& path) {
          path.starts_with("/proc/self/fd/");
 }
 
+/// A device, a pipe, a descriptor: nothing that could be replaced.
+bool is_written_directly(const std::string& path, const struct stat& status) {
+  return !S_ISREG(status.st_mode) || names_a_descriptor(path);
+}
+
 }  // namespace
 
 AtomicFile::AtomicFile(const std::string& path, bool overwrite)
@@ -57,7 +60,7 @@ AtomicFile::AtomicFile(const std::string& path, bool overwrite)
   struct stat status {};
   const bool exists = stat(path.c_str(), &status) == 0;
   if (exists && S_ISDIR(status.st_mode)) fail(EISDIR);
-  if (exists && (!S_ISREG(status.st_mode) || names_a_descriptor(path))) {
+  if (exists && is_written_directly(path, status)) {
     fd_ = open(path.c_str(), O_WRONLY | O_CLOEXEC);
     if (fd_ < 0) fail(errno);
     return;
@@ -72,59 +75,15 @@ AtomicFile::AtomicFile(const std::string& path, bool overwrite)
   }
   if (exists && access(path.c_str(), W_OK) != 0) fail(errno);
   target_ = follow_links(path);
-  open_temporary();
+  if (const int error = temporary_.create(directory_of(target_)); error != 0) fail(error);
+  fd_ = temporary_.descriptor();
   // Best effort: only root may give a file to its former owner.
   if (exists && fchown(fd_, status.st_uid, status.st_gid) != 0) errno = 0;
   if (exists && fchmod(fd_, status.st_mode & 07777) != 0) fail(errno);
 }
 
 AtomicFile::~AtomicFile() {
-  if (fd_ > STDERR_FILENO) close(fd_);
-  if (!temporary_.empty()) unlink(temporary_.c_str());
-}
-
-void AtomicFile::open_temporary() {
-  const std::string directory = directory_of(target_);
-  fd_ = open(directory.c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, 0666);
-  if (fd_ >= 0) return;
-  if (errno != EOPNOTSUPP && errno != EISDIR && errno != EINVAL) fail(errno);
-  for (int i = 0; i < most_names && fd_ < 0; ++i) {
-    temporary_ = fmt::format("{}/.ibmfair-{}-{}.tmp", directory, getpid(), i);
-    fd_ = open(temporary_.c_str(), O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC, 0666);
-    if (fd_ < 0 && errno != EEXIST) break;
-  }
-  if (fd_ < 0) {
-    temporary_.clear();
-    fail(errno);
-  }
-}
-
-void AtomicFile::name_temporary() {
-  const std::string self = fmt::format("/proc/self/fd/{}", fd_);
-  for (int i = 0; i < most_names; ++i) {
-    const std::string name =
-        fmt::format("{}/.ibmfair-{}-{}.tmp", directory_of(target_), getpid(), i);
-    if (linkat(AT_FDCWD, self.c_str(), AT_FDCWD, name.c_str(), AT_SYMLINK_FOLLOW) == 0) {
-      temporary_ = name;
-      return;
-    }
-    if (errno != EEXIST) break;
-  }
-  fail(errno);
-}
-
-void AtomicFile::replace_target() {
-  if (temporary_.empty()) name_temporary();
-  if (!overwrite_) {
-    // Somebody may have created the target since the constructor looked.
-    if (renameat2(AT_FDCWD, temporary_.c_str(), AT_FDCWD, target_.c_str(), RENAME_NOREPLACE) == 0) {
-      temporary_.clear();
-      return;
-    }
-    if (errno != EINVAL && errno != ENOSYS) fail(errno);
-  }
-  if (std::rename(temporary_.c_str(), target_.c_str()) != 0) fail(errno);
-  temporary_.clear();
+  if (target_.empty() && fd_ > STDERR_FILENO) close(fd_);
 }
 
 void AtomicFile::write_real(double value) {
@@ -154,7 +113,7 @@ void AtomicFile::commit() {
   flush();
   if (target_.empty()) return;
   if (fsync(fd_) != 0) fail(errno);
-  replace_target();
+  if (const int error = temporary_.move_to(target_, overwrite_); error != 0) fail(error);
   // The rename itself reaches the disk with its directory; not every file system can be asked.
   const int directory = open(directory_of(target_).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
   if (directory >= 0) {
@@ -168,6 +127,11 @@ void AtomicFile::fail(int error) const {
 }
 
 void require_writable(const std::string& path, bool overwrite) {
+  struct stat status {};
+  if (stat(path.c_str(), &status) == 0 && is_written_directly(path, status) &&
+      !S_ISDIR(status.st_mode)) {
+    return;  // who reads a pipe would take the end of the probe for that of the data
+  }
   const AtomicFile probe(path, overwrite);
 }
 

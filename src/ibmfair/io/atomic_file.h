@@ -7,11 +7,12 @@
 #include <string>
 #include <string_view>
 
+#include "ibmfair/io/temporary_file.h"
+
 namespace ibmfair {
 
-/// Collects output in a temporary file in the target's directory, where possible one without a name
-/// so that not even a killed process leaves anything behind; commit() flushes it to the disk and
-/// renames it over the target. Without commit() the target stays as it was. A symbolic link is
+/// Collects output in a temporary file in the target's directory; commit() flushes it to the disk
+/// and moves it to the target. Without commit() the target stays as it was. A symbolic link is
 /// followed, the file that it names is replaced or, with `overwrite` only, made. An existing file
 /// keeps its permissions. Standard output ("-"), devices and pipes are written directly.
 ///
@@ -46,25 +47,23 @@ class AtomicFile {
  private:
   static constexpr std::size_t capacity = std::size_t{1} << 18;
 
-  void open_temporary();
-  void name_temporary();
-  void replace_target();
   void write_through(std::string_view bytes);
   void flush();
   [[noreturn]] void fail(int error) const;
 
-  std::string name_;       // as messages name the target
-  std::string target_;     // symbolic links resolved; empty where written directly
-  std::string temporary_;  // empty while it has no name
+  std::string name_;    // as messages name the target
+  std::string target_;  // symbolic links resolved; empty where written directly
+  TemporaryFile temporary_;
   bool overwrite_;
-  int fd_ = -1;
+  int fd_ = -1;  // of what is written to
   std::unique_ptr<char[]> buffer_;
   std::size_t used_ = 0;
   std::int64_t flushed_ = 0;
 };
 
 /// Throws what writing to `path` would throw at once (it exists, its directory is missing or
-/// protected), so that a long computation need not run into it at its end.
+/// protected), so that a long computation need not run into it at its end. Devices and pipes are
+/// not opened for that.
 void require_writable(const std::string& path, bool overwrite);
 
 }  // namespace ibmfair

@@ -1,0 +1,97 @@
+#include "commands/signals.h"
+
+#include <atomic>
+#include <cerrno>
+#include <csignal>
+#include <initializer_list>
+#include <string_view>
+
+#include <poll.h>
+#include <unistd.h>
+
+#include "ibmfair/io/temporary_file.h"
+
+namespace ibmfair::commands {
+
+namespace {
+
+std::atomic<bool> end_is_postponed{false};
+std::atomic<int> postponed_signal{0};
+static_assert(std::atomic<bool>::is_always_lock_free && std::atomic<int>::is_always_lock_free);
+
+/// Where nobody listens, the exit code tells: a pipe that is full must not hold up the end.
+void tell(std::string_view text) {
+  pollfd listener{STDERR_FILENO, POLLOUT, 0};
+  if (poll(&listener, 1, 0) == 1) {
+    [[maybe_unused]] const ssize_t written = write(STDERR_FILENO, text.data(), text.size());
+  }
+}
+
+extern "C" void end_on_request(int signal_number) {
+  const int error = errno;
+  if (end_is_postponed.exchange(false)) {
+    postponed_signal = signal_number;
+    tell("ibmfair: interrupted; ending after this step, once more to end at once\n");
+    errno = error;
+    return;
+  }
+  remove_temporary_files();
+  tell("ibmfair: interrupted\n");
+  _exit(128 + signal_number);
+}
+
+/// Then the signal takes its usual course: it is no longer handled, and held back until the return.
+extern "C" void tell_of_crash(int signal_number) {
+  remove_temporary_files();
+  tell("ibmfair: error: the program crashed, please report it\n");
+  raise(signal_number);
+}
+
+void handle(int signal_number, void (*handler)(int), int flags) {
+  struct sigaction before {};
+  sigaction(signal_number, nullptr, &before);
+  if (before.sa_handler != SIG_DFL) {
+    return;  // ignored by nohup or a background job, or a sanitizer's
+  }
+  struct sigaction action {};
+  action.sa_handler = handler;
+  action.sa_flags = flags;
+  sigaction(signal_number, &action, nullptr);
+}
+
+/// The stack may be what has run out.
+void handle_crashes_on_another_stack() {
+  alignas(16) static char memory[1 << 16];
+  stack_t stack{};
+  stack.ss_sp = memory;
+  stack.ss_size = sizeof memory;
+  sigaltstack(&stack, nullptr);
+  for (const int signal_number : {SIGSEGV, SIGBUS, SIGILL, SIGFPE, SIGABRT}) {
+    handle(signal_number, tell_of_crash, static_cast<int>(SA_RESETHAND) | SA_ONSTACK);
+  }
+}
+
+}  // namespace
+
+void handle_signals() {
+  handle(SIGPIPE, SIG_IGN, 0);
+  handle(SIGXFSZ, SIG_IGN, 0);
+  for (const int signal_number : {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGXCPU}) {
+    handle(signal_number, end_on_request, SA_RESTART);
+  }
+  handle_crashes_on_another_stack();
+}
+
+PostponedEnd::PostponedEnd() {
+  end_is_postponed = true;
+}
+
+PostponedEnd::~PostponedEnd() {
+  end_is_postponed = false;
+}
+
+int PostponedEnd::signal_number() {
+  return postponed_signal;
+}
+
+}  // namespace ibmfair::commands
