@@ -1,9 +1,12 @@
 #include "commands/console.h"
 
-#include <cstdio>
+#include <algorithm>
+#include <array>
 #include <cstdlib>
+#include <new>
 #include <string>
 
+#include <sys/uio.h>
 #include <unistd.h>
 
 #include "commands/printable.h"
@@ -49,16 +52,25 @@ void Console::note(std::string_view text, std::string_view table) const {
 
 void Console::say(std::string_view label, std::string_view colour, std::string_view text,
                   std::string_view table) const {
-  std::string line = "ibmfair: ";
-  if (coloured_ && !colour.empty()) {
-    line.append(colour).append(label).append("\x1b[0m");
-  } else {
-    line.append(label);
+  std::string escaped;
+  if (!is_printable(text)) {
+    try {
+      escaped = printable(text);
+      text = escaped;
+    } catch (const std::bad_alloc&) {
+      text = "(a message with control characters, which there is no memory to escape)";
+    }
   }
-  line.append(printable(text)).append("\n").append(table);
-  // One call a line, so that lines of several programs on one terminal do not mix. There is nobody
-  // left to tell where it fails.
-  std::fwrite(line.data(), 1, line.size(), stderr);
+  const bool in_colour = coloured_ && !colour.empty();
+  const std::array<std::string_view, 7> parts{
+      "ibmfair: ", in_colour ? colour : "", label, in_colour ? "\x1b[0m" : "", text, "\n", table};
+  std::array<iovec, parts.size()> pieces{};
+  std::transform(parts.begin(), parts.end(), pieces.begin(), [](std::string_view part) {
+    return iovec{const_cast<char*>(part.data()), part.size()};
+  });
+  // One call a line, so that lines of several programs on one terminal do not mix, and no memory,
+  // of which there may be none left. There is nobody to tell where it fails.
+  [[maybe_unused]] const ssize_t written = writev(STDERR_FILENO, pieces.data(), pieces.size());
 }
 
 void write_standard_output(std::string_view bytes) {

@@ -7,28 +7,32 @@
 
 namespace ibmfair::commands {
 
-Failure describe_current_exception() {
+ExitCode tell_of_current_exception(const Console& console) {
+  const auto tell = [&console](ExitCode code, const char* message) {
+    console.error(message);
+    return code;
+  };
   try {
     throw;
   } catch (const BadOption& error) {
-    return {ExitCode::usage, error.what()};
+    return tell(ExitCode::usage, error.what());
   } catch (const BadFile& error) {
-    return {ExitCode::bad_file, error.what()};
+    return tell(ExitCode::bad_file, error.what());
   } catch (const BadMesh& error) {
-    return {ExitCode::bad_mesh, error.what()};
+    return tell(ExitCode::bad_mesh, error.what());
   } catch (const FactorizationFailed& error) {
-    return {ExitCode::bad_mesh, error.what()};
+    return tell(ExitCode::bad_mesh, error.what());
   } catch (const OutOfMemory& error) {
-    return {ExitCode::out_of_memory, error.what()};
+    return tell(ExitCode::out_of_memory, error.what());
   } catch (const std::bad_alloc&) {
-    return {ExitCode::out_of_memory, "not enough memory for this mesh"};
+    return tell(ExitCode::out_of_memory, "not enough memory for this mesh");
   } catch (const CannotWrite& error) {
-    return {ExitCode::cannot_write, error.what()};
+    return tell(ExitCode::cannot_write, error.what());
   } catch (const std::exception& error) {
-    return {ExitCode::internal_error,
-            std::string("internal error, please report it: ") + error.what()};
+    console.error("internal error, please report it:");
+    return tell(ExitCode::internal_error, error.what());
   } catch (...) {
-    return {ExitCode::internal_error, "internal error of unknown kind, please report it"};
+    return tell(ExitCode::internal_error, "internal error of unknown kind, please report it");
   }
 }
 

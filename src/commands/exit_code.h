@@ -1,7 +1,7 @@
 // What the program tells its caller, and the one place where failures are mapped to it.
 #pragma once
 
-#include <string>
+#include "commands/console.h"
 
 namespace ibmfair::commands {
 
@@ -17,12 +17,8 @@ enum class ExitCode {
   interrupted = 130
 };
 
-struct Failure {
-  ExitCode code;
-  std::string message;
-};
-
-/// The exit code and message of the exception being handled; call it in a catch block only.
-Failure describe_current_exception();
+/// Says what the exception being handled is about, and returns its exit code; call it in a catch
+/// block only. It needs no memory.
+ExitCode tell_of_current_exception(const Console& console);
 
 }  // namespace ibmfair::commands

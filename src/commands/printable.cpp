@@ -51,6 +51,17 @@ std::size_t visible_length(std::string_view text) {
   return is_control(character) || turns_direction(character) ? 0 : length;
 }
 
+bool is_printable(std::string_view text) {
+  while (!text.empty()) {
+    const std::size_t length = visible_length(text);
+    if (length == 0) {
+      return false;
+    }
+    text.remove_prefix(length);
+  }
+  return true;
+}
+
 std::string escaped_byte(char byte) {
   switch (byte) {
     case '\n':

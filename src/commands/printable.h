@@ -12,6 +12,9 @@ namespace ibmfair::commands {
 /// the direction of writing, or a byte that is no UTF-8. `text` is not empty.
 std::size_t visible_length(std::string_view text);
 
+/// Whether all of it is visible.
+bool is_printable(std::string_view text);
+
 /// The byte as `\n`, `\t` or `\x1b`.
 std::string escaped_byte(char byte);
 

@@ -1,6 +1,7 @@
 #include "commands/program.h"
 
 #include <cstdlib>
+#include <exception>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -12,6 +13,7 @@
 #include "commands/process.h"
 #include "ibmfair/base/errors.h"
 #include "ibmfair/base/instruction_set.h"
+#include "ibmfair/io/temporary_file.h"
 
 namespace ibmfair::commands {
 
@@ -43,9 +45,19 @@ ExitCode parse_and_run(const std::vector<std::string>& words, Console& console) 
   return line.run(console);
 }
 
+/// For libraries that promise not to throw, and run out of memory all the same.
+[[noreturn]] void end_by_exception() {
+  if (!std::current_exception()) {
+    std::abort();
+  }
+  remove_temporary_files();
+  std::_Exit(static_cast<int>(tell_of_current_exception(Console())));
+}
+
 }  // namespace
 
 int run_program(int argc, const char* const* argv) {
+  std::set_terminate(end_by_exception);
   prepare_process();
   Console console;
   ExitCode code = ExitCode::done;
@@ -53,9 +65,7 @@ int run_program(int argc, const char* const* argv) {
     choose_kernels();
     code = parse_and_run({argv + (argc > 0 ? 1 : 0), argv + argc}, console);
   } catch (...) {
-    const Failure failure = describe_current_exception();
-    console.error(failure.message);
-    code = failure.code;
+    code = tell_of_current_exception(console);
   }
   return static_cast<int>(code);
 }
