@@ -1,31 +1,118 @@
 #include "ibmfair/base/process_memory.h"
 
+#include <algorithm>
 #include <fstream>
 #include <limits>
-#include <string>
+#include <optional>
+#include <string_view>
+
+#include <fmt/format.h>
+#include <sys/resource.h>
+
+#include "ibmfair/base/errors.h"
 
 namespace ibmfair {
 namespace {
 
-/// The number behind a name in a file of lines such as `VmRSS:   1234 kB`, in bytes.
-double entry(const char* path, const std::string& name, double otherwise) {
+/// Not worth a look at what the system has.
+constexpr double few_bytes = 64e6;
+
+/// The number behind a name in a file of lines such as `VmRSS:   1234 kB`.
+std::optional<double> entry(const std::string& path, const std::string& name) {
   std::ifstream file(path);
   for (std::string word; file >> word;) {
-    if (double kilobytes = 0; word == name && file >> kilobytes) {
-      return 1024 * kilobytes;
+    if (double number = 0; word == name && file >> number) {
+      return number;
     }
   }
-  return otherwise;
+  return std::nullopt;
+}
+
+constexpr double kilobyte = 1024;
+
+/// The number that is all of a file; "max" is none.
+std::optional<double> number_in(const std::string& path) {
+  std::ifstream file(path);
+  double number = 0;
+  return file >> number ? std::optional(number) : std::nullopt;
+}
+
+/// What a control group and those around it still allow, `folder` being where the system shows
+/// them. Pages of files that have not been used of late count as taken but are given back.
+double left_in_groups(const std::string& folder, std::string group, const char* limit,
+                      const char* usage, const char* inactive) {
+  double left = std::numeric_limits<double>::infinity();
+  while (true) {
+    const std::string path = folder + group + "/";
+    if (const auto most = number_in(path + limit)) {
+      const double taken = number_in(path + usage).value_or(0);
+      const double given_back = entry(path + "memory.stat", inactive).value_or(0);
+      left = std::min(left, std::max(0.0, *most - std::max(0.0, taken - given_back)));
+    }
+    if (group.empty()) {
+      return left;
+    }
+    group.resize(group.find_last_of('/'));
+  }
+}
+
+/// Of both versions of control groups: lines `NUMBER:CONTROLLERS:/GROUP`.
+double left_in_control_groups(const std::string& root) {
+  double left = std::numeric_limits<double>::infinity();
+  std::ifstream file(root + "/proc/self/cgroup");
+  for (std::string line; std::getline(file, line);) {
+    const std::size_t first = line.find(':'), second = line.find(':', first + 1);
+    if (second == std::string::npos || second + 1 >= line.size() || line[second + 1] != '/') {
+      continue;
+    }
+    std::string group = line.substr(second + 1);
+    if (group == "/") {
+      group.clear();
+    }
+    const std::string controllers =
+        fmt::format(",{},", std::string_view(line).substr(first + 1, second - first - 1));
+    const std::string folder = root + "/sys/fs/cgroup";
+    if (controllers == ",,") {
+      left = std::min(
+          left, left_in_groups(folder, group, "memory.max", "memory.current", "inactive_file"));
+    } else if (controllers.find(",memory,") != std::string::npos) {
+      left = std::min(left, left_in_groups(folder + "/memory", group, "memory.limit_in_bytes",
+                                           "memory.usage_in_bytes", "total_inactive_file"));
+    }
+  }
+  return left;
+}
+
+double left_of_address_space(const std::string& root) {
+  rlimit limit{};
+  if (getrlimit(RLIMIT_AS, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY) {
+    return std::numeric_limits<double>::infinity();
+  }
+  const double taken = kilobyte * entry(root + "/proc/self/status", "VmSize:").value_or(0);
+  return std::max(0.0, static_cast<double>(limit.rlim_cur) - taken);
 }
 
 }  // namespace
 
 double resident_bytes() {
-  return entry("/proc/self/status", "VmRSS:", 0);
+  return kilobyte * entry("/proc/self/status", "VmRSS:").value_or(0);
 }
 
-double available_bytes() {
-  return entry("/proc/meminfo", "MemAvailable:", std::numeric_limits<double>::infinity());
+double available_bytes(const std::string& root) {
+  const auto system = entry(root + "/proc/meminfo", "MemAvailable:");
+  return std::min({system ? kilobyte * *system : std::numeric_limits<double>::infinity(),
+                   left_in_control_groups(root), left_of_address_space(root)});
+}
+
+void require_available(double bytes, const std::string& what) {
+  if (bytes < few_bytes) {
+    return;
+  }
+  if (const double available = available_bytes(); bytes > available) {
+    constexpr double mega = 1e6;
+    throw OutOfMemory(fmt::format("{} needs {:.0f} MB of memory, {:.0f} MB are available", what,
+                                  bytes / mega, available / mega));
+  }
 }
 
 }  // namespace ibmfair

@@ -11,6 +11,7 @@
 
 #include "ibmfair/base/errors.h"
 #include "ibmfair/base/huge_pages.h"
+#include "ibmfair/base/process_memory.h"
 
 namespace ibmfair {
 namespace {
@@ -32,13 +33,31 @@ struct Descriptor {
   throw BadFile(fmt::format("{}: cannot be read: {}", name, std::strerror(error)));
 }
 
-/// Bytes to expect: a file's size, one to meet its end without growing the buffer, one to mark it.
-std::size_t first_capacity(int fd, const std::string& name) {
+struct stat status_of(int fd, const std::string& name) {
   struct stat status {};
   if (fstat(fd, &status) != 0) fail_to_read(name, errno);
   if (S_ISDIR(status.st_mode)) fail_to_read(name, EISDIR);
-  const bool sized = S_ISREG(status.st_mode) && status.st_size > 0;
-  return sized ? static_cast<std::size_t>(status.st_size) + 2 : std::size_t{1} << 16;
+  return status;
+}
+
+/// False for pipes, and for files that the kernel makes up.
+bool has_size(const struct stat& status) {
+  return S_ISREG(status.st_mode) && status.st_size > 0;
+}
+
+/// Bytes to expect: a file's size, one to meet its end without growing the buffer, one to mark it.
+std::size_t first_capacity(const struct stat& status) {
+  return has_size(status) ? static_cast<std::size_t>(status.st_size) + 2 : std::size_t{1} << 16;
+}
+
+/// Half of one file and half of another may well be a mesh.
+void require_unchanged(const struct stat& before, int fd, const std::string& name) {
+  const struct stat after = status_of(fd, name);
+  if (has_size(before) &&
+      (before.st_size != after.st_size || before.st_mtim.tv_sec != after.st_mtim.tv_sec ||
+       before.st_mtim.tv_nsec != after.st_mtim.tv_nsec)) {
+    throw BadFile(name + ": changed while it was being read");
+  }
 }
 
 /// The word at `where`, shortened and with anything unprintable replaced.
@@ -62,12 +81,15 @@ std::shared_ptr<const SourceBytes> SourceBytes::read(const std::string& path) {
 
   const Descriptor file(standard_input ? STDIN_FILENO : open(path.c_str(), O_RDONLY | O_CLOEXEC));
   if (file.fd < 0) fail_to_read(source->name_, errno);
-  std::size_t capacity = first_capacity(file.fd, source->name_);
+  const struct stat status = status_of(file.fd, source->name_);
+  std::size_t capacity = first_capacity(status);
+  require_available(static_cast<double>(capacity), source->name_);
   auto bytes = std::make_unique_for_overwrite<char[]>(capacity);
   advise_huge_pages(bytes.get(), capacity);
   std::size_t size = 0;
   while (true) {
     if (size + 1 >= capacity) {
+      require_available(2 * static_cast<double>(capacity), source->name_);
       auto larger = std::make_unique_for_overwrite<char[]>(2 * capacity);
       std::copy_n(bytes.get(), size, larger.get());
       bytes = std::move(larger);
@@ -79,6 +101,7 @@ std::shared_ptr<const SourceBytes> SourceBytes::read(const std::string& path) {
     if (count == 0) break;
     size += static_cast<std::size_t>(count);
   }
+  require_unchanged(status, file.fd, source->name_);
   bytes[size] = '\n';
   source->bytes_ = std::move(bytes);
   source->size_ = size;
