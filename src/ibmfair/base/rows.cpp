@@ -1,13 +1,20 @@
 #include "ibmfair/base/rows.h"
 
 #include <algorithm>
+#include <limits>
 #include <numeric>
+#include <string>
 
+#include "ibmfair/base/errors.h"
 #include "ibmfair/base/parallel.h"
 
 namespace ibmfair {
 
 Rows positions_by_value(std::span<const Index> values, Index count) {
+  if (values.size() > std::numeric_limits<Index>::max()) {
+    throw BadMesh("the mesh is too large: " + std::to_string(values.size()) +
+                  " entries, more than can be numbered");
+  }
   Rows rows;
   rows.first.assign(static_cast<std::size_t>(count) + 1, 0);
   for (const Index v : values) {

@@ -21,7 +21,7 @@ struct Rows {
 };
 
 /// Row v, of 0 .. count - 1: where v stands in `values`, in increasing order. Negative values are
-/// in no row.
+/// in no row. Throws BadMesh where there are more values than Index can number.
 Rows positions_by_value(std::span<const Index> values, Index count);
 
 /// For each position in `rows.value` the row that it belongs to.

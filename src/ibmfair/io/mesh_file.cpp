@@ -1,5 +1,6 @@
 #include "ibmfair/io/mesh_file.h"
 
+#include <limits>
 #include <optional>
 #include <tuple>
 #include <utility>
@@ -130,6 +131,11 @@ MeshFile read_mesh(std::shared_ptr<const SourceBytes> bytes, const ReadOptions& 
   std::tie(contents->format, contents->extension) = choose_format(*contents->bytes, options.format);
   ParsedMesh& parsed = contents->parsed;
   parsed = contents->format->read(*contents->bytes, contents->extension);
+  constexpr std::int64_t most = std::numeric_limits<Index>::max();
+  if (parsed.mesh.X.rows() > most ||
+      parsed.mesh.faces.first.size() > static_cast<std::size_t>(most)) {
+    fail_in_file(*contents->bytes, "the mesh has more vertices or faces than can be numbered");
+  }
   if (parsed.mesh.X.rows() == 0) fail_in_file(*contents->bytes, "the mesh has no vertices");
   if (parsed.mesh.faces.size() == 0) fail_in_file(*contents->bytes, "the mesh has no faces");
   if (options.weld || contents->format->always_weld) {

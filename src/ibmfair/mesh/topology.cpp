@@ -4,6 +4,9 @@
 #include <span>
 #include <utility>
 
+#include <fmt/format.h>
+
+#include "ibmfair/base/errors.h"
 #include "ibmfair/base/parallel.h"
 #include "ibmfair/mesh/boundary_loops.h"
 #include "ibmfair/mesh/corners.h"
@@ -153,6 +156,13 @@ void mark_defective_vertices(Topology& topology) {
   }
 }
 
+void require_countable(std::int64_t vertices, std::int64_t triangles) {
+  if (vertices > most_elements || triangles > most_elements) {
+    throw BadMesh(fmt::format("{} vertices and {} triangles: there may be {} of each at most",
+                              vertices, triangles, most_elements));
+  }
+}
+
 }  // namespace
 
 bool Defects::empty() const {
@@ -171,6 +181,7 @@ std::int64_t Topology::euler_characteristic() const {
 }
 
 Topology build_topology(Index vertex_count, Triangles F, std::vector<Index> zero_area) {
+  require_countable(vertex_count, F.rows());
   Topology topology;
   topology.vertex_count = vertex_count;
   topology.F = std::move(F);
@@ -188,6 +199,7 @@ Topology build_topology(Index vertex_count, Triangles F, std::vector<Index> zero
 }
 
 Topology build_topology(const Points& X, Triangles F) {
+  require_countable(X.rows(), F.rows());
   std::vector<Index> zero_area = degenerate_triangles(X, F);
   return build_topology(static_cast<Index>(X.rows()), std::move(F), std::move(zero_area));
 }
