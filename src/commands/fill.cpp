@@ -166,14 +166,25 @@ ExitCode conclude(const std::string& missed, bool strict, const Console& console
   return ExitCode::not_reached;
 }
 
+Filling fill_within_memory(const FillArguments& arguments, const Input& input) {
+  const Points& X = input.file.mesh().X;
+  try {
+    return fill_holes(X, input.topology, hole_choice(arguments, X, input.topology),
+                      fill_options(arguments));
+  } catch (const OutOfMemory& error) {
+    throw OutOfMemory(fmt::format(
+        "{}; coarser patches (--max-new-vertices N) or fewer holes (--only, --max-edges) need less",
+        error.what()));
+  }
+}
+
 ExitCode fill(const FillArguments& arguments, const Input& input, FillSeconds& seconds,
               nlohmann::ordered_json& report, Console& console) {
   const Points& X = input.file.mesh().X;
   Filling filling;
   {
     const Stopwatch watch(seconds.fill);
-    filling = fill_holes(X, input.topology, hole_choice(arguments, X, input.topology),
-                         fill_options(arguments));
+    filling = fill_within_memory(arguments, input);
   }
   seconds.audit = filling.audit_seconds;
   seconds.fill -= filling.audit_seconds;
@@ -258,6 +269,7 @@ ExitCode run_fill(const FillArguments& arguments, Console& console) {
   }
   FillSeconds seconds;
   const Input input = read(arguments, seconds, console);
+  require_writable_format(input.file, arguments.output.path, arguments.output.write);
   warn_of_defects(input.topology, arguments.strict, console);
   nlohmann::ordered_json report = start_report("fill");
   report["input"] = arguments.input;
@@ -324,7 +336,11 @@ void add_fairing_options(CLI::App& app, FillArguments& a) {
               "steps at each level of refinement before giving up (default 100)");
   add_integer(app, "--max-new-vertices", a.fill.most_new_vertices, Index{1}, most,
               "in all holes together (default: as many as the mesh has, at least 100000, and half the "
-           "square of its edges in a hole)");
+              "square of its edges in a hole)");
+  add_bytes(
+      app, "--memory", a.fill.fairing.memory_limit,
+      "memory that the program may take, as in 800M or 4G: a patch that needs more is refused "
+      "before it is faired (default: what there is)");
   app.add_flag("--allow-intersections", a.allow_intersections,
                "do not fail where a patch passes through itself or the mesh");
 }

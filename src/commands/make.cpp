@@ -41,7 +41,7 @@ std::vector<std::string> shape_names() {
 std::string shape_list() {
   std::string text = "Shapes:\n";
   for (const Shape& shape : shapes()) {
-    text += fmt::format("  {:<14}{}\n", shape.name, shape.summary);
+    text += fmt::format("  {:<16}{}\n", shape.name, shape.summary);
   }
   return text;
 }

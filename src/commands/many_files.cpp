@@ -96,9 +96,11 @@ Runner take_many_files(CLI::App& command, Runner run, bool asked) {
   if (input == nullptr || output == nullptr || key_of(*input) != "input") {
     return run;
   }
-  // With many files it is the commands that a dry run prints.
-  if (CLI::Option* own = command.get_option_no_throw("--dry-run"); asked && own != nullptr) {
-    command.remove_option(own);
+  // With many files it is the commands that a dry run prints, and whole files that are kept.
+  for (const char* name : {"--dry-run", "--checkpoint"}) {
+    if (CLI::Option* own = command.get_option_no_throw(name); asked && own != nullptr) {
+      command.remove_option(own);
+    }
   }
   auto many = std::make_shared<ManyFiles>();
   declare_options(command, *many);

@@ -13,6 +13,7 @@
 #include "commands/length.h"
 #include "commands/progress_bar.h"
 #include "commands/shared_options.h"
+#include "commands/signals.h"
 #include "commands/smooth_report.h"
 #include "commands/vertex_list.h"
 #include "ibmfair/base/errors.h"
@@ -37,6 +38,7 @@ struct SmoothArguments {
   ReportOptions report;
   bool strict = false;
   std::string picture;
+  std::string checkpoint;
 
   FlowOptions flow;
   std::optional<double> time_step;
@@ -129,11 +131,16 @@ void run_flow(const SmoothArguments& arguments, FlowOptions options, const MeshF
               const Topology& topology, Points& X, SmoothFigures& figures, Console& console) {
   resolve(arguments, X, topology, options, figures);
   const auto held_vertices = held(arguments, file, topology);
+  std::optional<PostponedEnd> postponed;
+  if (!arguments.checkpoint.empty()) {
+    postponed.emplace();
+  }
   ProgressBar bar(console, options.total_time);
   figures.flow = willmore_flow(X, topology, held_vertices, options, [&](const StepRecord& step) {
     bar.update(step);
-    return true;
+    return PostponedEnd::signal_number() == 0;
   });
+  figures.total_time = options.total_time;
   if (figures.flow.unknowns == 0) {
     console.warning("no vertex is free to move: the mesh is written as it was read");
   }
@@ -167,12 +174,54 @@ void draw(const SmoothArguments& arguments, const Topology& topology, const Poin
   }
 }
 
+/// Where the state goes that an interrupted run has reached.
+OutputOptions checkpoint_of(const SmoothArguments& arguments) {
+  OutputOptions checkpoint = arguments.output;
+  checkpoint.path = arguments.checkpoint;
+  checkpoint.write.format.clear();
+  return checkpoint;
+}
+
+void check_outputs(const SmoothArguments& arguments) {
+  const bool overwrite = arguments.output.write.overwrite;
+  require_writable(arguments.output.path, overwrite);
+  check_report(arguments.report, arguments.output.path, overwrite);
+  if (!arguments.picture.empty()) {
+    require_writable(arguments.picture, overwrite);
+  }
+  if (!arguments.checkpoint.empty()) {
+    if (arguments.checkpoint == arguments.output.path) {
+      throw BadOption("--checkpoint: '" + arguments.checkpoint + "' is the output already");
+    }
+    require_writable(arguments.checkpoint, overwrite);
+  }
+}
+
+void check_formats(const SmoothArguments& arguments, const MeshFile& file) {
+  require_writable_format(file, arguments.output.path, arguments.output.write);
+  if (!arguments.checkpoint.empty()) {
+    const OutputOptions checkpoint = checkpoint_of(arguments);
+    require_writable_format(file, checkpoint.path, checkpoint.write);
+  }
+}
+
+/// What is left of the flow, in time steps of about the same length.
+std::string way_on(const SmoothFigures& figures, int steps) {
+  const double left = figures.total_time - figures.flow.time_reached;
+  if (!(left > 0)) {
+    return "the flow was complete";
+  }
+  const double count = std::ceil(left / figures.total_time * steps - 1e-6);
+  return fmt::format("`smooth` goes on from it with --steps {:.0f} --time-step {}, no --cutoff",
+                     count, left / count);
+}
+
 ExitCode conclude(FlowStatus status, const Console& console) {
   switch (status) {
     case FlowStatus::completed:
       return ExitCode::done;
     case FlowStatus::interrupted:
-      return ExitCode::interrupted;
+      return static_cast<ExitCode>(128 + PostponedEnd::signal_number());
     case FlowStatus::stalled:
       console.warning("the flow stalled before its time was up; the state it reached was written");
       return ExitCode::not_reached;
@@ -185,18 +234,14 @@ ExitCode conclude(FlowStatus status, const Console& console) {
 }
 
 ExitCode run_smooth(const SmoothArguments& arguments, Console& console) {
-  const bool overwrite = arguments.output.write.overwrite;
-  require_writable(arguments.output.path, overwrite);
-  check_report(arguments.report, arguments.output.path, overwrite);
-  if (!arguments.picture.empty()) {
-    require_writable(arguments.picture, overwrite);
-  }
+  check_outputs(arguments);
   SmoothFigures figures;
   std::optional<MeshFile> file;
   {
     const Stopwatch watch(figures.seconds_read);
     file = read_input(arguments.input, arguments.reading, console);
   }
+  check_formats(arguments, *file);
   const Points before = file->mesh().X;
   Topology topology;
   {
@@ -224,10 +269,12 @@ ExitCode run_smooth(const SmoothArguments& arguments, Console& console) {
   figures.after = mesh_figures(after, topology, options);
   measure_moves(before, after, figures);
 
+  const bool interrupted = figures.flow.status == FlowStatus::interrupted;
+  const OutputOptions output = interrupted ? checkpoint_of(arguments) : arguments.output;
   WriteReport written;
   {
     const Stopwatch watch(figures.seconds_write);
-    written = write_mesh(*file, after, arguments.output.path, arguments.output.write);
+    written = write_mesh(*file, after, output.path, output.write);
   }
   for (const std::string& note : written.notes) {
     console.note(note);
@@ -235,14 +282,18 @@ ExitCode run_smooth(const SmoothArguments& arguments, Console& console) {
   draw(arguments, topology, before, after);
   nlohmann::ordered_json report = start_report("smooth");
   report["input"] = arguments.input;
-  report["output"] = arguments.output.path;
+  report["output"] = output.path;
   add_smooth_figures(report, figures, topology, options);
   report["defects"] = defects_json(topology);
   report["moved_vertices"] = written.moved_vertices;
-  deliver_report(arguments.report, overwrite, report);
-  console.note(fmt::format("{} -> {}, {} of {} vertices moved", arguments.input,
-                           arguments.output.path, written.moved_vertices, before.rows()),
+  deliver_report(arguments.report, output.write.overwrite, report);
+  console.note(fmt::format("{} -> {}, {} of {} vertices moved", arguments.input, output.path,
+                           written.moved_vertices, before.rows()),
                smooth_table(figures, topology));
+  if (interrupted) {
+    console.warning(fmt::format("interrupted; {} holds the state that was reached: {}", output.path,
+                                way_on(figures, options.steps)));
+  }
   return conclude(figures.flow.status, console);
 }
 
@@ -335,6 +386,11 @@ Runner declare_smooth(CLI::App& app) {
   app.add_option("--picture", arguments->picture,
                  "draw the mesh before and after into this PNG file")
       ->type_name(file_to_write);
+  app.add_option("--checkpoint", arguments->checkpoint,
+                 "when interrupted (Ctrl-C), end after the time step and write the mesh that was "
+                 "reached to this file instead of OUT")
+      ->type_name(file_to_write)
+      ->configurable(false);  // a batch starts its files again
   add_overwrite_option(app, arguments->output.write.overwrite);
   return [arguments](Console& console) { return run_smooth(*arguments, console); };
 }

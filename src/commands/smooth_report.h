@@ -23,6 +23,7 @@ struct SmoothFigures {
   double largest_move = 0, rms_move = 0;  ///< of all vertices, length
   double mean_edge_length = 0;            ///< before
   double cutoff = 0;                      ///< length that the total time corresponds to
+  double total_time = 0;                  ///< that the flow was to run for, in its unit
   double seconds_read = 0, seconds_topology = 0, seconds_write = 0;
   FlowReport flow;
 };

@@ -85,6 +85,7 @@ class PatchFairing {
     flow_options_.laplacian = options.laplacian;
     flow_options_.mass = options.mass;
     flow_options_.solver = "cholmod";  // toward the limit no other solver's steps are good enough
+    flow_options_.memory_limit = options.memory_limit;
   }
 
   /// One level, on triangles that stay as they are or follow the patch while it finds its shape.

@@ -98,6 +98,11 @@ struct WriteReport {
 WriteReport write_mesh(const MeshFile& source, const Points& X, const std::string& path,
                        const WriteOptions& options = {});
 
+/// Throws BadOption where `write_mesh` would for the format, so that a long computation need not
+/// run into it at its end.
+void require_writable_format(const MeshFile& source, const std::string& path,
+                             const WriteOptions& options);
+
 /// Writes a mesh that comes from no file.
 WriteReport write_mesh(const Mesh& mesh, const std::string& path, const WriteOptions& options = {});
 

@@ -111,6 +111,11 @@ WriteReport write_mesh(const MeshFile& source, const Points& X, const Extension&
   return write(source, X, adds_nothing ? nullptr : &extension, path, options);
 }
 
+void require_writable_format(const MeshFile& source, const std::string& path,
+                             const WriteOptions& options) {
+  choose_format(path, options, &source.format());
+}
+
 WriteReport write_mesh(const Mesh& mesh, const std::string& path, const WriteOptions& options) {
   require_finite(mesh.X);
   const Format& format = choose_format(path, options, nullptr);
