@@ -3,11 +3,17 @@
 #include <algorithm>
 #include <charconv>
 #include <cstdlib>
+#include <latch>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <system_error>
+#include <thread>
+#include <vector>
 
+#include <sys/resource.h>
 #include <tbb/global_control.h>
+#include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
 #include "ibmfair/base/errors.h"
@@ -26,6 +32,29 @@ int environment_thread_count() {
   return std::clamp(count, 0, largest_thread_count);
 }
 
+bool address_space_is_limited() {
+  rlimit limit{};
+  return getrlimit(RLIMIT_AS, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY;
+}
+
+/// How many threads, up to `wanted`, there can be at a time, this one being the first.
+int possible_threads(int wanted) {
+  std::vector<std::thread> others;
+  others.reserve(static_cast<std::size_t>(wanted));
+  std::latch end(1);
+  try {
+    while (static_cast<int>(others.size()) + 1 < wanted) {
+      others.emplace_back([&end] { end.wait(); });
+    }
+  } catch (const std::system_error&) {  // there is no room for its stack
+  }
+  end.count_down();
+  for (std::thread& thread : others) {
+    thread.join();
+  }
+  return static_cast<int>(others.size()) + 1;
+}
+
 }  // namespace
 
 void set_thread_count(int count) {
@@ -38,6 +67,13 @@ void set_thread_count(int count) {
   limit.reset();
   if (count = count > 0 ? count : environment_thread_count(); count > 0) {
     limit.emplace(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(count));
+  }
+  if (address_space_is_limited()) {
+    // A thread that cannot be started would end the program later. With fewer it goes on; and those
+    // that can be are started while there is room.
+    const int possible = possible_threads(thread_count());
+    limit.emplace(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(possible));
+    tbb::parallel_for(0, possible, [](int) {});
   }
 }
 
