@@ -127,9 +127,16 @@ pid_t spawn(const std::vector<std::string>& arguments, const RunOptions& options
     posix_spawn_file_actions_addchdir_np(actions.get(), options.directory.c_str());
   }
 
-  std::vector<std::string> words;
+  for (const int descriptor : options.closed) {
+    posix_spawn_file_actions_addclose(actions.get(), descriptor);
+  }
+
+  std::vector<std::string> words = options.limits;
   if (options.address_space > 0) {
-    words = {"/usr/bin/prlimit", "--as=" + std::to_string(options.address_space)};
+    words.push_back("--as=" + std::to_string(options.address_space));
+  }
+  if (!words.empty()) {
+    words.insert(words.begin(), "/usr/bin/prlimit");
   }
   words.emplace_back(IBMFAIR_PROGRAM);
   words.insert(words.end(), arguments.begin(), arguments.end());

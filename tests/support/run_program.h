@@ -23,6 +23,8 @@ struct RunOptions {
   std::vector<std::string> environment = {};  ///< `NAME=value`, on top of the test's own
   std::chrono::seconds limit{120};            ///< the program is killed after this long
   std::int64_t address_space = 0;  ///< bytes that the program may map (by prlimit); 0: no limit
+  std::vector<std::string> limits = {};  ///< others, as prlimit takes them: `--fsize=1000`
+  std::vector<int> closed = {};          ///< standard descriptors that the program starts without
   /// Sent once the program has taken the input, whose end it does not get to see; 0: none. Input of
   /// more than the 64 kB that a pipe holds makes sure that the program is reading by then.
   int signal_number = 0;
