@@ -56,6 +56,7 @@ TEST(Smooth, ReproducesFigure9) {  // [W07] Figure 9
   const json plain = smooth(ico, out, published);
   EXPECT_NEAR(radius_deviation(out), 1.2e-3, 1e-4);
   EXPECT_EQ(plain["flow"]["factorizations"], 1);
+  EXPECT_EQ(plain["options"]["total_time"], 1.0);
 
   auto without_mass = published;
   without_mass.emplace_back("--no-mass");
