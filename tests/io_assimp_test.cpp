@@ -46,6 +46,12 @@ TEST(AssimpFile, ReadsFromMemory) {
   EXPECT_EQ(file.mesh().X.rows(), 4);
 }
 
+TEST(AssimpFile, ReadsAFileWhoseNameDoesNotTellTheFormat) {
+  const TemporaryDirectory directory;
+  write_bytes(directory / "square.dat", square_stl);
+  EXPECT_EQ(read_mesh(directory / "square.dat", {.format = "stl"}).mesh().X.rows(), 4);
+}
+
 TEST(AssimpFile, AppliesNodeTransforms) {
   const TemporaryDirectory directory;
   // One triangle shown by two nodes, the second a child that doubles and shifts.
