@@ -26,12 +26,26 @@ std::string with_extension(const fs::path& path, const std::string& extension) {
   return name.ends_with(end) ? name : name + end;
 }
 
+/// A descriptor that is closed when it goes out of scope.
+struct OpenFile {
+  int fd;
+  explicit OpenFile(int fd) : fd(fd) {}
+  OpenFile(const OpenFile&) = delete;
+  OpenFile& operator=(const OpenFile&) = delete;
+  ~OpenFile() {
+    if (fd >= 0) close(fd);
+  }
+};
+
 /// Reads what there is; a file that shrinks meanwhile ends early.
-Assimp::IOStream* read_into_stream(int fd, std::size_t size) {
+Assimp::IOStream* read_into_stream(const OpenFile& file) {
+  struct stat status {};
+  fstat(file.fd, &status);
+  const auto size = static_cast<std::size_t>(status.st_size);
   auto bytes = std::make_unique<std::uint8_t[]>(size);
   std::size_t done = 0;
   while (done < size) {
-    const ssize_t count = read(fd, bytes.get() + done, size - done);
+    const ssize_t count = read(file.fd, bytes.get() + done, size - done);
     if (count < 0 && errno == EINTR) continue;
     if (count <= 0) break;
     done += static_cast<std::size_t>(count);
@@ -75,27 +89,14 @@ int FolderFiles::open_beneath(const char* name) const {
 
 bool FolderFiles::Exists(const char* name) const {
   if (name == main_name_) return true;
-  const int fd = open_beneath(name);
-  if (fd >= 0) close(fd);
-  return fd >= 0;
+  return OpenFile(open_beneath(name)).fd >= 0;
 }
 
 Assimp::IOStream* FolderFiles::Open(const char* name, const char* mode) {
   if (std::string_view(mode).find_first_of("wa+") != std::string_view::npos) return nullptr;
   if (name == main_name_) return new Assimp::MemoryIOStream(bytes_.data(), bytes_.size());
-  const int fd = open_beneath(name);
-  if (fd < 0) return nullptr;
-  struct stat status {};
-  fstat(fd, &status);
-  std::unique_ptr<Assimp::IOStream> stream;
-  try {
-    stream.reset(read_into_stream(fd, static_cast<std::size_t>(status.st_size)));
-  } catch (...) {
-    close(fd);
-    throw;
-  }
-  close(fd);
-  return stream.release();
+  const OpenFile file(open_beneath(name));
+  return file.fd < 0 ? nullptr : read_into_stream(file);
 }
 
 }  // namespace ibmfair

@@ -1,5 +1,5 @@
 // The process in which assimp reads a file for the library: what goes wrong in it ends nothing but
-// this process. Started by io/import_process.cpp, which io/import_reply.h tells what it hears.
+// this process. io/assimp_import.cpp starts it, io/import_reply.h says what it replies.
 #include <cerrno>
 #include <cstdlib>
 #include <memory>
@@ -88,7 +88,7 @@ void import_file(const std::string& path, const std::string& extension, std::siz
 
 int main(int argc, char** argv) {
   if (argc != 1 + ibmfair::import_arguments) return EXIT_FAILURE;
-  close_range(ibmfair::import_socket + 3, ~0U, 0);
+  close_range(STDERR_FILENO + 1, ~0U, 0);
   ibmfair::limit_resources(std::strtoull(argv[4], nullptr, 10),
                            std::strtoull(argv[5], nullptr, 10));
   try {

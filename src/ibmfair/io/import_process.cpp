@@ -73,10 +73,7 @@ ImportProcess::ImportProcess(const std::string& program, std::vector<std::string
 }
 
 ImportProcess::~ImportProcess() {
-  if (id_ > 0) {
-    kill(id_, SIGKILL);
-    end();
-  }
+  if (id_ > 0) end();
   close(socket_);
 }
 
@@ -96,7 +93,6 @@ bool ImportProcess::receive(void* data, std::size_t size) {
     if (count < 0 && errno == EINTR) continue;
     // It is too late, too, where it sends something now and then.
     timed_out_ = (count < 0 && errno == EAGAIN) || Clock::now() > deadline_;
-    if (timed_out_ && id_ > 0) kill(id_, SIGKILL);
     if (count <= 0 || timed_out_) return false;
     rest += count;
     size -= static_cast<std::size_t>(count);
@@ -106,10 +102,14 @@ bool ImportProcess::receive(void* data, std::size_t size) {
 
 ProcessEnd ImportProcess::end() {
   int status = 0;
-  pid_t ended = -1;
-  do {
-    ended = waitpid(id_, &status, 0);
-  } while (ended < 0 && errno == EINTR);
+  pid_t ended = waitpid(id_, &status, WNOHANG);
+  if (ended == 0) {
+    // What is ending keeps its exit code; what has only closed its socket would go on.
+    kill(id_, SIGKILL);
+    do {
+      ended = waitpid(id_, &status, 0);
+    } while (ended < 0 && errno == EINTR);
+  }
   id_ = -1;
   ProcessEnd result;
   result.timed_out = timed_out_;

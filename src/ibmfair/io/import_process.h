@@ -15,7 +15,7 @@ namespace ibmfair {
 struct ProcessEnd {
   int exit_code = -1;      ///< negative: it did not come to an end of its own
   int signal_number = 0;   ///< that ended it
-  bool timed_out = false;  ///< it had not said everything after too long, and was killed
+  bool timed_out = false;  ///< it had not said everything after too long
 };
 
 /// Its standard input is a socket for bytes both ways, its other streams lead nowhere.
@@ -25,7 +25,7 @@ class ImportProcess {
   /// be done after `patience`.
   ImportProcess(const std::string& program, std::vector<std::string> arguments,
                 std::chrono::seconds patience);
-  /// Kills it if it still runs.
+  /// Ends it if it still runs.
   ~ImportProcess();
   ImportProcess(const ImportProcess&) = delete;
   ImportProcess& operator=(const ImportProcess&) = delete;
@@ -36,7 +36,7 @@ class ImportProcess {
   /// Receives that many bytes; false where it sent fewer and then ended or was silent.
   bool receive(void* data, std::size_t size);
 
-  /// Waits for its end, which must be near: it has replied, or a call of `receive` has failed.
+  /// Ends it, unless it has come to its end already, and tells how it ended; to be called once.
   ProcessEnd end();
 
  private:
