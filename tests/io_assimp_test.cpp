@@ -6,6 +6,7 @@
 #include "ibmfair/base/errors.h"
 #include "ibmfair/io/formats.h"
 #include "support/files.h"
+#include "support/foreign_meshes.h"
 #include "support/mesh_io.h"
 
 namespace ibmfair::test {
@@ -44,6 +45,21 @@ TEST(AssimpFile, WeldsStlExactly) {
 TEST(AssimpFile, ReadsFromMemory) {
   const MeshFile file = MeshFiles::read(square_stl, "standard input", {.format = "stl"});
   EXPECT_EQ(file.mesh().X.rows(), 4);
+}
+
+TEST(AssimpFile, ReadsEveryForeignFormatFromFileAndMemory) {
+  const TemporaryDirectory directory;
+  for (const auto& [extension, bytes] : foreign_triangles()) {
+    SCOPED_TRACE(extension);
+    const std::string path = directory / ("triangle." + extension);
+    write_bytes(path, bytes);
+    const Points X = read_mesh(path).mesh().X;
+    EXPECT_EQ(X.rows(), 3);
+    EXPECT_EQ(MeshFiles::read(bytes, "standard input", {.format = extension}).mesh().X, X);
+    if (extension == "glb") {
+      EXPECT_EQ(MeshFiles::read(bytes, "standard input").mesh().X, X);  // told by its first bytes
+    }
+  }
 }
 
 TEST(AssimpFile, ReadsAFileWhoseNameDoesNotTellTheFormat) {

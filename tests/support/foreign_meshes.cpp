@@ -37,6 +37,18 @@ std::string threeds() {
   return chunk(0x4d4d, chunk(0x3d3d, object));
 }
 
+std::string glb() {
+  std::string text = triangle_gltf("");
+  text.erase(text.find(R"(,"uri":"")"), 9);
+  text.resize((text.size() + 3) / 4 * 4, ' ');
+  const std::string buffer = triangle_buffer();
+  const auto chunk = [](const std::string& type, const std::string& contents) {
+    return integers({static_cast<int>(contents.size())}, 4) + type + contents;
+  };
+  const std::string chunks = chunk("JSON", text) + chunk(std::string("BIN\0", 4), buffer);
+  return "glTF" + integers({2, 12 + static_cast<int>(chunks.size())}, 4) + chunks;
+}
+
 std::string amf() {
   std::string vertices;
   for (const std::string at : {"<x>0</x><y>0</y>", "<x>1</x><y>0</y>", "<x>0</x><y>1</y>"}) {
@@ -189,11 +201,11 @@ std::string triangle_gltf(const std::string& uri) {
 }
 
 std::vector<ForeignMesh> foreign_triangles() {
-  return {{"stl", stl()},   {"3ds", threeds()}, {"gltf", triangle_gltf(triangle_data_uri)},
-          {"dae", collada}, {"fbx", fbx},       {"amf", amf()},
-          {"x3d", x3d},     {"ac", ac},         {"ase", ase},
-          {"dxf", dxf},     {"nff", nff},       {"smd", smd},
-          {"x", direct_x}};
+  return {{"stl", stl()}, {"3ds", threeds()}, {"gltf", triangle_gltf(triangle_data_uri)},
+          {"glb", glb()}, {"dae", collada},   {"fbx", fbx},
+          {"amf", amf()}, {"x3d", x3d},       {"ac", ac},
+          {"ase", ase},   {"dxf", dxf},       {"nff", nff},
+          {"smd", smd},   {"x", direct_x}};
 }
 
 }  // namespace ibmfair::test

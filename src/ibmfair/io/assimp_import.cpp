@@ -40,6 +40,11 @@ std::string find_helper() {
   return {};
 }
 
+/// assimp tells binary glTF from text by its name alone.
+std::string extension_for_assimp(const SourceBytes& source, std::string_view extension) {
+  return std::string(source.view().starts_with("glTF") ? "glb" : extension);
+}
+
 }  // namespace
 
 ImportLimits import_limits(std::size_t file_size) {
@@ -56,10 +61,11 @@ ParsedMesh read_through_assimp(const SourceBytes& source, std::string_view exten
                                      helper_name, without_it));
   }
   try {
-    ImportProcess process(helper,
-                          {source.path(), std::string(extension), std::to_string(source.size()),
-                           std::to_string(limits.time.count()), std::to_string(limits.memory)},
-                          4 * limits.time);
+    ImportProcess process(
+        helper,
+        {source.path(), extension_for_assimp(source, extension), std::to_string(source.size()),
+         std::to_string(limits.time.count()), std::to_string(limits.memory)},
+        4 * limits.time);
     process.send(source.view());
     return receive_import(process, source, limits);
   } catch (const std::system_error& error) {
