@@ -1,6 +1,5 @@
 #include "ibmfair/io/mesh_file.h"
 
-#include <limits>
 #include <optional>
 #include <tuple>
 #include <utility>
@@ -50,6 +49,17 @@ std::pair<const Format*, std::string> choose_format(const SourceBytes& bytes,
   }
   if (bytes.size() == 0) fail_in_file(bytes, "the file is empty");
   fail_in_file(bytes, "cannot tell the mesh format; name it with --format");
+}
+
+void refuse_too_many_elements(const Mesh& mesh, const SourceBytes& bytes) {
+  const auto faces = static_cast<std::int64_t>(mesh.faces.first.size()) - 1;
+  const auto corners = static_cast<std::int64_t>(mesh.faces.corner.size());
+  if (mesh.X.rows() > most_elements || faces > most_elements || corners > 3 * most_elements) {
+    fail_in_file(bytes,
+                 fmt::format("{} vertices and {} faces of {} corners: {} of each, with {} "
+                             "corners, are the most that can be read",
+                             mesh.X.rows(), faces, corners, most_elements, 3 * most_elements));
+  }
 }
 
 /// Merges coincident vertices; leaves `result` empty where there are none.
@@ -131,11 +141,7 @@ MeshFile read_mesh(std::shared_ptr<const SourceBytes> bytes, const ReadOptions& 
   std::tie(contents->format, contents->extension) = choose_format(*contents->bytes, options.format);
   ParsedMesh& parsed = contents->parsed;
   parsed = contents->format->read(*contents->bytes, contents->extension);
-  constexpr std::int64_t most = std::numeric_limits<Index>::max();
-  if (parsed.mesh.X.rows() > most ||
-      parsed.mesh.faces.first.size() > static_cast<std::size_t>(most)) {
-    fail_in_file(*contents->bytes, "the mesh has more vertices or faces than can be numbered");
-  }
+  refuse_too_many_elements(parsed.mesh, *contents->bytes);
   if (parsed.mesh.X.rows() == 0) fail_in_file(*contents->bytes, "the mesh has no vertices");
   if (parsed.mesh.faces.size() == 0) fail_in_file(*contents->bytes, "the mesh has no faces");
   if (options.weld || contents->format->always_weld) {

@@ -2,12 +2,17 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
 #include "ibmfair/base/types.h"
 
 namespace ibmfair {
+
+/// Vertices, faces and triangles that a mesh may have at most, so that Index can number all that
+/// belongs to it: triangles have three edges each where they share none, edges two ends each.
+inline constexpr std::int64_t most_elements = std::numeric_limits<Index>::max() / 6;
 
 /// Faces of any number of corners, stored one after the other.
 struct Polygons {

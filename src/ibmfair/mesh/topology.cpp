@@ -13,6 +13,7 @@
 #include "ibmfair/mesh/edges.h"
 #include "ibmfair/mesh/fans.h"
 #include "ibmfair/mesh/geometry.h"
+#include "ibmfair/mesh/mesh.h"
 #include "ibmfair/mesh/orientation.h"
 #include "ibmfair/mesh/select.h"
 #include "ibmfair/mesh/union_find.h"

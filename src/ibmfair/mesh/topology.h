@@ -3,7 +3,6 @@
 #pragma once
 
 #include <cstdint>
-#include <limits>
 #include <vector>
 
 #include "ibmfair/base/rows.h"
@@ -79,14 +78,10 @@ struct Topology {
   std::int64_t euler_characteristic() const;
 };
 
-/// Vertices and triangles that a mesh may have at most, so that Index can number all that belongs
-/// to it: triangles have three edges each where they share none, edges have two ends each.
-inline constexpr std::int64_t most_elements = std::numeric_limits<Index>::max() / 6;
-
 /// Builds the connectivity of `F` (#F x 3, entries in 0 .. vertex_count - 1, in any orientation).
 /// Triangles listed in `zero_area` keep their place in the neighbourhood but carry no stencil.
 /// Linear in the size of the mesh. Throws BadMesh for more vertices or triangles than
-/// `most_elements`.
+/// `most_elements` (mesh/mesh.h).
 Topology build_topology(Index vertex_count, Triangles F, std::vector<Index> zero_area = {});
 
 /// The same with the zero-area triangles found by `degenerate_triangles` (mesh/geometry.h).
