@@ -51,7 +51,7 @@ struct Side {
 
 /// What the command found out, in words and for machines.
 struct Outcome {
-  ordered_json json;
+  ordered_json json = ordered_json::object();
   FigureList list;
   double largest_distance = 0.0;
 };
@@ -139,6 +139,7 @@ void compare_meshes(const Side& a, const Side& b, std::int64_t samples, Outcome&
   if (matching) {
     compare_matching(a, b, outcome);
   }
+  outcome.json["surface_distance"] = ordered_json::object();
   add_direction("surface A to B", "a_to_b",
                 directed_distance(a.mesh.X, a.F, b.mesh.X, b.F, samples), outcome);
   add_direction("surface B to A", "b_to_a",
@@ -150,7 +151,7 @@ void compare_meshes(const Side& a, const Side& b, std::int64_t samples, Outcome&
 void compare_with_surface(const Side& a, const ExactSurface& surface, const std::string& name,
                           Outcome& outcome) {
   const SurfaceDeviation deviation = deviation_from(surface, a.mesh.X, a.F);
-  ordered_json& json = outcome.json["exact_surface"];
+  ordered_json& json = outcome.json["exact_surface"] = ordered_json::object();
   json["surface"] = name;
   json["vertex_distance"] = statistics_json(deviation.distance);
   json["vertex_distance"]["vertex"] = deviation.distance.where;

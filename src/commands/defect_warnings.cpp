@@ -75,7 +75,8 @@ void warn_of_defects(const Topology& topology, bool strict, const Console& conso
 }
 
 ordered_json defects_json(const Topology& topology) {
-  ordered_json json;
+  // Not null: the library crashes where it makes an object of that and there is no memory.
+  ordered_json json = ordered_json::object();
   for (const Kind& kind : kinds) {
     ordered_json& list = json[kind.field] = ordered_json::array();
     for (const Index i : topology.defects.*kind.list) {

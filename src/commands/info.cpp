@@ -92,6 +92,7 @@ ordered_json to_json(const MeshFile& file, const Topology& topology, const Findi
   json["volume"] = optional_json(s.volume);
   json["bounding_box"] = {{"min", vector_json(s.smallest_corner)},
                           {"max", vector_json(s.largest_corner)}};
+  json["bending_energy"] = ordered_json::object();
   for (const Energy& energy : findings.energies) {
     json["bending_energy"][energy.model] = energy.value;
   }

@@ -124,6 +124,7 @@ ordered_json summary_json(const std::vector<Item>& items, const std::vector<Outc
                           double seconds) {
   ordered_json json = start_report("batch");
   json["seconds"] = seconds;
+  json["counts"] = ordered_json::object();
   for (const Status status : all_statuses) {
     json["counts"][name_of(status)] = total_of(outcomes, status).items;
   }
