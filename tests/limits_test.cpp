@@ -14,6 +14,7 @@
 #include "ibmfair/base/errors.h"
 #include "ibmfair/base/process_memory.h"
 #include "ibmfair/base/rows.h"
+#include "ibmfair/mesh/mesh.h"
 #include "ibmfair/mesh/topology.h"
 #include "support/files.h"
 #include "support/run_program.h"

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <set>
+#include <utility>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -67,8 +68,8 @@ long count_calls(const Fault& fault, const Words& words, RunOptions options) {
   return std::stol(read_bytes(directory / "count"));
 }
 
-WritingRun::WritingRun(const Words& words, const std::vector<std::string>& targets)
-    : words_(words) {
+WritingRun::WritingRun(Words words, const std::vector<std::string>& targets)
+    : words_(std::move(words)) {
   const auto make = [this](const Words& shape) {
     const RunResult made = run_program(Words{"make"} + shape, {.directory = folder()});
     EXPECT_EQ(made.exit_code, 0) << made.err;

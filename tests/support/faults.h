@@ -38,7 +38,7 @@ long count_calls(const Fault& fault, const Words& words, RunOptions options = {}
 class WritingRun {
  public:
   /// `targets` are the names of the files that the program writes for these words.
-  WritingRun(const Words& words, const std::vector<std::string>& targets);
+  WritingRun(Words words, const std::vector<std::string>& targets);
 
   const Words& words() const { return words_; }
   /// Whether other processes do the writing.
