@@ -1,0 +1,103 @@
+// Whatever the mesh and the options, the flow ends in finite places, with held vertices where they
+// were, the guarded one with no more energy than at its start; or it says why not, with the mesh as
+// it was. Run again, it gives the same bits.
+#include <cmath>
+#include <optional>
+
+#include "fuzz/small_mesh.h"
+#include "fuzz/targets.h"
+#include "ibmfair/base/errors.h"
+#include "ibmfair/energy/bending_energy.h"
+#include "ibmfair/flow/held_vertices.h"
+#include "ibmfair/flow/time_scale.h"
+#include "ibmfair/flow/willmore_flow.h"
+#include "ibmfair/mesh/geometry.h"
+
+namespace ibmfair::fuzz {
+
+namespace {
+
+struct FlowCase {
+  BoundaryCondition boundary = BoundaryCondition::fixed;
+  FlowOptions options;
+  double cutoff_edges = 8;
+
+  explicit FlowCase(Bytes& bytes) {
+    constexpr std::array models{"crouzeix-raviart", "lagrange"};
+    constexpr std::array solvers{"auto", "cholmod", "cg"};
+    constexpr std::array cutoffs{8.0, 1.0, 40.0, 1e-3, 1e4, 3.0};
+    const std::uint8_t kinds = bytes.next();
+    options.laplacian = models[kinds & 1];
+    options.mass = (kinds & 2) == 0;
+    options.metric = (kinds & 4) == 0 ? Metric::mass : Metric::identity;
+    options.guarded = (kinds & 8) == 0;
+    options.relax = (kinds & 16) == 0;
+    const bool short_moves = (kinds & 32) != 0;
+    options.solver = solvers[bytes.below(solvers.size())];
+    boundary = static_cast<BoundaryCondition>(bytes.below(3));
+    options.steps = 1 + bytes.below(4);
+    options.newton_iterations = 1 + bytes.below(3);
+    cutoff_edges = cutoffs[bytes.below(cutoffs.size())];
+    if (short_moves) options.max_move = 0.01;
+  }
+};
+
+/// Where a flow ended, or why it did not begin.
+struct Ending {
+  Points X;
+  FlowReport report;
+  std::string refusal;
+};
+
+Ending run(const Mesh& mesh, const Topology& topology, const std::vector<std::uint8_t>& held,
+           const FlowOptions& options) {
+  Ending ending{mesh.X, {}, {}};
+  try {
+    ending.report = willmore_flow(ending.X, topology, held, options);
+  } catch (const Error& error) {
+    ending.refusal = error.what();
+    law(!ending.refusal.empty(), "a refusal says why");
+    law(ending.X == mesh.X, "a flow that is refused moves nothing");
+  }
+  return ending;
+}
+
+double energy_of(const Points& X, const Topology& topology, const std::vector<std::uint8_t>& held,
+                 const FlowOptions& options) {
+  EnergyOptions energy{options.mass, held};
+  for (std::uint8_t& flag : energy.active)
+    flag = flag != 0 ? 0 : 1;
+  return bending_model(options.laplacian).bind(topology, energy)->energy(X);
+}
+
+}  // namespace
+
+void flow(std::string_view input) {
+  Bytes bytes(input);
+  FlowCase wanted(bytes);
+  const Mesh mesh = small_mesh(bytes);
+  if (mesh.faces.size() == 0) return;  // no reader returns such a mesh
+  const Topology topology = build_topology(mesh.X, triangulate(mesh).F);
+  const std::vector<std::uint8_t> held = held_vertices(topology, wanted.boundary);
+  FlowOptions& options = wanted.options;
+  const double cutoff = wanted.cutoff_edges * mean_edge_length(mesh.X, topology.E);
+  options.total_time = time_in_flow_units(time_for_cutoff(cutoff), mesh.X, topology, options);
+
+  const Ending once = run(mesh, topology, held, options);
+  law(once.X.rows() == mesh.X.rows() && once.X.allFinite(), "all ends in finite places");
+  for (Index v = 0; v < topology.vertex_count; ++v)
+    law(held[v] == 0 || once.X.row(v) == mesh.X.row(v), "held vertices stay where they are");
+  if (once.refusal.empty() && options.guarded) {
+    const FlowReport& report = once.report;
+    law(report.energy_after <= report.energy_before, "the report's energy does not rise");
+    if (report.unknowns > 0) {
+      const double before = energy_of(mesh.X, topology, held, options);
+      const double after = energy_of(once.X, topology, held, options);
+      law(after <= before, "the energy does not rise");
+    }
+  }
+  const Ending twice = run(mesh, topology, held, options);
+  law(twice.X == once.X && twice.refusal == once.refusal, "the same comes out again");
+}
+
+}  // namespace ibmfair::fuzz
