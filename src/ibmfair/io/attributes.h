@@ -11,7 +11,8 @@
 
 namespace ibmfair {
 
-/// Everything here is optional: an empty list says that the file has none of it.
+/// Everything here is optional: an empty list says that the file has none of it. All numbers are
+/// finite: what is not in the file is 0 here.
 struct MeshAttributes {
   /// Texture coordinates, shared by corners; a corner without one has -1.
   std::vector<std::array<double, 2>> texture_coordinates;

@@ -28,6 +28,12 @@ inline const char* parse_real(const char* p, const char* end, double& value) {
   return detail::parse_unusual_real(p, end, value);
 }
 
+/// The finite number that the text starts with, 0 where it starts with none.
+inline double real_or_zero(std::string_view text) {
+  double value = 0.0;
+  return parse_real(text.data(), text.data() + text.size(), value) != nullptr ? value : 0.0;
+}
+
 /// Reads the integer that starts at `p`, with or without a sign, and returns where it ends, or
 /// nullptr where there is none. Beyond 64 bits the value is the nearest one that 64 bits hold.
 inline const char* parse_integer(const char* p, const char* end, std::int64_t& value) {

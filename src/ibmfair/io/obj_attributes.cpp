@@ -24,10 +24,8 @@ void read_colour(ObjScanner& scan, Index vertex, MeshAttributes& attributes) {
   std::array<double, 4> rgba{1, 1, 1, 1};
   int columns = 0;
   for (; !scan.at_statement_end(); ++columns) {
-    const std::string_view text = scan.word();
-    if (columns < 4) {
-      parse_real(text.data(), text.data() + text.size(), rgba[static_cast<std::size_t>(columns)]);
-    }
+    const double value = scan.any_real();
+    if (columns < 4) rgba[static_cast<std::size_t>(columns)] = value;
   }
   if (columns != 3 && columns != 4) return;
   attributes.opacity = attributes.opacity || columns == 4;
@@ -116,12 +114,12 @@ CornerReferences read_corner_references(const SourceBytes& source) {
   while (scan.next_statement()) {
     const std::string_view keyword = scan.keyword();
     if (keyword == "vt") {
-      const double u = scan.real();
-      result.texture_coordinates.push_back({u, scan.at_statement_end() ? 0.0 : scan.real()});
+      const double u = scan.any_real();
+      result.texture_coordinates.push_back({u, scan.at_statement_end() ? 0.0 : scan.any_real()});
     } else if (keyword == "vn") {
-      const double x = scan.real();
-      const double y = scan.real();
-      result.normals.push_back({x, y, scan.real()});
+      const double x = scan.any_real();
+      const double y = scan.any_real();
+      result.normals.push_back({x, y, scan.any_real()});
     } else if (keyword == "f") {
       while (!scan.at_statement_end()) {
         const RawCorner corner = scan.corner();

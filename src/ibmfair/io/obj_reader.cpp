@@ -24,6 +24,7 @@ class Reader {
     reserve();
   }
 
+  /// What writing will need must be numbers: better to say so now than after all the work.
   void run() {
     while (scan_.next_statement()) {
       const std::string_view keyword = scan_.keyword();
@@ -32,8 +33,12 @@ class Reader {
       } else if (keyword == "f") {
         read_face();
       } else if (keyword == "vt") {
+        scan_.skip_number();
+        if (!scan_.at_statement_end()) scan_.skip_number();
         ++texture_count_;
       } else if (keyword == "vn") {
+        for (int c = 0; c < 3; ++c)
+          scan_.skip_number();
         ++normal_count_;
       }
     }

@@ -90,13 +90,14 @@ std::string_view ObjScanner::rest() {
   return {start, static_cast<std::size_t>(stop - start)};
 }
 
-void ObjScanner::skip_number() {
+double ObjScanner::any_real() {
   skip_blanks();
   const char* start = p_ != end_ && *p_ == '+' ? p_ + 1 : p_;
   double value = 0.0;
   const auto [after, error] = std::from_chars(start, end_, value);
   if (error == std::errc::invalid_argument || !is(*after, delimiter)) fail(p_, "not a number");
   p_ = after;
+  return std::isfinite(value) ? value : 0.0;
 }
 
 void ObjScanner::fail_at_real() const {

@@ -58,8 +58,12 @@ class ObjScanner {
     return value;
   }
 
-  /// Passes over a number of any value, "nan" included; throws BadFile for anything else.
-  void skip_number();
+  /// Reads a number of any value, "nan" included, as 0 where it is not finite; throws BadFile for
+  /// anything else.
+  double any_real();
+
+  /// Passes over such a number.
+  void skip_number() { any_real(); }
 
   /// Reads `v`, `v/t`, `v//n` or `v/t/n`; throws BadFile where it is none of these.
   RawCorner corner() {

@@ -89,16 +89,15 @@ void read_vertex_attributes(const SourceBytes& source, const Layout& layout,
       std::array<double, 4> rgba{0, 0, 0, 1};
       for (int c = 0; c < layout.colour_channels; ++c) {
         const std::string_view text = cursor.token();
-        rgba[static_cast<std::size_t>(c)] = 0.0;
-        parse_real(text.begin(), text.end(), rgba[static_cast<std::size_t>(c)]);
+        rgba[static_cast<std::size_t>(c)] = real_or_zero(text);
         // Whole numbers count to 255, fractions to 1.
         if (text.find('.') != std::string_view::npos) attributes.byte_colours = false;
       }
       attributes.colours.push_back(rgba);
     }
     if (layout.texture) {
-      const double s = cursor.real();
-      attributes.texture_coordinates.push_back({s, cursor.real()});
+      const double s = real_or_zero(cursor.token());
+      attributes.texture_coordinates.push_back({s, real_or_zero(cursor.token())});
     }
   }
 }

@@ -28,7 +28,13 @@ void skip_elements_before(const Layout& layout, std::size_t element, Body& body)
   body.start_element(layout.header.elements[element]);
 }
 
-/// Reads scalar vertex properties as numbers: one row of `values` a vertex, a column a property.
+/// No format that an attribute may go to holds nan or an infinity.
+double finite_or_zero(double value) {
+  return std::isfinite(value) ? value : 0.0;
+}
+
+/// Reads scalar vertex properties as finite numbers: one row of `values` a vertex, a column a
+/// property.
 std::vector<double> read_columns(const SourceBytes& source, const Layout& layout,
                                  const std::vector<int>& columns) {
   const Element& vertex = layout.vertices();
@@ -44,7 +50,7 @@ std::vector<double> read_columns(const SourceBytes& source, const Layout& layout
         } else {
           const auto at = static_cast<std::size_t>(row) * columns.size() +
                           static_cast<std::size_t>(column - columns.begin());
-          values[at] = body.any_real(vertex.properties[i].type);
+          values[at] = finite_or_zero(body.any_real(vertex.properties[i].type));
         }
       }
       body.end_row();
@@ -125,7 +131,7 @@ void read_face_texture(const SourceBytes& source, const Layout& layout, const Me
         const std::int64_t count = body.count(property);
         std::vector<double> values(static_cast<std::size_t>(count));
         for (double& value : values)
-          value = body.any_real(property.type);
+          value = finite_or_zero(body.any_real(property.type));
         if (count != 2 * corners) continue;
         for (std::int64_t c = 0; c < corners; ++c) {
           const auto at = static_cast<std::size_t>(c);
