@@ -12,6 +12,7 @@
 #include "ibmfair/base/errors.h"
 #include "ibmfair/base/huge_pages.h"
 #include "ibmfair/base/process_memory.h"
+#include "ibmfair/base/short_text.h"
 
 namespace ibmfair {
 namespace {
@@ -60,15 +61,10 @@ void require_unchanged(const struct stat& before, int fd, const std::string& nam
   }
 }
 
-/// The word at `where`, shortened and with anything unprintable replaced.
+/// The word at `where`.
 std::string quote(const SourceBytes& source, const char* where) {
-  std::string text;
-  for (const char* p = where; p != source.end() && text.size() < longest_quote; ++p) {
-    const auto c = static_cast<unsigned char>(*p);
-    if (c == ' ' || (c >= '\t' && c <= '\r')) break;
-    text += c < ' ' || c == 0x7f ? '?' : *p;
-  }
-  return text;
+  const std::string_view rest(where, static_cast<std::size_t>(source.end() - where));
+  return short_text(rest.substr(0, rest.find_first_of(" \t\n\v\f\r")), longest_quote);
 }
 
 }  // namespace
@@ -132,18 +128,19 @@ void fail_in_text(const SourceBytes& source, const char* where, std::string_view
   const std::string found = !text.empty()           ? fmt::format(" in '{}'", text)
                             : where == source.end() ? " at the end of the file"
                                                     : " at the end of the line";
-  throw BadFile(
-      fmt::format("{}:{}:{}: {}{}", source.name(), line, where - line_start + 1, message, found));
+  throw BadFile(fmt::format("{}:{}:{}: {}{}", source.name(), line, where - line_start + 1,
+                            short_text(message), found));
 }
 
 void fail_in_binary(const SourceBytes& source, std::string_view element, std::int64_t row,
                     const char* where, std::string_view message) {
-  throw BadFile(fmt::format("{}: {} {} (byte {}): {}", source.name(), element, row,
-                            where - source.begin(), message));
+  throw BadFile(fmt::format("{}: {} {} (byte {}): {}", source.name(),
+                            short_text(element, longest_quote), row, where - source.begin(),
+                            short_text(message)));
 }
 
 void fail_in_file(const SourceBytes& source, std::string_view message) {
-  throw BadFile(fmt::format("{}: {}", source.name(), message));
+  throw BadFile(fmt::format("{}: {}", source.name(), short_text(message)));
 }
 
 }  // namespace ibmfair
