@@ -15,7 +15,8 @@ namespace {
 void end_text(std::string_view text, std::string_view line_end, AtomicFile& out) {
   const std::size_t last = text.find_last_not_of("\r\n");
   if (last == text.size() - 1) out.write(line_end);
-  if (text[last] == '\\') out.write(line_end);
+  // Behind a carriage return a line feed would only make the pair that is one end.
+  if (text[last] == '\\') out.write(text.back() == '\r' ? "\r" : line_end);
 }
 
 /// Rows of one kind, `vt` or `vn`.
