@@ -141,6 +141,7 @@ Eigen::MatrixXd extend_values(const Extension& extension, const Eigen::MatrixXd&
 Eigen::MatrixXd in_order_of_rim(const Extension& extension, const std::vector<Index>& sorted_rim,
                                 const Eigen::MatrixXd& values) {
   Eigen::MatrixXd result(extension.rim.size(), values.cols());
+  if (values.cols() == 0) return result;  // rows without numbers have no place in memory
   for (std::size_t i = 0; i < extension.rim.size(); ++i) {
     const std::size_t place = position_in(sorted_rim, extension.rim[i]);
     result.row(static_cast<Eigen::Index>(i)) = values.row(static_cast<Eigen::Index>(place));
