@@ -57,7 +57,10 @@ void find_outer_borders(const Points& X, const Topology& topology, std::vector<H
   std::vector<double> area(static_cast<std::size_t>(topology.component_count), 0);
   const Eigen::VectorXd areas = triangle_areas(X, topology.F);
   for (Index t = 0; t < topology.F.rows(); ++t) {
-    area[topology.component[topology.F(t, 0)]] += areas[t];
+    // The vertices of triangles that repeat a corner may be in no component.
+    if (const Index component = topology.component[topology.F(t, 0)]; component >= 0) {
+      area[component] += areas[t];
+    }
   }
   std::vector<Hole*> longest(area.size(), nullptr);
   for (Hole& hole : holes) {
