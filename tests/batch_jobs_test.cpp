@@ -121,6 +121,8 @@ struct BadList {
 
 TEST_F(BatchTest, BadJobFilesAreRefusedBeforeAnythingRuns) {
   const std::string good = R"({"command": "make", "shape": "cube", "output": "good.off"})";
+  constexpr std::size_t levels = 100000;  // more than a stack of 8 MiB holds
+  const std::string nested = std::string(levels, '[') + std::string(levels, ']');
   const std::vector<BadList> lists{
       {"", 3, {"jobs.json:1:1:"}},
       {"{\"jobs\": [\n  {\"command\": \"make\",}\n]}", 3, {"jobs.json:2:22:"}},
@@ -129,6 +131,8 @@ TEST_F(BatchTest, BadJobFilesAreRefusedBeforeAnythingRuns) {
       {R"({"jobs": [GOOD], "job": 1})", 3, {"'job'", "did you mean 'jobs'"}},
       {R"({"jobs": [GOOD, 7]})", 3, {"job 2:", "object"}},
       {R"({"jobs": [GOOD, {"command": "make", "command": "info"}]})", 3, {"'command'", "twice"}},
+      {R"({"jobs": [GOOD, {"command": "make", "shape": 1e999}]})", 3, {"jobs.json:", "1e999"}},
+      {R"({"jobs": [GOOD, )" + nested + "]}", 3, {"jobs.json:", "nested more than 100 deep"}},
       {R"({"jobs": [GOOD, {"shape": "cube"}]})", 3, {"job 2:", "'command'"}},
       {R"({"jobs": [GOOD, {"command": "smoth"}]})", 2, {"job 2:", "did you mean 'smooth'"}},
       {R"({"jobs": [GOOD, {"command": "batch", "jobs": "x"}]})", 3, {"job 2:", "batch"}},

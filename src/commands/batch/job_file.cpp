@@ -15,6 +15,7 @@
 #include "commands/command_line.h"
 #include "commands/suggest.h"
 #include "ibmfair/base/errors.h"
+#include "ibmfair/base/short_text.h"
 
 namespace ibmfair::commands {
 
@@ -23,7 +24,7 @@ namespace {
 using nlohmann::ordered_json;
 
 [[noreturn]] void fail(const std::string& place, const std::string& key, const std::string& text) {
-  throw BadFile(fmt::format("{}key '{}': {}", place, key, text));
+  throw BadFile(fmt::format("{}key '{}': {}", place, short_text(key, 40), short_text(text)));
 }
 
 /// An option's or argument's value as the command line would have it.
@@ -40,7 +41,7 @@ std::string scalar_text(const ordered_json& value, const std::string& place,
   if (value.is_number()) {
     return value.dump();
   }
-  fail(place, key, fmt::format("a text or a number is needed, not {}", value.dump()));
+  fail(place, key, fmt::format("a text or a number is needed, not {}", shown(value)));
 }
 
 std::vector<std::string> texts(const ordered_json& value, const std::string& place,
@@ -76,7 +77,7 @@ struct Entry {
 
 Entry checked_entry(const ordered_json& json, const std::string& place) {
   if (!json.is_object()) {
-    throw BadFile(fmt::format("{}an object is needed, not {}", place, json.dump()));
+    throw BadFile(fmt::format("{}an object is needed, not {}", place, shown(json)));
   }
   Entry entry{json, place, json.value("options", ordered_json::object())};
   if (!entry.options.is_object()) {
@@ -131,7 +132,7 @@ class JobReader {
     }
     const ordered_json& command = source.json["command"];
     if (!command.is_string()) {
-      fail(source.place, "command", fmt::format("a text is needed, not {}", command.dump()));
+      fail(source.place, "command", fmt::format("a text is needed, not {}", shown(command)));
     }
     if (command == "batch") {
       fail(source.place, "command", "a batch cannot hold a batch");
@@ -208,7 +209,7 @@ class JobReader {
     if (is_flag(option) != value.is_boolean()) {
       fail(place, "options." + key,
            fmt::format("{} is needed, not {}", is_flag(option) ? "true or false" : "a value",
-                       value.dump()));
+                       shown(value)));
     }
     if (is_flag(option)) {
       if (value.get<bool>()) {

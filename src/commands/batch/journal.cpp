@@ -13,6 +13,7 @@
 #include <sys/file.h>
 #include <unistd.h>
 
+#include "commands/batch/json_text.h"
 #include "commands/exit_code.h"
 #include "ibmfair/base/errors.h"
 
@@ -141,14 +142,16 @@ JournalRecord::JournalRecord(const std::vector<std::string>& paths) {
       try {
         read_line(line);
       } catch (const ordered_json::exception&) {
-        continue;  // half-written, or of another version
+        continue;  // of another version
+      } catch (const BadFile&) {
+        continue;  // half-written
       }
     }
   }
 }
 
 void JournalRecord::read_line(const std::string& line) {
-  const ordered_json json = ordered_json::parse(line);
+  const ordered_json json = parse_json_text(line, "journal");
   const auto key = json.at("key").get<std::string>();
   if (json.at("event") == "start") {
     started_.insert(key);

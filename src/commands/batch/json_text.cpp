@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "ibmfair/base/errors.h"
+#include "ibmfair/base/short_text.h"
 
 namespace ibmfair::commands {
 
@@ -15,11 +16,13 @@ namespace {
 
 using nlohmann::ordered_json;
 
-/// What is left of the parser's message without its own code and place.
-std::string reason_of(const ordered_json::parse_error& error) {
+constexpr std::size_t longest_value = 40;
+
+/// What is left of the parser's message behind its own code and place.
+std::string reason_of(const ordered_json::exception& error, std::string_view start) {
   const std::string text = error.what();
-  const std::size_t start = text.find("syntax error");
-  return start == std::string::npos ? text : text.substr(start);
+  const std::size_t at = text.find(start);
+  return short_text(at == std::string::npos ? text : text.substr(at));
 }
 
 [[noreturn]] void fail_at(std::string_view text, const std::string& name,
@@ -29,7 +32,7 @@ std::string reason_of(const ordered_json::parse_error& error) {
   const std::string_view before = text.substr(0, at);
   const auto line = 1 + std::count(before.begin(), before.end(), '\n');
   const std::size_t column = at - (before.rfind('\n') + 1) + 1;
-  throw BadFile(fmt::format("{}:{}:{}: {}", name, line, column, reason_of(error)));
+  throw BadFile(fmt::format("{}:{}:{}: {}", name, line, column, reason_of(error, "syntax error")));
 }
 
 /// What no job file needs: the parser itself would take the last of several values silently, and
@@ -49,7 +52,8 @@ class Scrutiny {
     } else if (event == ordered_json::parse_event_t::key) {
       const auto key = value.get<std::string>();
       if (!open_.back().insert(key).second) {
-        throw BadFile(fmt::format("{}: the key '{}' stands twice in one object", name_, key));
+        throw BadFile(fmt::format("{}: the key '{}' stands twice in one object", name_,
+                                  short_text(key, longest_value)));
       }
     }
     return true;
@@ -77,7 +81,13 @@ ordered_json parse_json_text(std::string_view text, const std::string& name) {
         with_exceptions, with_comments);
   } catch (const ordered_json::parse_error& error) {
     fail_at(text, name, error);
+  } catch (const ordered_json::out_of_range& error) {
+    throw BadFile(fmt::format("{}: {}", name, reason_of(error, "number overflow")));
   }
+}
+
+std::string shown(const ordered_json& value) {
+  return short_text(value.dump(), longest_value);
 }
 
 }  // namespace ibmfair::commands

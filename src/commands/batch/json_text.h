@@ -13,4 +13,7 @@ namespace ibmfair::commands {
 /// one for values nested so deeply that looking at them could exhaust the stack.
 nlohmann::ordered_json parse_json_text(std::string_view text, const std::string& name);
 
+/// A value as a message shows it: its first few characters.
+std::string shown(const nlohmann::ordered_json& value);
+
 }  // namespace ibmfair::commands
