@@ -39,11 +39,18 @@ Transform to_double(const aiMatrix4x4& matrix) {
 class SceneReader {
  public:
   SceneReader(const aiScene& scene, ImportedScene& result) : scene_(scene), result_(result) {
+    std::size_t vertices = 0, faces = 0;
     for (unsigned i = 0; i < scene.mNumMeshes; ++i) {
+      vertices += scene.mMeshes[i]->mNumVertices;
+      faces += scene.mMeshes[i]->mNumFaces;
       any_texture_ = any_texture_ || scene.mMeshes[i]->HasTextureCoords(0);
       any_colours_ = any_colours_ || scene.mMeshes[i]->HasVertexColors(0);
       result_.normals = result_.normals || scene.mMeshes[i]->HasNormals();
     }
+    // Enough where every mesh is shown once and consists of triangles.
+    result_.positions.reserve(3 * vertices);
+    result_.first.reserve(faces + 1);
+    result_.corner.reserve(3 * faces);
   }
 
   void run() {
