@@ -122,9 +122,9 @@ void expect_every_allocation_may_fail(const Words& words, const std::string& tar
 }
 
 TEST_F(EveryFault, AnAllocationThatFailsIsAnErrorOrDoesNotMatter) {
-  expect_every_allocation_may_fail({"smooth", "in.ply", "out.ply", "--steps", "1"}, "out.ply", 250,
+  expect_every_allocation_may_fail({"smooth", "in.ply", "out.ply", "--steps", "1"}, "out.ply", 200,
                                    1);
-  expect_every_allocation_may_fail({"fill", "holed.off", "out.off", "--all"}, "out.off", 250, 1);
+  expect_every_allocation_may_fail({"fill", "holed.off", "out.off", "--all"}, "out.off", 160, 1);
   expect_every_allocation_may_fail({"make", "torus", "out.obj"}, "out.obj", 50, 1);
   expect_every_allocation_may_fail({"info", "in.ply", "--report", "report.json"}, "report.json",
                                    150, 1);
