@@ -208,10 +208,11 @@ void check_formats(const SmoothArguments& arguments, const MeshFile& file) {
 /// What is left of the flow, in time steps of about the same length.
 std::string way_on(const SmoothFigures& figures, int steps) {
   const double left = figures.total_time - figures.flow.time_reached;
-  if (!(left > 0)) {
+  const double share = left / figures.total_time;
+  if (!(share > 1e-9)) {
     return "the flow was complete";
   }
-  const double count = std::ceil(left / figures.total_time * steps - 1e-6);
+  const double count = std::max(1.0, std::ceil(share * steps - 1e-6));
   return fmt::format("`smooth` goes on from it with --steps {:.0f} --time-step {}, no --cutoff",
                      count, left / count);
 }
