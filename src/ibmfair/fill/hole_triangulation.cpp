@@ -21,11 +21,14 @@ struct Corners {
 /// cubic algorithm minutes.
 constexpr Eigen::Index longest_cubic = 400;
 
-std::vector<Point> points(const Points& X) {
+/// Closed by its first point. CGAL would do so itself, but for a polygon whose first and last
+/// corner happen to lie at one place.
+std::vector<Point> closed_points(const Points& X) {
   std::vector<Point> result;
   for (const auto x : X.rowwise()) {
     result.emplace_back(x[0], x[1], x[2]);
   }
+  result.push_back(result.front());
   return result;
 }
 
@@ -37,7 +40,7 @@ Triangles triangulate_hole(const Points& loop, const Points& apex) {
   CGAL::get_default_random() = CGAL::Random(0);
   std::vector<Corners> found;
   CGAL::Polygon_mesh_processing::triangulate_hole_polyline(
-      points(loop), points(apex), std::back_inserter(found),
+      closed_points(loop), closed_points(apex), std::back_inserter(found),
       CGAL::parameters::use_delaunay_triangulation(true).do_not_use_cubic_algorithm(loop.rows() >
                                                                                     longest_cubic));
   Triangles F(static_cast<Eigen::Index>(found.size()), 3);
