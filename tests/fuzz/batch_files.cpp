@@ -1,5 +1,6 @@
 // Any bytes, read as a job file, are jobs whose arguments can be put together, or are refused with
-// a message; read as the journal of a killed batch, they say what they can and hold nothing up.
+// a message; read as the journal of a killed batch, they say what they can and hold nothing up, or
+// are left as they are.
 #include <CLI/CLI.hpp>
 
 #include "commands/batch/job_file.h"
@@ -51,10 +52,14 @@ void as_journal(std::string_view bytes) {
   static const test::TemporaryDirectory directory;
   const std::string path = directory / "journal";
   test::write_bytes(path, bytes);
-  {
+  try {
     commands::Journal journal(path);
     journal.add_start("new");
     journal.add_end("new", {});
+  } catch (const CannotWrite& error) {
+    law(test::read_bytes(path) == bytes, "what is no journal is left as it is");
+    law(std::string_view(error.what()).starts_with(path + ": "), "a refusal names the file");
+    return;
   }
   const commands::JournalRecord record({path});
   law(record.started("new"), "what is noted after a killed run is read");
