@@ -202,7 +202,7 @@ TEST(Extension, OfEveryReadableFileIsReadBack) {
       }
     }
   }
-  EXPECT_GT(read, 30);
+  EXPECT_GT(read, 40);
 }
 
 TEST(Extension, OfAWeldedFileIsGenerated) {

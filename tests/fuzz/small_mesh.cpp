@@ -62,9 +62,10 @@ Draft grid(Surface surface, Index columns, Index rows, bool triangles) {
   const Index height = across ? rows : rows + 1;
   Draft draft;
   for (Index j = 0; j < height; ++j) {
-    for (Index i = 0; i < width; ++i)
+    for (Index i = 0; i < width; ++i) {
       draft.X.push_back(
           place(surface, static_cast<double>(i) / columns, static_cast<double>(j) / rows));
+    }
   }
   const auto at = [&](Index i, Index j) {
     const bool seam = i >= width;
