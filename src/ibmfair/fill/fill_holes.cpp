@@ -70,6 +70,14 @@ class HoleFiller {
       return;
     }
     HoleReport report = refined_and_faired(*group.patch, group.most_vertices);
+    if (!group.patch->X.allFinite()) {  // no predicate is defined there
+      group.patch.reset();
+      for (const Index hole : group.holes) {
+        group.reports.push_back(
+            report_of(hole, HoleStatus::failed, "its coordinates are too large to compute with"));
+      }
+      return;
+    }
     const std::vector<Index> nearest = nearest_rim_edges(*group.patch);
     for (const Index hole : group.holes) {
       report.hole = hole;
