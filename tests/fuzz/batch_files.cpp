@@ -1,6 +1,8 @@
 // Any bytes, read as a job file, are jobs whose arguments can be put together, or are refused with
 // a message; read as the journal of a killed batch, they say what they can and hold nothing up, or
 // are left as they are.
+#include <algorithm>
+
 #include <CLI/CLI.hpp>
 
 #include "commands/batch/job_file.h"
@@ -40,7 +42,11 @@ void as_jobs(std::string_view bytes) {
   try {
     jobs = commands::parse_jobs(bytes, "jobs");
   } catch (const BadFile& error) {
-    require_clear(error, "jobs", bytes);
+    // In JSON, a carriage return alone ends no line, as it does in the texts that require_clear
+    // knows.
+    std::string text(bytes);
+    std::replace(text.begin(), text.end(), '\r', ' ');
+    require_clear(error, "jobs", text);
   } catch (const BadOption& error) {
     law(std::string_view(error.what()).starts_with("jobs: "), "a refusal says where");
   }
