@@ -334,9 +334,10 @@ void add_fairing_options(CLI::App& app, FillArguments& a) {
            "normal gradient at which a patch is stationary, relative to its start (default 1e-3)");
   add_integer(app, "--max-steps", a.fill.fairing.most_steps, 1, 1'000'000,
               "steps at each level of refinement before giving up (default 100)");
-  add_integer(app, "--max-new-vertices", a.fill.most_new_vertices, Index{1}, most,
-              "in all holes together (default: as many as the mesh has, at least 100000, and half the "
-              "square of its edges in a hole)");
+  add_integer(
+      app, "--max-new-vertices", a.fill.most_new_vertices, Index{1}, most,
+      "in all holes together (default: as many as the mesh has, at least 100000, and half the "
+      "square of its edges in a hole)");
   add_bytes(
       app, "--memory", a.fill.fairing.memory_limit,
       "memory that the program may take, as in 800M or 4G: a patch that needs more is refused "

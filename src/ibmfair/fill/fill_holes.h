@@ -20,8 +20,8 @@ struct FillOptions {
   bool refine = true;  ///< false: no new vertices, but where an edge of the mesh is in the way
   bool fair = true;
   int rim_smooth = 0;  ///< rings of vertices outside that may move, the loop being the first
-  /// In all holes together; 0: as many as the mesh has, or 100,000, and in a hole of n edges half the
-  /// square of n: several times what a patch like a half sphere needs, not what a balloon does.
+  /// In all holes together; 0: as many as the mesh has, or 100,000, and in a hole of n edges half
+  /// the square of n: several times what a patch like a half sphere needs, not what a balloon does.
   Index most_new_vertices = 0;
 };
 
