@@ -281,6 +281,31 @@ TEST(FillRegion, AFlattenedCapBecomesRoundAgain) {
       BadOption);
 }
 
+TEST(FillRegion, EvensOutIfAsked) {
+  const State state(sphere(4));
+  std::vector<std::uint8_t> region(static_cast<std::size_t>(state.X.rows()), 0);
+  Points X = shaken(state, 0.25);
+  for (Index v = 0; v < state.topology.vertex_count; ++v) {
+    region[v] = state.X(v, 2) > 0.7 ? 1 : 0;
+    if (!region[v]) {
+      X.row(v) = state.X.row(v);
+    }
+  }
+  Points as_it_is = X, relaxed = X;
+  FairingOptions options;
+  EXPECT_TRUE(fair_region(as_it_is, state.topology, region, options).fairing.converged);
+  options.relax = true;
+  EXPECT_TRUE(fair_region(relaxed, state.topology, region, options).fairing.converged);
+  const auto unevenness = [&](const Points& Y) {
+    return (triangle_areas(Y, state.topology.F) - triangle_areas(state.X, state.topology.F)).norm();
+  };
+  EXPECT_LT(unevenness(relaxed), 0.5 * unevenness(as_it_is));
+  EXPECT_LT((relaxed.rowwise().norm().array() - 1).abs().maxCoeff(), 0.003);
+  for (Index v = 0; v < state.topology.vertex_count; ++v) {
+    ASSERT_TRUE(region[v] || relaxed.row(v) == state.X.row(v));
+  }
+}
+
 TEST(HarmonicExtension, KeepsConstantsAndTheRangeOfTheRim) {
   const State state = icosphere_without_cap(3, 60);
   const Filling filling = fill_all(state);

@@ -43,6 +43,7 @@ struct FillArguments {
   FillOptions fill;
   bool no_fair = false, no_refine = false, no_mass = false;
   std::string region;
+  std::string tangential = "none";
 };
 
 /// The region of all vertices but the two rings along open boundaries.
@@ -60,6 +61,7 @@ FillOptions fill_options(const FillArguments& arguments) {
   options.fair = !arguments.no_fair;
   options.refine = !arguments.no_refine;
   options.fairing.mass = !arguments.no_mass;
+  options.fairing.relax = arguments.tangential == "relax";
   return options;
 }
 
@@ -307,13 +309,19 @@ void add_choice_options(CLI::App& app, FillArguments& a) {
              "lengths, or with % of the bounding box's diagonal");
   add_length(app, "--max-diameter", a.max_diameter, Length::Unit::absolute,
              "the same for the diagonal of a hole's bounding box");
-  app.add_option(
-         "--region", a.region,
-         "fair a part of the mesh again instead: the inner vertices of an OBJ group, "
-         "object or material, the vertices whose PLY property is not zero, or those "
-         "listed in a file, counted from 0; @all are all but the two rings of vertices along "
-         "open boundaries")
-      ->type_name(name_or_file_to_read);
+  auto* region =
+      app.add_option(
+             "--region", a.region,
+             "fair a part of the mesh again instead: the inner vertices of an OBJ group, "
+             "object or material, the vertices whose PLY property is not zero, or those "
+             "listed in a file, counted from 0; @all are all but the two rings of vertices along "
+             "open boundaries")
+          ->type_name(name_or_file_to_read);
+  app.add_option("--tangential", a.tangential,
+                 "relax or none: even out the vertices of the region within the surface, which new "
+                 "patches always do (default none)")
+      ->check(CLI::IsMember({"relax", "none"}))
+      ->needs(region);
 }
 
 void add_fairing_options(CLI::App& app, FillArguments& a) {

@@ -62,10 +62,10 @@ double first_length(const Patch& patch) {
 /// The flow on the patch's present triangles.
 class Stage {
  public:
-  Stage(const Patch& patch, const FlowOptions& options, double h, double h_limit)
+  Stage(const Patch& patch, const FlowOptions& options, double h, double h_limit, bool normal_only)
       : topology_(build_topology(patch.X, all_triangles(patch))),
         held_(held_vertices(patch, topology_)),
-        flow_(patch.X, topology_, held_, options, h, h_limit, patch.own_size() > 0) {}
+        flow_(patch.X, topology_, held_, options, h, h_limit, normal_only) {}
 
   StationaryFlow& flow() { return flow_; }
 
@@ -115,7 +115,7 @@ class PatchFairing {
   double gradient_ratio() { return start_ > 0 ? flow().normal_gradient() / start_ : 0; }
 
   void rebuild() {
-    stage_ = std::make_unique<Stage>(patch_, flow_options_, h_, h_limit_);
+    enter_stage();
     if (report_.levels++ == 0) {
       start_ = flow().normal_gradient();
       report_.energy_before = flow().energy();
@@ -125,14 +125,24 @@ class PatchFairing {
   void follow() {
     const Triangles before = patch_.net.triangles();
     patch_.X = flow().X();
-    even_out(patch_, 1);
+    if (patch_.own_size() > 0) {
+      even_out(patch_, 1);
+    } else {
+      relax(patch_, 0);
+    }
     if (patch_.net.triangles() == before) {
       Points X = patch_.X;
       flow().move_to(X);
       return;
     }
     close_stage();
-    stage_ = std::make_unique<Stage>(patch_, flow_options_, h_, h_limit_);
+    enter_stage();
+  }
+
+  void enter_stage() {
+    // What is evened out within the surface moves under the flow along its normal only.
+    const bool normal_only = patch_.own_size() > 0 || options_.relax;
+    stage_ = std::make_unique<Stage>(patch_, flow_options_, h_, h_limit_, normal_only);
   }
 
   /// Takes over what the present stage reached and what it cost.
@@ -182,7 +192,7 @@ void FairingOptions::validate() const {
 
 FairingReport fair(Patch& patch, const FairingOptions& options) {
   PatchFairing fairing(patch, options);
-  fairing.run(false, true);
+  fairing.run(options.relax, true);
   return fairing.report();
 }
 

@@ -15,6 +15,7 @@ struct FairingOptions {
   double tolerance = 1e-3;             ///< of the normal gradient, relative to its start
   int most_steps = 100;                ///< at one level of refinement
   int most_levels = 32;                ///< of refinement
+  bool relax = false;  ///< `fair` evens the free vertices out, too, while the surface takes shape
   double memory_limit = std::numeric_limits<double>::infinity();  ///< of the whole process, bytes
 
   /// Throws BadOption where a value cannot be used.
@@ -32,7 +33,7 @@ struct FairingReport {
 
 /// Takes the patch's free vertices to the stationary point of E_b on its present triangles, all
 /// others held. Converged means that the normal gradient fell below the tolerance and that the last
-/// step moved no vertex along its normal by more than a thousandth of the edges there. Throws
+/// step moved no vertex along its normal by more than four thousandths of the edges there. Throws
 /// OutOfMemory where the patch would need more than there is, or than the limit.
 FairingReport fair(Patch& patch, const FairingOptions& options);
 

@@ -163,33 +163,34 @@ void split_taken_edges(Patch& patch) {
   patch.wanted = patch.spacing;
 }
 
-void even_out(Patch& patch, int sweeps) {
+void relax(Patch& patch, Index first) {
   const Index n = patch.size();
-  Points sum(n, 3), normal(n, 3);
+  Points sum = Points::Zero(n, 3), normal = Points::Zero(n, 3);
   std::vector<double> count(n);
+  for (Index t = 0; t < patch.net.size(); ++t) {
+    const auto& x = patch.net[t];
+    const Vec3 N = double_area_vector(patch.X.row(x[0]), patch.X.row(x[1]), patch.X.row(x[2]));
+    for (int i = 0; i < 3; ++i) {
+      normal.row(x[i]) += N;
+      sum.row(x[i]) += patch.X.row(x[(i + 1) % 3]) + patch.X.row(x[(i + 2) % 3]);
+      count[x[i]] += 2;
+    }
+  }
+  for (Index v = first; v < n; ++v) {
+    if (!patch.free[v] || count[v] == 0) {
+      continue;
+    }
+    Vec3 step = (sum.row(v) / count[v] - patch.X.row(v)) / 2;
+    const Vec3 N = normal.row(v);
+    const double squared = N.squaredNorm();
+    step -= squared > 0 ? Vec3(N * (N.dot(step) / squared)) : step;
+    patch.X.row(v) += step;
+  }
+}
+
+void even_out(Patch& patch, int sweeps) {
   for (int sweep = 0; sweep < sweeps; ++sweep) {
-    sum.setZero();
-    normal.setZero();
-    std::fill(count.begin(), count.end(), 0.0);
-    for (Index t = 0; t < patch.net.size(); ++t) {
-      const auto& x = patch.net[t];
-      const Vec3 N = double_area_vector(patch.X.row(x[0]), patch.X.row(x[1]), patch.X.row(x[2]));
-      for (int i = 0; i < 3; ++i) {
-        normal.row(x[i]) += N;
-        sum.row(x[i]) += patch.X.row(x[(i + 1) % 3]) + patch.X.row(x[(i + 2) % 3]);
-        count[x[i]] += 2;
-      }
-    }
-    for (Index v = patch.own_from; v < n; ++v) {
-      if (!patch.free[v] || count[v] == 0) {
-        continue;
-      }
-      Vec3 step = (sum.row(v) / count[v] - patch.X.row(v)) / 2;
-      const Vec3 N = normal.row(v);
-      const double squared = N.squaredNorm();
-      step -= squared > 0 ? Vec3(N * (N.dot(step) / squared)) : step;
-      patch.X.row(v) += step;
-    }
+    relax(patch, patch.own_from);
     flip_to_delaunay(patch);
   }
 }

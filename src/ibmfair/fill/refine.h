@@ -23,8 +23,11 @@ Index count_long_edges(const Patch& patch);
 /// Splits only the edges that the mesh has already.
 void split_taken_edges(Patch& patch);
 
-/// `sweeps` times: every free vertex of the patch's own moves half way to the mean of its
-/// neighbours, projected off the normal, then edges are flipped to Delaunay.
+/// Every free vertex from `first` on moves half way to the mean of its neighbours, projected off
+/// the normal.
+void relax(Patch& patch, Index first);
+
+/// `sweeps` times: the patch's own vertices are relaxed, then edges are flipped to Delaunay.
 void even_out(Patch& patch, int sweeps);
 
 }  // namespace ibmfair
