@@ -68,11 +68,12 @@ class Refinement {
   }
 
   void update_normals() {
-    normal_ = Points::Zero(p_.size(), 3);
+    // Not into the old one: where memory runs out as Eigen resizes it, it would be freed twice.
+    Points normals = Points::Zero(p_.size(), 3);
     const auto add = [&](Index a, Index b, Index c) {
       const Vec3 N = double_area_vector(p_.X.row(a), p_.X.row(b), p_.X.row(c));
       for (const Index v : {a, b, c}) {
-        normal_.row(v) += N;
+        normals.row(v) += N;
       }
     };
     for (const auto x : p_.surroundings.rowwise()) {
@@ -81,7 +82,8 @@ class Refinement {
     for (Index t = 0; t < p_.net.size(); ++t) {
       add(p_.net[t][0], p_.net[t][1], p_.net[t][2]);
     }
-    normal_.rowwise().normalize();
+    normals.rowwise().normalize();
+    normal_.swap(normals);
   }
 
   /// The middle of the cubic curve from a to b that leaves both ends at right angles to the normal.
