@@ -187,7 +187,9 @@ std::vector<Statement> statements_before_new_faces(const std::vector<Statement>&
 MeshAttributes extended_attributes(MeshAttributes attributes, const Mesh& mesh,
                                    const Extension& extension, std::vector<std::string>& notes) {
   if (!attributes.colours.empty()) extend_colours(attributes, extension);
-  if (!attributes.texture_coordinates.empty()) {
+  if (attributes.texture_coordinates.empty()) {
+    attributes.corner_texture.clear();  // corners may have been given room for some, all unreadable
+  } else {
     extend_corner_texture(attributes, mesh, extension);
   }
   for (Statement& statement : statements_before_new_faces(attributes.face_statements, extension,
