@@ -1,6 +1,7 @@
 #include "ibmfair/base/process_memory.h"
 
 #include <algorithm>
+#include <cmath>
 #include <fstream>
 #include <limits>
 #include <optional>
@@ -14,7 +15,6 @@
 namespace ibmfair {
 namespace {
 
-/// Not worth a look at what the system has.
 constexpr double few_bytes = 64e6;
 
 /// The number behind a name in a file of lines such as `VmRSS:   1234 kB`.
@@ -84,12 +84,12 @@ double left_in_control_groups(const std::string& root) {
 }
 
 double left_of_address_space(const std::string& root) {
-  rlimit limit{};
-  if (getrlimit(RLIMIT_AS, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY) {
-    return std::numeric_limits<double>::infinity();
+  const double limit = address_space_limit();
+  if (std::isinf(limit)) {
+    return limit;
   }
   const double taken = kilobyte * entry(root + "/proc/self/status", "VmSize:").value_or(0);
-  return std::max(0.0, static_cast<double>(limit.rlim_cur) - taken);
+  return std::max(0.0, limit - taken);
 }
 
 }  // namespace
@@ -104,14 +104,21 @@ double available_bytes(const std::string& root) {
                    left_in_control_groups(root), left_of_address_space(root)});
 }
 
+double address_space_limit() {
+  rlimit limit{};
+  const bool limited = getrlimit(RLIMIT_AS, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY;
+  return limited ? static_cast<double>(limit.rlim_cur) : std::numeric_limits<double>::infinity();
+}
+
+bool is_available(double bytes) {
+  return bytes < few_bytes || bytes <= available_bytes();
+}
+
 void require_available(double bytes, const std::string& what) {
-  if (bytes < few_bytes) {
-    return;
-  }
-  if (const double available = available_bytes(); bytes > available) {
+  if (!is_available(bytes)) {
     constexpr double mega = 1e6;
     throw OutOfMemory(fmt::format("{} needs {:.0f} MB of memory, {:.0f} MB are available", what,
-                                  bytes / mega, available / mega));
+                                  bytes / mega, available_bytes() / mega));
   }
 }
 

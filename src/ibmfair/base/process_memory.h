@@ -14,6 +14,12 @@ double resident_bytes();
 /// the system's files.
 double available_bytes(const std::string& root = "");
 
+/// The limit of address space in bytes (ulimit -v); infinite where there is none.
+double address_space_limit();
+
+/// Whether so many bytes are available. A few always are: not worth a look at what the system has.
+bool is_available(double bytes);
+
 /// Throws OutOfMemory, naming `what` and the numbers, where it needs more bytes than are available.
 void require_available(double bytes, const std::string& what);
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <cstdlib>
 #include <latch>
 #include <optional>
@@ -11,12 +12,12 @@
 #include <thread>
 #include <vector>
 
-#include <sys/resource.h>
 #include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
 #include "ibmfair/base/errors.h"
+#include "ibmfair/base/process_memory.h"
 
 extern "C" void openblas_set_num_threads(int count);
 
@@ -30,11 +31,6 @@ int environment_thread_count() {
   int count = 0;
   std::from_chars(digits.data(), digits.data() + digits.size(), count);
   return std::clamp(count, 0, largest_thread_count);
-}
-
-bool address_space_is_limited() {
-  rlimit limit{};
-  return getrlimit(RLIMIT_AS, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY;
 }
 
 /// How many threads, up to `wanted`, there can be at a time, this one being the first.
@@ -68,7 +64,7 @@ void set_thread_count(int count) {
   if (count = count > 0 ? count : environment_thread_count(); count > 0) {
     limit.emplace(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(count));
   }
-  if (address_space_is_limited()) {
+  if (std::isfinite(address_space_limit())) {
     // A thread that cannot be started would end the program later. With fewer it goes on; and those
     // that can be are started while there is room.
     const int possible = possible_threads(thread_count());

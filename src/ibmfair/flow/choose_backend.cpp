@@ -12,13 +12,10 @@
 namespace ibmfair {
 namespace {
 
-/// Not worth a look at what the system has.
-constexpr double few_bytes = 64e6;
-
 bool fits(const SolverForecast& forecast, const FlowOptions& options) {
   const bool allowed =
       std::isinf(options.memory_limit) || resident_bytes() + forecast.bytes <= options.memory_limit;
-  return allowed && (forecast.bytes < few_bytes || forecast.bytes <= available_bytes());
+  return allowed && is_available(forecast.bytes);
 }
 
 [[noreturn]] void refuse(const JacobianBackend& wanted, const JacobianShape& shape,

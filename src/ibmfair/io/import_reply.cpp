@@ -10,9 +10,9 @@
 #include <vector>
 
 #include <fmt/format.h>
-#include <sys/resource.h>
 
 #include "ibmfair/base/errors.h"
+#include "ibmfair/base/process_memory.h"
 #include "ibmfair/io/import_process.h"
 #include "ibmfair/io/source_bytes.h"
 
@@ -26,13 +26,9 @@ bool all_finite(const std::vector<std::array<double, columns>>& rows) {
   });
 }
 
-/// What this process, and so every one that it starts, may map; the largest number: all.
-std::int64_t own_memory_limit() {
-  constexpr std::int64_t all = std::numeric_limits<std::int64_t>::max();
-  struct rlimit limit {};
-  getrlimit(RLIMIT_AS, &limit);
-  return limit.rlim_cur < static_cast<rlim_t>(all) ? static_cast<std::int64_t>(limit.rlim_cur)
-                                                   : all;
+/// Whether this process, and so every one that it starts, may map less.
+bool is_limited_below(const ImportLimits& limits) {
+  return address_space_limit() < static_cast<double>(limits.memory);
 }
 
 std::string memory_text(std::int64_t bytes) {
@@ -154,7 +150,7 @@ class ImportReceiver {
   }
 
   [[noreturn]] void fail_for_memory() const {
-    if (own_memory_limit() < limits_.memory) {
+    if (is_limited_below(limits_)) {
       throw OutOfMemory(fmt::format("{}: assimp takes more memory than there is", source_.name()));
     }
     fail_in_file(source_, fmt::format("assimp took more than {} of memory for it",
@@ -166,7 +162,7 @@ class ImportReceiver {
     if (end.timed_out || end.signal_number == SIGXCPU) {
       fail_in_file(source_, fmt::format("assimp took more than {} s for it", limits_.time.count()));
     }
-    if (end.exit_code == cannot_load && own_memory_limit() < limits_.memory) fail_for_memory();
+    if (end.exit_code == cannot_load && is_limited_below(limits_)) fail_for_memory();
     if (end.signal_number != 0) {
       fail_in_file(source_, fmt::format("assimp crashed on it (signal {}, {})", end.signal_number,
                                         strsignal(end.signal_number)));
