@@ -32,7 +32,7 @@ class QuadList {
     std::memcpy(&quad, numbers_ + 4 * std::size_t(i), sizeof quad);
     return quad;
   }
-  IBMFAIR_INLINE void set(Index i, Quad quad) {
+  IBMFAIR_INLINE void set(Index i, const Quad& quad) {
     std::memcpy(numbers_ + 4 * std::size_t(i), &quad, sizeof quad);
   }
 
