@@ -1,0 +1,37 @@
+// What the command line of `fill` can say.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "commands/length.h"
+#include "commands/shared_options.h"
+#include "ibmfair/fill/fill_holes.h"
+
+namespace CLI {
+class App;
+}
+
+namespace ibmfair::commands {
+
+struct FillArguments {
+  std::string input;
+  InputOptions reading;
+  OutputOptions output;
+  ReportOptions report;
+  bool strict = false;
+  bool allow_intersections = false;
+  std::string picture;
+
+  HoleChoice choice;
+  std::optional<Length> max_perimeter, max_diameter;
+  FillOptions fill;
+  bool no_fair = false, no_refine = false, no_mass = false;
+  std::string region;
+  std::string tangential = "none";
+};
+
+/// Declares the arguments and options, which are stored in `a`.
+void add_fill_arguments(CLI::App& app, FillArguments& a);
+
+}  // namespace ibmfair::commands

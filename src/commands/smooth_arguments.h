@@ -1,0 +1,38 @@
+// What the command line of `smooth` can say.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "commands/length.h"
+#include "commands/shared_options.h"
+#include "ibmfair/flow/flow_options.h"
+
+namespace CLI {
+class App;
+}
+
+namespace ibmfair::commands {
+
+struct SmoothArguments {
+  std::string input;
+  InputOptions reading;
+  OutputOptions output;
+  ReportOptions report;
+  bool strict = false;
+  std::string picture;
+  std::string checkpoint;
+
+  FlowOptions flow;
+  std::optional<double> time_step;
+  std::optional<Length> cutoff;
+  std::optional<Length> max_move;
+  bool plain = false, no_mass = false, dry_run = false;
+  std::string metric = "mass", boundary = "fixed", tangential;
+  std::string fix_file, mask;
+};
+
+/// Declares the arguments and options, which are stored in `a`.
+void add_smooth_arguments(CLI::App& app, SmoothArguments& a);
+
+}  // namespace ibmfair::commands
