@@ -168,7 +168,7 @@ TEST(ImportLimits, ACrashIsReported) {
 TEST(ImportLimits, AProcessThatDoesNothingIsEnded) {
   const Saboteur saboteur(SIGSTOP);
   const std::string message =
-      failure(stl_of(1000), "stl", {std::chrono::seconds(1), generous.memory});
+      failure(stl_of(100'000), "stl", {std::chrono::seconds(1), generous.memory});
   EXPECT_EQ(message, "hostile.stl: assimp took more than 1 s for it");
   EXPECT_TRUE(import_processes().empty());
 }
