@@ -1,15 +1,22 @@
-# What `cmake --install` puts in place: the program, the library with its headers, and the package
-# by which other projects find it: find_package(ibmfair), target ibmfair::ibmfair.
+# What `cmake --install` puts in place. Component `program`: the program, its helper, a mesh to try it
+# on. Component `development`: the library with its headers, and the package by which other projects
+# find it: find_package(ibmfair), target ibmfair::ibmfair.
 include(CMakePackageConfigHelpers)
 
 set(package_directory ${CMAKE_INSTALL_LIBDIR}/cmake/ibmfair)
 
-install(TARGETS ibmfair RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+install(TARGETS ibmfair RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT program)
+install(TARGETS ibmfair_assimp RUNTIME DESTINATION ${CMAKE_INSTALL_LIBEXECDIR}/ibmfair
+        COMPONENT program)
+install(FILES data/femur.off data/README.md DESTINATION ${CMAKE_INSTALL_DATADIR}/ibmfair
+        COMPONENT program)
+
 install(TARGETS ibmfair_library EXPORT ibmfairTargets
-        ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
+        ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT development)
 install(DIRECTORY src/ibmfair/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/ibmfair
-        FILES_MATCHING PATTERN *.h)
-install(EXPORT ibmfairTargets NAMESPACE ibmfair:: DESTINATION ${package_directory})
+        COMPONENT development FILES_MATCHING PATTERN *.h)
+install(EXPORT ibmfairTargets NAMESPACE ibmfair:: DESTINATION ${package_directory}
+        COMPONENT development)
 
 configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/ibmfairConfig.cmake.in
                               ${PROJECT_BINARY_DIR}/ibmfairConfig.cmake
@@ -19,4 +26,4 @@ write_basic_package_version_file(${PROJECT_BINARY_DIR}/ibmfairConfigVersion.cmak
 install(FILES ${PROJECT_BINARY_DIR}/ibmfairConfig.cmake
               ${PROJECT_BINARY_DIR}/ibmfairConfigVersion.cmake
               ${CMAKE_CURRENT_LIST_DIR}/FindCHOLMOD.cmake
-        DESTINATION ${package_directory})
+        DESTINATION ${package_directory} COMPONENT development)
