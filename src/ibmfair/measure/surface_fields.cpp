@@ -1,0 +1,75 @@
+#include "ibmfair/measure/surface_fields.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "ibmfair/base/parallel.h"
+#include "ibmfair/measure/displacement.h"
+#include "ibmfair/measure/energy_density.h"
+#include "ibmfair/measure/mean_curvature.h"
+#include "ibmfair/mesh/geometry.h"
+
+namespace ibmfair {
+namespace {
+
+/// The value below which this share of them lies. Reorders them.
+double quantile(std::vector<double>& values, double share) {
+  const auto place = static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
+  std::nth_element(values.begin(), values.begin() + place, values.end());
+  return values[static_cast<std::size_t>(place)];
+}
+
+}  // namespace
+
+Eigen::VectorXd triangle_qualities(const Points& X, const Triangles& F) {
+  Eigen::VectorXd qualities(F.rows());
+  parallel_for(F.rows(), [&](std::int64_t t) {
+    const Vec3 a = X.row(F(t, 0)), b = X.row(F(t, 1)), c = X.row(F(t, 2));
+    const double squares = (b - a).squaredNorm() + (c - b).squaredNorm() + (a - c).squaredNorm();
+    const double double_area = double_area_vector(a, b, c).norm();
+    qualities[t] = squares > 0 ? std::min(1.0, 2 * std::numbers::sqrt3 * double_area / squares) : 0;
+  });
+  return qualities;
+}
+
+std::span<const SurfaceField> surface_fields() {
+  using Place = SurfaceField::Place;
+  static constexpr std::array table{
+      SurfaceField{"mean_curvature", "Mean curvature", "1/length", -1, true, Place::vertex, false,
+                   [](const FieldState& s) { return mean_curvature(s.X, s.topology); }},
+      SurfaceField{
+          "normal_displacement", "Displacement along the normal", "length", 1, true, Place::vertex,
+          true,
+          [](const FieldState& s) { return normal_displacement(*s.before, s.X, s.topology); }},
+      SurfaceField{"displacement", "Displacement", "length", 1, false, Place::vertex, true,
+                   [](const FieldState& s) { return displacement_length(*s.before, s.X); }},
+      SurfaceField{"triangle_quality", "Triangle quality", "", 0, false, Place::triangle, false,
+                   [](const FieldState& s) { return triangle_qualities(s.X, s.topology.F); }},
+      SurfaceField{
+          "energy_density", "Bending energy density", "1/length^2", -2, false, Place::vertex, false,
+          [](const FieldState& s) { return energy_density(s.X, s.topology, s.laplacian); }},
+  };
+  return table;
+}
+
+ValueRange robust_range(const std::vector<const Eigen::VectorXd*>& values, bool diverging,
+                        double least) {
+  std::vector<double> finite;
+  for (const Eigen::VectorXd* list : values) {
+    for (const double value : *list) {
+      if (std::isfinite(value)) {
+        finite.push_back(diverging ? std::abs(value) : value);
+      }
+    }
+  }
+  const double high = finite.empty() ? 0 : quantile(finite, 0.99);
+  if (diverging) {
+    return {-std::max(high, least), std::max(high, least)};
+  }
+  const double low = finite.empty() ? 0 : quantile(finite, 0.01);
+  return {low, std::max(high, low + 2 * least)};
+}
+
+}  // namespace ibmfair
