@@ -161,19 +161,28 @@ TEST(RobustRange, LeavesOutWildValuesAndIsNeverEmpty) {
   values[500] = 1e30;
   values[501] = std::numeric_limits<double>::quiet_NaN();
   values[502] = std::numeric_limits<double>::infinity();
-  const ValueRange plain = robust_range({&values}, false, 0.1);
+  const SurfaceField& unsigned_field = surface_field("displacement");
+  const SurfaceField& signed_field = surface_field("mean_curvature");
+  const ValueRange plain = robust_range(unsigned_field, values, 1);
   EXPECT_NEAR(plain.low, -0.96, 0.01);
   EXPECT_NEAR(plain.high, 2.96, 0.01);
-  const ValueRange diverging = robust_range({&values}, true, 0.1);
+  const ValueRange diverging = robust_range(signed_field, values, 1);
   EXPECT_EQ(diverging.low, -diverging.high);
   EXPECT_NEAR(diverging.high, 2.96, 0.02);
-  const Eigen::VectorXd same = Eigen::VectorXd::Constant(7, 5);
-  const ValueRange one = robust_range({&same, &same}, false, 0.25);
-  EXPECT_EQ(one.low, 5);
-  EXPECT_EQ(one.high, 5.5);
-  const ValueRange none = robust_range({}, true, 0.25);
-  EXPECT_EQ(none.low, -0.25);
-  EXPECT_EQ(none.high, 0.25);
+}
+
+TEST(RobustRange, RoundingIsNotSpreadOverAllColours) {
+  for (const double size : {1e-6, 1.0, 1e6}) {
+    const Eigen::VectorXd rounding = 1e-14 * size * Eigen::VectorXd::LinSpaced(9, -1, 1);
+    const ValueRange length = robust_range(surface_field("displacement"), rounding, size);
+    EXPECT_GT(length.high - length.low, 1e-10 * size);
+    const ValueRange curvature =
+        robust_range(surface_field("mean_curvature"), rounding / (size * size), size);
+    EXPECT_GT(curvature.high, 1e-10 / size);
+    EXPECT_EQ(curvature.low, -curvature.high);
+  }
+  const ValueRange none = robust_range(surface_field("mean_curvature"), Eigen::VectorXd(), 1);
+  EXPECT_GT(none.high, none.low);
 }
 
 }  // namespace

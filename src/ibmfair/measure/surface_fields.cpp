@@ -4,7 +4,11 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <string>
 
+#include <fmt/format.h>
+
+#include "ibmfair/base/errors.h"
 #include "ibmfair/base/parallel.h"
 #include "ibmfair/measure/displacement.h"
 #include "ibmfair/measure/energy_density.h"
@@ -13,6 +17,9 @@
 
 namespace ibmfair {
 namespace {
+
+/// Of a value on a mesh of size 1; what is closer together is rounding.
+constexpr double least_difference = 1e-9;
 
 /// The value below which this share of them lies. Reorders them.
 double quantile(std::vector<double>& values, double share) {
@@ -54,18 +61,27 @@ std::span<const SurfaceField> surface_fields() {
   return table;
 }
 
-ValueRange robust_range(const std::vector<const Eigen::VectorXd*>& values, bool diverging,
-                        double least) {
+const SurfaceField& surface_field(std::string_view name) {
+  std::string known;
+  for (const SurfaceField& field : surface_fields()) {
+    if (field.name == name) {
+      return field;
+    }
+    known += fmt::format("{}{}", known.empty() ? "" : ", ", field.name);
+  }
+  throw BadOption(fmt::format("unknown field '{}'; there are {}", name, known));
+}
+
+ValueRange robust_range(const SurfaceField& field, const Eigen::VectorXd& values, double size) {
   std::vector<double> finite;
-  for (const Eigen::VectorXd* list : values) {
-    for (const double value : *list) {
-      if (std::isfinite(value)) {
-        finite.push_back(diverging ? std::abs(value) : value);
-      }
+  for (const double value : values) {
+    if (std::isfinite(value)) {
+      finite.push_back(field.diverging ? std::abs(value) : value);
     }
   }
+  const double least = least_difference * std::pow(size, field.dimension);
   const double high = finite.empty() ? 0 : quantile(finite, 0.99);
-  if (diverging) {
+  if (field.diverging) {
     return {-std::max(high, least), std::max(high, least)};
   }
   const double low = finite.empty() ? 0 : quantile(finite, 0.01);

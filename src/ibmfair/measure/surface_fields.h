@@ -40,15 +40,17 @@ struct SurfaceField {
 /// All fields.
 std::span<const SurfaceField> surface_fields();
 
+/// The field of that name; throws BadOption, naming those there are.
+const SurfaceField& surface_field(std::string_view name);
+
 /// From where to where values are worth telling apart.
 struct ValueRange {
   double low = 0, high = 0;
 };
 
-/// From the 1st to the 99th percentile of all finite values together, so that a few wild ones do
-/// not take all colours; for a diverging field symmetric about 0. Not narrower than 2 `least`, so
-/// that rounding alone is not spread over all colours.
-ValueRange robust_range(const std::vector<const Eigen::VectorXd*>& values, bool diverging,
-                        double least);
+/// From the 1st to the 99th percentile of the finite values, so that a few wild ones do not take
+/// all colours; for a diverging field symmetric about 0. Differences that are rounding on a mesh
+/// whose bounding box has a diagonal of length `size` are not spread over all colours.
+ValueRange robust_range(const SurfaceField& field, const Eigen::VectorXd& values, double size);
 
 }  // namespace ibmfair
