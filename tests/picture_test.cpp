@@ -214,9 +214,9 @@ TEST(Render, IsTheSameForEveryOrientation) {
   for (const auto& [name, mesh] : test::closed_meshes()) {
     const Triangles F = triangulate(mesh).F;
     const Triangles turned = F.rowwise().reverse();
-    const Image image = render(mesh.X, F, small_picture());
+    const Image image = render({mesh.X, F}, small_picture());
     EXPECT_GT(pixels_unlike(image, {255, 255, 255}), 100U) << name;
-    const Image other = render(mesh.X, turned, small_picture());
+    const Image other = render({mesh.X, turned}, small_picture());
     // Rounding may decide otherwise where two triangles meet.
     EXPECT_LT(pixels_that_differ(image, other), image.pixels.size() / 100) << name;
   }
@@ -225,9 +225,9 @@ TEST(Render, IsTheSameForEveryOrientation) {
 TEST(Render, IsTheSameAtEveryScale) {
   for (const auto& [name, mesh] : test::good_meshes()) {
     const Triangles F = triangulate(mesh).F;
-    const Image image = render(mesh.X, F, small_picture());
+    const Image image = render({mesh.X, F}, small_picture());
     for (const double scale : {std::ldexp(1.0, -30), std::ldexp(1.0, 30)}) {
-      EXPECT_TRUE(image.pixels == render(scale * mesh.X, F, small_picture()).pixels) << name;
+      EXPECT_TRUE(image.pixels == render({scale * mesh.X, F}, small_picture()).pixels) << name;
     }
   }
 }
@@ -237,22 +237,21 @@ TEST(Render, PaintsTheTwoSidesDifferently) {
   X << square_at(0.0, 1.0), square_at(0.5, 0.25);
   Triangles F(4, 3);
   F << two_triangles(0), two_triangles(4).rowwise().reverse();
-  RenderOptions options = straight_on(40);
-  options.paint.front = {0, 0, 255};
-  options.paint.back = {255, 0, 0};
-  const Image image = render(X, F, options);
+  const RenderOptions options = straight_on(40);
+  Paint paint{.front = {0, 0, 255}, .back = {255, 0, 0}};
+  const Image image = render({X, F, paint}, options);
   EXPECT_GT(image.at(2, 2).blue, 60);
   EXPECT_EQ(image.at(2, 2).red, 0);
   EXPECT_GT(image.at(20, 20).red, 60);
   EXPECT_EQ(image.at(20, 20).blue, 0);
 
-  options.paint.triangle = {{0, 255, 0}, {0, 255, 0}, {0, 255, 0}, {0, 255, 0}};
-  const Image green = render(X, F, options);
+  paint.triangle = {{0, 255, 0}, {0, 255, 0}, {0, 255, 0}, {0, 255, 0}};
+  const Image green = render({X, F, paint}, options);
   EXPECT_TRUE(std::all_of(green.pixels.begin(), green.pixels.end(), [](Rgb pixel) {
     return pixel.green > 60 && pixel.red == 0 && pixel.blue == 0;
   }));
-  options.paint.triangle.pop_back();
-  EXPECT_THROW(render(X, F, options), BadOption);
+  paint.triangle.pop_back();
+  EXPECT_THROW(render({X, F, paint}, options), BadOption);
 }
 
 TEST(Render, LightTellsSlopesApart) {
@@ -261,7 +260,7 @@ TEST(Render, LightTellsSlopesApart) {
   X << -1, -1, 0, -1, 1, 0, 0, -1, 0.4, 0, 1, 0.4, 1, -1, 0, 1, 1, 0;
   Triangles F(4, 3);
   F << 0, 2, 3, 0, 3, 1, 2, 4, 5, 2, 5, 3;
-  const Image image = render(X, F, straight_on(40));
+  const Image image = render({X, F}, straight_on(40));
   EXPECT_GT(image.at(10, 20).green, image.at(30, 20).green + 40);
 }
 
@@ -271,9 +270,9 @@ TEST(Render, DrawsSilhouettesOnlyWhereTheSurfaceBreaksOff) {
   Triangles F(4, 3);
   F << two_triangles(0), two_triangles(4);
   RenderOptions options = straight_on(80);
-  const Image plain = render(X, F, options);
+  const Image plain = render({X, F}, options);
   options.silhouettes = true;
-  const Image drawn = render(X, F, options);
+  const Image drawn = render({X, F}, options);
   EXPECT_EQ(drawn.at(5, 40), plain.at(5, 40)) << "on the lower square";
   EXPECT_EQ(drawn.at(40, 40), plain.at(40, 40)) << "on the upper square";
   EXPECT_LT(drawn.at(20, 40).green, plain.at(20, 40).green / 2) << "on the upper one's edge";
@@ -282,7 +281,7 @@ TEST(Render, DrawsSilhouettesOnlyWhereTheSurfaceBreaksOff) {
   const Mesh sheet = test::flat_sheet(4, 4);
   options.view = {.from = {0.0, -1.0, 0.15}, .up = {0.0, 0.0, 1.0}, .margin = 0.1};
   const Triangles G = triangulate(sheet).F;
-  const Image slope = render(sheet.X, G, options);
+  const Image slope = render({sheet.X, G}, options);
   EXPECT_GT(slope.at(40, 40).green, 60);
 }
 
@@ -295,7 +294,8 @@ TEST(Render, LeavesOutWhatIsNotFinite) {
        {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
     Points X(sheet.X.rows() + 4, 3);
     X << sheet.X, Points::Constant(4, 3, bad);
-    EXPECT_EQ(render(X, more, small_picture()).pixels, render(sheet.X, F, small_picture()).pixels);
+    EXPECT_EQ(render({X, more}, small_picture()).pixels,
+              render({sheet.X, F}, small_picture()).pixels);
   }
 }
 
@@ -305,17 +305,18 @@ TEST(Render, GivesTheBackgroundWhereThereIsNothingToDraw) {
   const Points none(0, 3);
   const Points one_place = Points::Constant(4, 3, 2.0);
   for (const Image& image :
-       {render(none, Triangles(0, 3), options), render(one_place, two_triangles(0), options)}) {
+       {render({none, Triangles(0, 3)}, options), render({one_place, two_triangles(0)}, options)}) {
     ASSERT_EQ(image.pixels.size(), 60U * 40U);
     EXPECT_EQ(pixels_unlike(image, {10, 20, 30}), 0U);
   }
 }
 
-TEST(Render, BeforeAndAfterHaveOneScale) {
+TEST(Render, MeshesBesideEachOtherHaveOneScale) {
   const Points before = square_at(0.0, 1.0);
   const Points after = square_at(0.0, 0.5);
   const Triangles F = two_triangles(0);
-  const Image image = render_before_after(F, before, after, straight_on(40));
+  const std::array<PaintedMesh, 2> meshes{{{before, F}, {after, F}}};
+  const Image image = render_side_by_side(meshes, straight_on(40));
   ASSERT_EQ(image.width, 80);
   ASSERT_EQ(image.height, 40);
   const Rgb white{255, 255, 255};
@@ -342,7 +343,7 @@ TEST(Render, RefusesOptionsOutOfRange) {
       {.view = {.margin = 0.5}},
   };
   for (std::size_t i = 0; i < bad.size(); ++i) {
-    EXPECT_THROW(render(square_at(0.0, 1.0), two_triangles(0), bad[i]), BadOption) << i;
+    EXPECT_THROW(render({square_at(0.0, 1.0), two_triangles(0)}, bad[i]), BadOption) << i;
   }
 }
 

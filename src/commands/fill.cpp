@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -18,8 +19,6 @@
 #include "ibmfair/io/atomic_file.h"
 #include "ibmfair/io/extension.h"
 #include "ibmfair/io/formats.h"
-#include "ibmfair/picture/png.h"
-#include "ibmfair/picture/render.h"
 
 namespace ibmfair::commands {
 namespace {
@@ -115,27 +114,24 @@ void tell(const WriteReport& written, const Console& console) {
   }
 }
 
-/// The filled mesh with the patches in another colour.
-void draw(const FillArguments& arguments, const Points& X, const Triangles& F,
-          Eigen::Index patch_from) {
-  if (arguments.picture.empty()) {
-    return;
-  }
-  RenderOptions options;
-  options.paint.triangle.assign(static_cast<std::size_t>(F.rows()), options.paint.front);
-  std::fill(options.paint.triangle.begin() + patch_from, options.paint.triangle.end(),
-            Rgb{240, 190, 120});
-  AtomicFile file(arguments.picture, arguments.output.write.overwrite);
-  file.write(encode_png(render(X, F, options)));
-  file.commit();
+void draw(const FillArguments& arguments, const Points& before, const Topology& topology,
+          const Points& after, const Topology& topology_after) {
+  const std::string& laplacian = arguments.fill.fairing.laplacian;
+  const std::array<FieldState, 2> states{
+      {{before, topology, nullptr, laplacian}, {after, topology_after, &before, laplacian}}};
+  draw_picture(arguments.picture, arguments.output.write.overwrite, states, topology.F.rows());
 }
 
-void draw(const FillArguments& arguments, const Topology& topology, const Filling& filling) {
+void draw(const FillArguments& arguments, const Input& input, const Filling& filling) {
+  if (arguments.picture.path.empty()) {
+    return;
+  }
+  const Topology& topology = input.topology;
   Points X(filling.X.rows() + filling.new_X.rows(), 3);
   X << filling.X, filling.new_X;
   Triangles F(topology.F.rows() + filling.new_F.rows(), 3);
   F << topology.F, filling.new_F;
-  draw(arguments, X, F, topology.F.rows());
+  draw(arguments, input.file.mesh().X, topology, X, build_topology(X, F));
 }
 
 ExitCode conclude(const std::string& missed, bool strict, const Console& console) {
@@ -176,7 +172,7 @@ ExitCode fill(const FillArguments& arguments, const Input& input, FillSeconds& s
                           arguments.output.path, arguments.output.write)
              : write_mesh(input.file, X, arguments.output.path, arguments.output.write),
          console);
-    draw(arguments, input.topology, filling);
+    draw(arguments, input, filling);
   }
   const std::vector<Hole> holes = find_holes(X, input.topology);
   const auto touching = std::count_if(holes.begin(), holes.end(),
@@ -219,7 +215,7 @@ ExitCode fair_again(const FillArguments& arguments, const Input& input, FillSeco
   if (missed.empty() || !arguments.strict) {
     const Stopwatch watch(seconds.write);
     tell(write_mesh(input.file, X, arguments.output.path, arguments.output.write), console);
-    draw(arguments, X, input.topology.F, input.topology.F.rows());
+    draw(arguments, input.file.mesh().X, input.topology, X, input.topology);
   }
   add_region(report, region, seconds);
   console.note(fmt::format("{} -> {}, region '{}' faired", arguments.input, arguments.output.path,
@@ -244,9 +240,7 @@ ExitCode run_fill(const FillArguments& arguments, Console& console) {
   const bool overwrite = arguments.output.write.overwrite;
   require_writable(arguments.output.path, overwrite);
   check_report(arguments.report, arguments.output.path, overwrite);
-  if (!arguments.picture.empty()) {
-    require_writable(arguments.picture, overwrite);
-  }
+  check_picture(arguments.picture, overwrite);
   FillSeconds seconds;
   const Input input = read(arguments, seconds, console);
   require_writable_format(input.file, arguments.output.path, arguments.output.write);

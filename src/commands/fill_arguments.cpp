@@ -95,8 +95,7 @@ void add_fill_arguments(CLI::App& app, FillArguments& a) {
                "write nothing unless everything was achieved; fail (exit code 4) where the mesh "
                "has defects");
   add_report_options(app, a.report);
-  app.add_option("--picture", a.picture, "draw the filled mesh into this PNG file")
-      ->type_name(file_to_write);
+  add_picture_options(app, "the mesh before and after", a.picture);
   add_overwrite_option(app, a.output.write.overwrite);
 }
 

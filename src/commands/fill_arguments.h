@@ -5,6 +5,7 @@
 #include <string>
 
 #include "commands/length.h"
+#include "commands/picture.h"
 #include "commands/shared_options.h"
 #include "ibmfair/fill/fill_holes.h"
 
@@ -21,7 +22,7 @@ struct FillArguments {
   ReportOptions report;
   bool strict = false;
   bool allow_intersections = false;
-  std::string picture;
+  PictureOptions picture;
 
   HoleChoice choice;
   std::optional<Length> max_perimeter, max_diameter;

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <memory>
 #include <optional>
@@ -20,8 +21,6 @@
 #include "ibmfair/flow/willmore_flow.h"
 #include "ibmfair/io/atomic_file.h"
 #include "ibmfair/mesh/geometry.h"
-#include "ibmfair/picture/png.h"
-#include "ibmfair/picture/render.h"
 
 namespace ibmfair::commands {
 namespace {
@@ -144,11 +143,9 @@ ExitCode forecast(const SmoothArguments& arguments, FlowOptions options, const M
 
 void draw(const SmoothArguments& arguments, const Topology& topology, const Points& before,
           const Points& after) {
-  if (!arguments.picture.empty()) {
-    AtomicFile file(arguments.picture, arguments.output.write.overwrite);
-    file.write(encode_png(render_before_after(topology.F, before, after)));
-    file.commit();
-  }
+  const std::array<FieldState, 2> states{{{before, topology, nullptr, arguments.flow.laplacian},
+                                          {after, topology, &before, arguments.flow.laplacian}}};
+  draw_picture(arguments.picture, arguments.output.write.overwrite, states, topology.F.rows());
 }
 
 /// Where the state goes that an interrupted run has reached.
@@ -163,9 +160,7 @@ void check_outputs(const SmoothArguments& arguments) {
   const bool overwrite = arguments.output.write.overwrite;
   require_writable(arguments.output.path, overwrite);
   check_report(arguments.report, arguments.output.path, overwrite);
-  if (!arguments.picture.empty()) {
-    require_writable(arguments.picture, overwrite);
-  }
+  check_picture(arguments.picture, overwrite);
   if (!arguments.checkpoint.empty()) {
     if (arguments.checkpoint == arguments.output.path) {
       throw BadOption("--checkpoint: '" + arguments.checkpoint + "' is the output already");

@@ -97,8 +97,7 @@ void add_smooth_arguments(CLI::App& app, SmoothArguments& a) {
   add_input_options(app, a.reading);
   add_strict_option(app, a.strict);
   add_report_options(app, a.report);
-  app.add_option("--picture", a.picture, "draw the mesh before and after into this PNG file")
-      ->type_name(file_to_write);
+  add_picture_options(app, "the mesh before and after", a.picture);
   app.add_option("--checkpoint", a.checkpoint,
                  "when interrupted (Ctrl-C), end after the time step and write the mesh that was "
                  "reached to this file instead of OUT")

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "commands/length.h"
+#include "commands/picture.h"
 #include "commands/shared_options.h"
 #include "ibmfair/flow/flow_options.h"
 
@@ -20,7 +21,7 @@ struct SmoothArguments {
   OutputOptions output;
   ReportOptions report;
   bool strict = false;
-  std::string picture;
+  PictureOptions picture;
   std::string checkpoint;
 
   FlowOptions flow;

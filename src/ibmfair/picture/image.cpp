@@ -29,6 +29,27 @@ Image side_by_side(std::span<const Image> images, int gap, Rgb background) {
   return row;
 }
 
+Image stacked(std::span<const Image> images, Rgb background) {
+  int width = 0, height = 0;
+  for (const Image& image : images) {
+    width = std::max(width, image.width);
+    height += image.height;
+  }
+
+  Image column(width, height, background);
+  int top = 0;
+  for (const Image& image : images) {
+    const int left = (width - image.width) / 2;
+    for (int y = 0; y < image.height; ++y) {
+      const auto line = image.pixels.begin() + std::ptrdiff_t{y} * image.width;
+      std::copy_n(line, image.width,
+                  column.pixels.begin() + std::ptrdiff_t{top + y} * width + left);
+    }
+    top += image.height;
+  }
+  return column;
+}
+
 Image without_empty_rows(const Image& image, Rgb background, int margin) {
   const auto is_drawn = [&](Rgb pixel) { return pixel != background; };
   const auto& pixels = image.pixels;

@@ -39,6 +39,9 @@ struct Image {
 /// their top; what is below a shorter one is background too.
 Image side_by_side(std::span<const Image> images, int gap = 0, Rgb background = {255, 255, 255});
 
+/// The images one below the other, centred, on `background`.
+Image stacked(std::span<const Image> images, Rgb background = {255, 255, 255});
+
 /// The image without the rows of pure `background` at its top and bottom, but for `margin` of them
 /// at each; unchanged where there is nothing but background.
 Image without_empty_rows(const Image& image, Rgb background, int margin);

@@ -1,8 +1,8 @@
 #include "ibmfair/picture/render.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <vector>
 
 #include "ibmfair/base/errors.h"
 #include "ibmfair/picture/visibility.h"
@@ -91,19 +91,17 @@ Image develop(const Visibility& seen, const std::vector<Light>& triangle_light,
 }
 
 /// `in_view`: the points that the picture has to hold.
-Image take(const Points& X, const Triangles& F, const Points& in_view,
-           const RenderOptions& options) {
+Image take(const PaintedMesh& mesh, const Points& in_view, const RenderOptions& options) {
   const int width = options.samples * options.width;
   const int height = options.samples * options.height;
   const Camera camera(options.view, width, height, in_view);
-  const Visibility seen = find_visible(X, F, camera, width, height);
-  return develop(seen, shade_triangles(X, F, camera, seen, options.paint), options);
+  const Visibility seen = find_visible(mesh.X, mesh.F, camera, width, height);
+  return develop(seen, shade_triangles(mesh.X, mesh.F, camera, seen, mesh.paint), options);
 }
 
-void validate(const RenderOptions& options, const Triangles& F) {
-  options.validate();
-  const std::size_t colours = options.paint.triangle.size();
-  if (colours != 0 && colours != static_cast<std::size_t>(F.rows())) {
+void validate(const PaintedMesh& mesh) {
+  const std::size_t colours = mesh.paint.triangle.size();
+  if (colours != 0 && colours != static_cast<std::size_t>(mesh.F.rows())) {
     throw BadOption("a picture needs one colour per triangle, or none");
   }
 }
@@ -120,19 +118,25 @@ void RenderOptions::validate() const {
   view.validate();
 }
 
-Image render(const Points& X, const Triangles& F, const RenderOptions& options) {
-  validate(options, F);
-  return take(X, F, drawn_corners(X, F), options);
+Image render(const PaintedMesh& mesh, const RenderOptions& options) {
+  options.validate();
+  validate(mesh);
+  return take(mesh, drawn_corners(mesh.X, mesh.F), options);
 }
 
-Image render_before_after(const Triangles& F, const Points& before, const Points& after,
-                          const RenderOptions& options) {
-  validate(options, F);
-  const Points a = drawn_corners(before, F);
-  const Points b = drawn_corners(after, F);
-  Points both(a.rows() + b.rows(), 3);
-  both << a, b;
-  const std::array<Image, 2> images{take(before, F, both, options), take(after, F, both, options)};
+Image render_side_by_side(std::span<const PaintedMesh> meshes, const RenderOptions& options) {
+  options.validate();
+  Points in_view(0, 3);
+  for (const PaintedMesh& mesh : meshes) {
+    validate(mesh);
+    const Points corners = drawn_corners(mesh.X, mesh.F);
+    in_view.conservativeResize(in_view.rows() + corners.rows(), 3);
+    in_view.bottomRows(corners.rows()) = corners;
+  }
+  std::vector<Image> images;
+  for (const PaintedMesh& mesh : meshes) {
+    images.push_back(take(mesh, in_view, options));
+  }
   const double margin = options.view.margin * std::min(options.width, options.height);
   return without_empty_rows(side_by_side(images, 0, options.background), options.background,
                             static_cast<int>(std::lround(margin)));

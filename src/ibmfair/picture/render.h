@@ -2,6 +2,8 @@
 // ripples and noise that smooth shading would hide.
 #pragma once
 
+#include <span>
+
 #include "ibmfair/base/types.h"
 #include "ibmfair/picture/camera.h"
 #include "ibmfair/picture/image.h"
@@ -14,7 +16,6 @@ struct RenderOptions {
   int height = 800;  ///< pixels, 1 .. 8192
   int samples = 3;   ///< per pixel and direction, 1 .. 4, averaged in linear light
   View view = {};
-  Paint paint = {};
   Rgb background{255, 255, 255};
   bool silhouettes = true;  ///< dark lines where the surface ends or one part hides another
 
@@ -22,17 +23,23 @@ struct RenderOptions {
   void validate() const;
 };
 
-/// A picture of the triangles `F` (#F x 3, any orientation) over `X` (#V x 3), seen from
-/// `options.view` and filling the picture. Triangles with a coordinate that is not finite are left
-/// out; no triangles give the plain background. The same input always gives the same pixels.
-/// @throws BadOption as RenderOptions::validate does, and when paint.triangle is of another size.
-Image render(const Points& X, const Triangles& F, const RenderOptions& options = {});
+/// What a picture shows: triangles `F` (#F x 3, any orientation) over `X` (#V x 3).
+struct PaintedMesh {
+  const Points& X;
+  const Triangles& F;
+  Paint paint = {};
+};
 
-/// Two pictures of the same triangles beside each other, taken by one camera that sees all of both:
-/// what is larger in the picture is larger. `options.width` is the width of each, `options.height`
-/// the largest height: rows that stay empty in both are cut off down to the view's margin.
+/// A picture of `mesh`, seen from `options.view` and filling the picture. Triangles with a
+/// coordinate that is not finite are left out; no triangles give the plain background. The same
+/// input always gives the same pixels.
+/// @throws BadOption as RenderOptions::validate does, and when paint.triangle is of another size.
+Image render(const PaintedMesh& mesh, const RenderOptions& options = {});
+
+/// Pictures from left to right, taken by one camera that sees all of them: what is larger in the
+/// picture is larger. `options.width` is the width of each, `options.height` the largest height:
+/// rows that stay empty in all are cut off down to the view's margin.
 /// @throws BadOption as `render` does.
-Image render_before_after(const Triangles& F, const Points& before, const Points& after,
-                          const RenderOptions& options = {});
+Image render_side_by_side(std::span<const PaintedMesh> meshes, const RenderOptions& options = {});
 
 }  // namespace ibmfair
