@@ -9,6 +9,8 @@
 #include "ibmfair/measure/displacement.h"
 #include "ibmfair/measure/energy_density.h"
 #include "ibmfair/measure/mean_curvature.h"
+#include "ibmfair/shapes/grids.h"
+#include "ibmfair/shapes/polyhedra.h"
 #include "ibmfair/shapes/shapes.h"
 #include "support/meshes.h"
 #include "support/states.h"
@@ -156,33 +158,58 @@ TEST(TriangleQuality, IsOneForEquilateralOnesAndZeroForNone) {
   EXPECT_NEAR(quality[3], 4 * std::sqrt(3) * 1e-3 / 6, 1e-8);
 }
 
-TEST(RobustRange, LeavesOutWildValuesAndIsNeverEmpty) {
-  Eigen::VectorXd values = Eigen::VectorXd::LinSpaced(1001, -1, 3);
+TEST(RobustRange, LeavesOutWildValuesOfLittleArea) {
+  // A fine sphere: all vertices have about the same area.
+  const TriangleMesh sphere = make_icosphere({.levels = 4});
+  const State state(mesh_from_triangles(sphere.X, sphere.F));
+  Eigen::VectorXd values = Eigen::VectorXd::LinSpaced(sphere.X.rows(), -1, 3);
   values[500] = 1e30;
   values[501] = std::numeric_limits<double>::quiet_NaN();
   values[502] = std::numeric_limits<double>::infinity();
-  const SurfaceField& unsigned_field = surface_field("displacement");
-  const SurfaceField& signed_field = surface_field("mean_curvature");
-  const ValueRange plain = robust_range(unsigned_field, values, 1);
-  EXPECT_NEAR(plain.low, -0.96, 0.01);
-  EXPECT_NEAR(plain.high, 2.96, 0.01);
-  const ValueRange diverging = robust_range(signed_field, values, 1);
+  const FieldState at{state.X, state.topology};
+  const ValueRange plain = robust_range(surface_field("displacement"), values, at);
+  EXPECT_NEAR(plain.low, -0.96, 0.03);
+  EXPECT_NEAR(plain.high, 2.96, 0.03);
+  const ValueRange diverging = robust_range(surface_field("mean_curvature"), values, at);
   EXPECT_EQ(diverging.low, -diverging.high);
-  EXPECT_NEAR(diverging.high, 2.96, 0.02);
+  EXPECT_NEAR(diverging.high, 2.96, 0.03);
+}
+
+TEST(RobustRange, CountsAreaNotVertices) {
+  // Many small triangles at one place, where the value is 7, and two large ones.
+  const TriangleMesh fine = make_plane(1, {.rows = 24});
+  const Eigen::Index n = fine.X.rows(), m = fine.F.rows();
+  Points X(n + 4, 3);
+  X << 1e-3 * fine.X, Points::Zero(4, 3);
+  X.bottomRows(4) << 2, 0, 0, 3, 0, 0, 3, 1, 0, 2, 1, 0;
+  Triangles F(m + 2, 3);
+  const auto v = static_cast<Index>(n);
+  F << fine.F, Triangles::Zero(2, 3);
+  F.bottomRows(2) << v, v + 1, v + 2, v, v + 2, v + 3;
+  const State state(mesh_from_triangles(X, F));
+  Eigen::VectorXd values = Eigen::VectorXd::Constant(n + 4, 7);
+  values.tail(4) << 0, 0.5, 1, 0.5;
+  const ValueRange range =
+      robust_range(surface_field("displacement"), values, {state.X, state.topology});
+  EXPECT_LE(range.high, 1);
 }
 
 TEST(RobustRange, RoundingIsNotSpreadOverAllColours) {
+  const TriangleMesh sphere = make_icosphere({.levels = 2});
   for (const double size : {1e-6, 1.0, 1e6}) {
-    const Eigen::VectorXd rounding = 1e-14 * size * Eigen::VectorXd::LinSpaced(9, -1, 1);
-    const ValueRange length = robust_range(surface_field("displacement"), rounding, size);
+    const State state(mesh_from_triangles(size * sphere.X, sphere.F));
+    const FieldState at{state.X, state.topology};
+    const Eigen::VectorXd rounding =
+        1e-14 * size * Eigen::VectorXd::LinSpaced(sphere.X.rows(), -1, 1);
+    const ValueRange length = robust_range(surface_field("displacement"), rounding, at);
     EXPECT_GT(length.high - length.low, 1e-10 * size);
     const ValueRange curvature =
-        robust_range(surface_field("mean_curvature"), rounding / (size * size), size);
+        robust_range(surface_field("mean_curvature"), rounding / (size * size), at);
     EXPECT_GT(curvature.high, 1e-10 / size);
     EXPECT_EQ(curvature.low, -curvature.high);
+    const ValueRange none = robust_range(surface_field("mean_curvature"), Eigen::VectorXd(), at);
+    EXPECT_GT(none.high, none.low);
   }
-  const ValueRange none = robust_range(surface_field("mean_curvature"), Eigen::VectorXd(), 1);
-  EXPECT_GT(none.high, none.low);
 }
 
 }  // namespace

@@ -21,11 +21,41 @@ namespace {
 /// Of a value on a mesh of size 1; what is closer together is rounding.
 constexpr double least_difference = 1e-9;
 
-/// The value below which this share of them lies. Reorders them.
-double quantile(std::vector<double>& values, double share) {
-  const auto place = static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
-  std::nth_element(values.begin(), values.begin() + place, values.end());
-  return values[static_cast<std::size_t>(place)];
+struct WeightedValue {
+  double value, weight;
+};
+
+/// The first of the values, in order, up to which this share of all weight lies.
+double quantile(const std::vector<WeightedValue>& sorted, double share) {
+  double all = 0;
+  for (const WeightedValue& entry : sorted) {
+    all += entry.weight;
+  }
+  double sum = 0;
+  for (const WeightedValue& entry : sorted) {
+    sum += entry.weight;
+    if (sum >= share * all) {
+      return entry.value;
+    }
+  }
+  return sorted.empty() ? 0 : sorted.back().value;
+}
+
+/// The finite values with the area that has them, by size; absolute ones for a signed field.
+std::vector<WeightedValue> values_by_area(const SurfaceField& field, const Eigen::VectorXd& values,
+                                          const FieldState& state) {
+  const Eigen::VectorXd area = field.place == SurfaceField::Place::vertex
+                                   ? Eigen::VectorXd(lumped_vertex_mass(state.X, state.topology))
+                                   : triangle_areas(state.X, state.topology.F);
+  std::vector<WeightedValue> sorted;
+  for (Eigen::Index i = 0; i < values.size(); ++i) {
+    if (std::isfinite(values[i]) && std::isfinite(area[i])) {
+      sorted.push_back({field.diverging ? std::abs(values[i]) : values[i], area[i]});
+    }
+  }
+  std::sort(sorted.begin(), sorted.end(),
+            [](const WeightedValue& a, const WeightedValue& b) { return a.value < b.value; });
+  return sorted;
 }
 
 }  // namespace
@@ -72,19 +102,16 @@ const SurfaceField& surface_field(std::string_view name) {
   throw BadOption(fmt::format("unknown field '{}'; there are {}", name, known));
 }
 
-ValueRange robust_range(const SurfaceField& field, const Eigen::VectorXd& values, double size) {
-  std::vector<double> finite;
-  for (const double value : values) {
-    if (std::isfinite(value)) {
-      finite.push_back(field.diverging ? std::abs(value) : value);
-    }
-  }
+ValueRange robust_range(const SurfaceField& field, const Eigen::VectorXd& values,
+                        const FieldState& state) {
+  const std::vector<WeightedValue> sorted = values_by_area(field, values, state);
+  const double size = bounding_box_size(state.X).norm();
   const double least = least_difference * std::pow(size, field.dimension);
-  const double high = finite.empty() ? 0 : quantile(finite, 0.99);
+  const double high = quantile(sorted, 0.99);
   if (field.diverging) {
     return {-std::max(high, least), std::max(high, least)};
   }
-  const double low = finite.empty() ? 0 : quantile(finite, 0.01);
+  const double low = quantile(sorted, 0.01);
   return {low, std::max(high, low + 2 * least)};
 }
 

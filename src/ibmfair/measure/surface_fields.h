@@ -48,9 +48,10 @@ struct ValueRange {
   double low = 0, high = 0;
 };
 
-/// From the 1st to the 99th percentile of the finite values, so that a few wild ones do not take
-/// all colours; for a diverging field symmetric about 0. Differences that are rounding on a mesh
-/// whose bounding box has a diagonal of length `size` are not spread over all colours.
-ValueRange robust_range(const SurfaceField& field, const Eigen::VectorXd& values, double size);
+/// From the value that lies above 1 % of the surface of `state` to the one above 99 % of it, so
+/// that a few wild vertices do not take all colours; for a diverging field symmetric about 0.
+/// `values` are the field's. What differs by rounding only is not spread over all colours.
+ValueRange robust_range(const SurfaceField& field, const Eigen::VectorXd& values,
+                        const FieldState& state);
 
 }  // namespace ibmfair

@@ -6,7 +6,6 @@
 #include <string>
 #include <vector>
 
-#include "ibmfair/mesh/geometry.h"
 #include "ibmfair/picture/legend.h"
 
 namespace ibmfair {
@@ -47,9 +46,8 @@ Image render_field(const SurfaceField& field, std::span<const FieldState> states
     const bool has_values = !field.needs_before || state.before != nullptr;
     values.push_back(has_values ? field.values(state) : Eigen::VectorXd());
   }
-  const double size = states.empty() ? 0 : bounding_box_size(states.back().X).norm();
   const ValueRange range =
-      robust_range(field, values.empty() ? Eigen::VectorXd() : values.back(), size);
+      states.empty() ? ValueRange{} : robust_range(field, values.back(), states.back());
   const ColourScale scale{title_of(field), range.low, range.high, field.diverging};
 
   std::vector<PaintedMesh> meshes;
