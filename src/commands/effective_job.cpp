@@ -36,11 +36,14 @@ ordered_json values_json(const CLI::Option& option) {
   return list;
 }
 
-/// Giving a default as if it had been chosen would clash with an option that takes its place.
+/// Giving a default as if it had been chosen would clash with an option that takes its place, and
+/// ask for one that it needs.
 bool gives_way(const CLI::Option& option) {
   const auto excluded = option.get_excludes();
-  return std::any_of(excluded.begin(), excluded.end(),
-                     [](const CLI::Option* other) { return other->count() > 0; });
+  const auto needed = option.get_needs();
+  const auto is_given = [](const CLI::Option* other) { return other->count() > 0; };
+  return std::any_of(excluded.begin(), excluded.end(), is_given) ||
+         !std::all_of(needed.begin(), needed.end(), is_given);
 }
 
 }  // namespace
