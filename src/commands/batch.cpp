@@ -7,6 +7,7 @@
 #include "commands/batch/job_file.h"
 #include "commands/batch/run_batch.h"
 #include "commands/command.h"
+#include "commands/documentation.h"
 #include "commands/shared_options.h"
 
 namespace ibmfair::commands {
@@ -22,11 +23,12 @@ std::string default_journal(const std::string& jobs) {
   return jobs == "-" ? ".ibmfair-batch.journal" : jobs + ".journal";
 }
 
-constexpr const char* format_text = R"(A job file:
-  {"defaults": {"command": "smooth", "options": {"cutoff": "2%"}},
-   "jobs": [{"input": "scans/*.ply", "output": "fair/"},
-            {"input": ["a.obj", "b.obj"], "output": "fair/{stem}.ply", "options": {"steps": 32}},
-            {"command": "make", "shape": "torus", "output": "torus.off"}]}
+constexpr const char* format_text =
+    R"({"defaults": {"command": "smooth", "options": {"cutoff": "2%"}},
+ "jobs": [{"input": "scans/*.ply", "output": "fair/"},
+          {"input": ["a.obj", "b.obj"], "output": "fair/{stem}.ply",
+           "options": {"steps": 32}},
+          {"command": "make", "shape": "torus", "output": "torus.off"}]}
 `ibmfair COMMAND ... --dump-config` prints a run in this format.
 )";
 
@@ -35,15 +37,25 @@ constexpr const char* format_text = R"(A job file:
 Runner declare_batch(CLI::App& app) {
   auto arguments = std::make_shared<BatchArguments>();
   BatchOptions& options = arguments->options;
-  app.add_option("JOBS", arguments->jobs, "job file to read, see below; - is standard input")
-      ->type_name(file_to_read)
-      ->required();
+  CLI::Option* jobs =
+      app.add_option("JOBS", arguments->jobs, "job file to read; - is standard input")
+          ->type_name(file_to_read)
+          ->required();
+  note_of(app, *jobs).extensions = {"json"};
+  begin_group(app, groups::many_files);
   add_batch_options(app, options);
+  begin_group(app, groups::every_command);
   app.add_flag("--dump-config", options.dump_config,
                "print the list file by file with all defaults, run nothing");
+  begin_group(app, groups::reports_and_pictures);
   app.add_flag("--json", options.json, "write the summary as JSON to standard output");
   add_overwrite_option(app, options.overwrite);
-  app.footer(format_text);
+  documentation_of(app).sections = {{"A job file", format_text}};
+  documentation_of(app).examples = {
+      {"ibmfair batch jobs.json --jobs 4 --summary summary.csv",
+       "runs four jobs at a time, and writes what became of each"},
+      {"ibmfair batch jobs.json --resume", "runs only what is not done, or has changed"},
+  };
   return [arguments, &app](Console& console) {
     BatchOptions options = arguments->options;
     options.threads = app["--threads"]->empty() ? 0 : app["--threads"]->as<int>();

@@ -6,11 +6,14 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "commands/documentation.h"
 #include "commands/effective_job.h"
-#include "commands/help_format.h"
 #include "commands/many_files.h"
 #include "commands/numeric_options.h"
 #include "commands/suggest.h"
+#include "commands/usage/generators.h"
+#include "commands/usage/help_text.h"
+#include "commands/usage/usage_json.h"
 #include "ibmfair/base/threads.h"
 #include "ibmfair/base/version.h"
 
@@ -32,6 +35,48 @@ struct DeclaredCommand {
 
 namespace {
 
+constexpr const char* help_command = "help";
+
+/// Ends the parsing, whatever else was given or is missing: as --version does.
+[[noreturn]] void answer_with(const std::string& text) {
+  throw CLI::CallForVersion(text, 0);
+}
+
+/// Options that ask about the program (`app`), or about a command of it, in place of running one.
+void add_questions(CLI::App& app, const CLI::App& program) {
+  const auto usage = [&app, &program](auto of_program, auto of_command) {
+    return &app == &program ? of_program(usage_of_program(program))
+                            : of_command(usage_of_program(program), usage_of_command(app));
+  };
+  app.set_help_flag("-h,--help", "print this help");
+  app.add_flag_callback(
+         "--json-usage",
+         [usage] {
+           answer_with(usage(
+               [](const ProgramUsage& p) { return usage_json(p); },
+               [](const ProgramUsage& p, const CommandUsage& c) { return usage_json(p, c); }));
+         },
+         "print what this help says as JSON, for programs")
+      ->configurable(false);
+  CLI::Option* generate = app.add_option_function<std::string>(
+      "--generate",
+      [usage](const std::string& name) {
+        for (const Generator& generator : generators()) {
+          if (generator.name == name) {
+            answer_with(usage([&](const ProgramUsage& p) { return generator.make(p, nullptr); },
+                              [&](const ProgramUsage& p, const CommandUsage& c) {
+                                return generator.make(p, &c);
+                              }));
+          }
+        }
+      },
+      "print a man page, completions for a shell, or all options as tables");
+  generate->check(CLI::IsMember(generator_names()))->configurable(false);
+  if (&app != &program) {
+    generate->group("");  // it says the same of any command, but for the man page
+  }
+}
+
 std::string version_text() {
   std::string text = fmt::format("ibmfair {}\n", version());
   for (const Component& component : component_versions()) {
@@ -41,11 +86,13 @@ std::string version_text() {
 }
 
 void add_frame_options(CLI::App& app, FrameOptions& options) {
+  begin_group(app, groups::every_command);
   CLI::Option* quiet = app.add_flag("-q,--quiet", options.quiet, "print errors only");
   app.add_flag("-v,--verbose", options.verbose, "print details")->excludes(quiet);
-  add_integer(app, "--threads", options.threads, 0, largest_thread_count,
-              "threads to compute with; 0, the default, is one a core")
-      ->default_str("");  // a job takes its share of the cores where it does not say
+  CLI::Option* threads = add_integer(app, "--threads", options.threads, 0, largest_thread_count,
+                                     "threads to compute with; 0 is one a core");
+  threads->default_str("");  // a job takes its share of the cores where it does not say
+  note_of(app, *threads) = {.unit = "threads", .default_text = "0"};
   if (app.get_option_no_throw("--dump-config") == nullptr) {
     app.add_flag(
         "--dump-config", options.dump_config,
@@ -61,6 +108,7 @@ std::vector<std::string> command_names() {
   for (const Command& command : command_table()) {
     names.emplace_back(command.name);
   }
+  names.emplace_back(help_command);
   return names;
 }
 
@@ -110,6 +158,19 @@ std::string explain(const CLI::ParseError& error, const CLI::App& app) {
   return fmt::format("{}: {}", command.get_name(), error.what());
 }
 
+/// `help smooth` is `smooth --help`, and `help` is `--help`.
+std::vector<std::string> question_for_help(std::vector<std::string> words) {
+  words.erase(words.begin());
+  if (words.size() > 1) {
+    throw Misuse(fmt::format("help: '{}' is one argument too many", words[1]));
+  }
+  if (words == std::vector<std::string>{help_command}) {
+    words.clear();
+  }
+  words.emplace_back("--help");
+  return words;
+}
+
 Console::Level level_of(const FrameOptions& options) {
   if (options.quiet) {
     return Console::Level::quiet;
@@ -126,20 +187,34 @@ struct CommandLine::Parts {
 
   Parts() {
     app.name("ibmfair");
-    app.set_help_flag("-h,--help", "print this help");
+    app.option_defaults()->group("Instead of a command");
     app.set_version_flag("--version", version_text,
                          "print the versions of the program and its parts");
+    add_questions(app, app);
     app.require_subcommand(1);
-    app.footer("`ibmfair COMMAND --help` tells more about one of them.");
-    app.formatter(std::make_shared<HelpFormatter>());
   }
 
   void declare(const Command& command, bool many_files) {
-    CLI::App* sub = app.add_subcommand(std::string(command.name), std::string(command.summary));
-    sub->footer("")->group("Commands");
+    CLI::App* sub = app.add_subcommand(
+        std::make_shared<DocumentedApp>(std::string(command.summary), std::string(command.name)));
     Runner run = command.declare(*sub);
     declared.push_back({sub, take_many_files(*sub, std::move(run), many_files)});
     add_frame_options(*sub, options);
+    add_questions(*sub, app);
+  }
+
+  /// Of the command that was named, or else of the program. Throws Misuse where what was named is
+  /// no command.
+  std::string help() const {
+    const auto named = app.get_subcommands();
+    if (!named.empty()) {
+      return help_text(usage_of_command(*named.front()), help_width());
+    }
+    const std::vector<std::string> words = app.remaining();
+    if (!words.empty() && !words.front().starts_with('-')) {
+      throw Misuse(unknown_command(words.front()));
+    }
+    return help_text(usage_of_program(app), help_width());
   }
 
   const DeclaredCommand& chosen() const {
@@ -168,13 +243,16 @@ CommandLine::CommandLine(std::string_view command) : parts_(std::make_unique<Par
 CommandLine::~CommandLine() = default;
 
 std::optional<std::string> CommandLine::parse(std::vector<std::string> words) {
+  if (!words.empty() && words.front() == help_command) {
+    words = question_for_help(std::move(words));
+  }
   std::reverse(words.begin(), words.end());  // as the parser wants them
   try {
     parts_->app.parse(std::move(words));
   } catch (const CLI::CallForVersion& version) {
     return version.what();
   } catch (const CLI::CallForHelp&) {
-    return parts_->app.help();
+    return parts_->help();
   } catch (const CLI::ParseError& error) {
     throw Misuse(explain(error, parts_->app));
   }

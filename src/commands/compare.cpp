@@ -10,6 +10,7 @@
 
 #include "commands/argument_roles.h"
 #include "commands/command.h"
+#include "commands/documentation.h"
 #include "commands/figure_list.h"
 #include "commands/numeric_options.h"
 #include "commands/shared_options.h"
@@ -228,34 +229,68 @@ ExitCode run_compare(const CompareArguments& arguments, Console& console) {
   return within ? ExitCode::done : ExitCode::not_reached;
 }
 
+void add_meshes(CLI::App& app, CompareArguments& a) {
+  CLI::Option* first = app.add_option("A", a.a, "mesh file to read; - is standard input")
+                           ->type_name(file_to_read)
+                           ->required();
+  CLI::Option* second =
+      app.add_option("B", a.b, "mesh file to compare it with")->type_name(file_to_read);
+  offer_meshes_to_read(app, *first);
+  offer_meshes_to_read(app, *second);
+}
+
+void add_surfaces(CLI::App& app, CompareArguments& a) {
+  begin_group(app, "An exact surface instead of B");
+  CLI::Option* sphere =
+      app.add_option("--sphere", a.sphere,
+                     "compare A with the sphere of this radius, or with the one that fits best")
+          ->type_name("R|fit");
+  note_of(app, *sphere).offers = {"fit"};
+  CLI::Option* torus =
+      add_parsed_option(app, "--torus", "R,r",
+                        "compare A with the torus about the z axis, R to the middle of its tube",
+                        [&a](const std::string& text) {
+                          a.torus = parse_reals_option("--torus", text, 2, positive);
+                        });
+  CLI::Option* center = add_parsed_option(
+      app, "--center", "X,Y,Z", "centre of that sphere or torus", [&a](const std::string& text) {
+        a.center = parse_reals_option("--center", text, 3, any_real);
+      });
+  note_of(app, *center).default_text = "0,0,0";
+  for (const CLI::Option* option : {sphere, torus, center}) {
+    note_of(app, *option).unit = "mesh units";
+  }
+}
+
+void add_measures(CLI::App& app, CompareArguments& a) {
+  begin_group(app, "How to measure");
+  CLI::Option* samples =
+      add_integer(app, "--samples", a.samples, std::int64_t{1}, std::int64_t{100'000'000},
+                  "points on each surface that distances are measured at");
+  note_of(app, *samples).unit = "points";
+  CLI::Option* tolerance =
+      add_real(app, "--tolerance", a.tolerance, not_negative,
+               "exit with 1 where the largest distance between the surfaces is above this");
+  note_of(app, *tolerance).unit = "mesh units";
+  note_of(app, *tolerance).default_text = "no limit";
+}
+
 }  // namespace
 
 Runner declare_compare(CLI::App& app) {
   auto arguments = std::make_shared<CompareArguments>();
   CompareArguments* const a = arguments.get();
-  app.add_option("A", a->a, "mesh file to read; - is standard input")
-      ->type_name(file_to_read)
-      ->required();
-  app.add_option("B", a->b, "mesh file to compare it with")->type_name(file_to_read);
-  app.add_option("--sphere", a->sphere,
-                 "compare A with the sphere of this radius, or with the one that fits best (fit)")
-      ->type_name("R|fit");
-  add_parsed_option(app, "--torus", "R,r",
-                    "compare A with the torus about the z axis, R to the middle of its tube",
-                    [a](const std::string& text) {
-                      a->torus = parse_reals_option("--torus", text, 2, positive);
-                    });
-  add_parsed_option(app, "--center", "X,Y,Z", "centre of that sphere or torus (default 0,0,0)",
-                    [a](const std::string& text) {
-                      a->center = parse_reals_option("--center", text, 3, any_real);
-                    });
-  add_integer(app, "--samples", a->samples, std::int64_t{1}, std::int64_t{100'000'000},
-              "points on each surface that distances are measured at (default 100000)");
-  add_real(app, "--tolerance", a->tolerance, not_negative,
-           "exit with 1 where the largest distance between the surfaces is above this");
+  add_meshes(app, *a);
+  add_surfaces(app, *a);
+  add_measures(app, *a);
   add_input_options(app, a->input);
   add_report_options(app, a->report);
   add_overwrite_option(app, a->overwrite);
+  documentation_of(app).examples = {
+      {"ibmfair compare scan.ply fair.ply --tolerance 0.5",
+       "tells how far the two are apart, with exit code 1 where that is more than 0.5"},
+      {"ibmfair compare ball.ply --sphere fit", "the same for the sphere that fits best"},
+  };
   return [arguments](Console& console) { return run_compare(*arguments, console); };
 }
 

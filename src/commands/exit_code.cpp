@@ -1,11 +1,29 @@
 #include "commands/exit_code.h"
 
+#include <array>
 #include <exception>
 #include <new>
 
 #include "ibmfair/base/errors.h"
 
 namespace ibmfair::commands {
+
+std::span<const ExitCodeMeaning> exit_code_meanings() {
+  static constexpr std::array table{
+      ExitCodeMeaning{"0", "done"},
+      ExitCodeMeaning{"1", "ran, but did not reach what was asked"},
+      ExitCodeMeaning{"2", "an option or argument that cannot be used"},
+      ExitCodeMeaning{"3",
+                      "an input that cannot be read or is malformed; the message names file, "
+                      "line and column, or element and byte"},
+      ExitCodeMeaning{"4", "geometry that cannot be processed"},
+      ExitCodeMeaning{"5", "out of memory"},
+      ExitCodeMeaning{"6", "an output cannot be written"},
+      ExitCodeMeaning{"70", "a mistake in the program itself"},
+      ExitCodeMeaning{"128 + n", "ended by signal n: 130 for Ctrl-C, 143 for SIGTERM"},
+  };
+  return table;
+}
 
 ExitCode tell_of_current_exception(const Console& console) {
   const auto tell = [&console](ExitCode code, const char* message) {

@@ -1,6 +1,9 @@
 // What the program tells its caller, and the one place where failures are mapped to it.
 #pragma once
 
+#include <span>
+#include <string_view>
+
 #include "commands/console.h"
 
 namespace ibmfair::commands {
@@ -16,6 +19,14 @@ enum class ExitCode {
   internal_error = 70,  ///< a mistake in the program itself
   interrupted = 130
 };
+
+/// What the help says of a code; the codes of signals share a row.
+struct ExitCodeMeaning {
+  std::string_view code;
+  std::string_view meaning;
+};
+
+std::span<const ExitCodeMeaning> exit_code_meanings();
 
 /// Says what the exception being handled is about, and returns its exit code; call it in a catch
 /// block only. It needs no memory.

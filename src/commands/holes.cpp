@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "commands/command.h"
+#include "commands/documentation.h"
 #include "commands/hole_json.h"
 #include "commands/shared_options.h"
 #include "ibmfair/mesh/topology.h"
@@ -77,10 +78,14 @@ ExitCode run_holes(const HolesArguments& arguments, Console& console) {
 
 Runner declare_holes(CLI::App& app) {
   auto arguments = std::make_shared<HolesArguments>();
-  app.add_option("IN", arguments->path, "mesh file to read; - is standard input")->required();
+  add_input_argument(app, arguments->path);
   add_input_options(app, arguments->input);
   add_report_options(app, arguments->report);
   add_overwrite_option(app, arguments->overwrite);
+  documentation_of(app).examples = {
+      {"ibmfair holes scan.ply", "lists the boundary loops: id, edges, perimeter, diameter"},
+      {"ibmfair holes scan.ply --json > holes.json", "the same for programs, with the vertices"},
+  };
   return [arguments](Console& console) { return run_holes(*arguments, console); };
 }
 

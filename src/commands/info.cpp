@@ -9,6 +9,7 @@
 
 #include "commands/command.h"
 #include "commands/defect_warnings.h"
+#include "commands/documentation.h"
 #include "commands/figure_list.h"
 #include "commands/shared_options.h"
 #include "ibmfair/energy/bending_energy.h"
@@ -180,7 +181,8 @@ ExitCode run_info(const InfoArguments& arguments, Console& console) {
 
 Runner declare_info(CLI::App& app) {
   auto arguments = std::make_shared<InfoArguments>();
-  app.add_option("IN", arguments->path, "mesh file to read; - is standard input")->required();
+  add_input_argument(app, arguments->path);
+  begin_group(app, "What to measure");
   app.add_flag("--sphere", arguments->sphere,
                "fit a sphere, and tell the standard deviation of the vertices' distances to its "
                "centre as a part of their mean");
@@ -188,6 +190,11 @@ Runner declare_info(CLI::App& app) {
   add_strict_option(app, arguments->strict);
   add_report_options(app, arguments->report);
   add_overwrite_option(app, arguments->overwrite);
+  documentation_of(app).examples = {
+      {"ibmfair info scan.ply", "tells counts, defects, sizes and bending energies"},
+      {"ibmfair make icosphere - --format off --subdivide 4 | ibmfair info - --sphere",
+       "reads a mesh from a pipe, and tells how far it is from a sphere"},
+  };
   return [arguments](Console& console) { return run_info(*arguments, console); };
 }
 

@@ -1,5 +1,6 @@
 #include "commands/length.h"
 
+#include "commands/documentation.h"
 #include "ibmfair/mesh/geometry.h"
 
 namespace ibmfair::commands {
@@ -28,6 +29,14 @@ Length parse_length_option(std::string_view name, std::string_view text, Length:
     }
   }
   return {parse_real_option(name, number, positive), unit};
+}
+
+void note_units_of_length(CLI::App& app, const CLI::Option& option, Length::Unit unit) {
+  note_of(app, option).unit =
+      unit == Length::Unit::edges
+          ? "mean edge lengths (8 or 8e), % of the bounding box's diagonal (2%), mesh units (0.5u)"
+          : "mesh units (0.5 or 0.5u), mean edge lengths (8e), % of the bounding box's diagonal "
+            "(2%)";
 }
 
 }  // namespace ibmfair::commands

@@ -26,13 +26,18 @@ struct Length {
 /// that starts with `name`.
 Length parse_length_option(std::string_view name, std::string_view text, Length::Unit unit);
 
+/// Tells the help which units the option takes.
+void note_units_of_length(CLI::App& app, const CLI::Option& option, Length::Unit unit);
+
 /// Declares an option for a length; Target is Length or std::optional<Length>.
 template <class Target>
 CLI::Option* add_length(CLI::App& app, const std::string& name, Target& target, Length::Unit unit,
                         const std::string& help) {
-  return add_parsed_option(app, name, "LENGTH", help, [&target, name, unit](const auto& text) {
-    target = parse_length_option(name, text, unit);
-  });
+  CLI::Option* option = add_parsed_option(
+      app, name, "LENGTH", help,
+      [&target, name, unit](const auto& text) { target = parse_length_option(name, text, unit); });
+  note_units_of_length(app, *option, unit);
+  return option;
 }
 
 }  // namespace ibmfair::commands

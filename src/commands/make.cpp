@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "commands/command.h"
+#include "commands/documentation.h"
 #include "commands/numeric_options.h"
 #include "commands/shared_options.h"
 #include "commands/suggest.h"
@@ -39,9 +40,9 @@ std::vector<std::string> shape_names() {
 }
 
 std::string shape_list() {
-  std::string text = "Shapes:\n";
+  std::string text;
   for (const Shape& shape : shapes()) {
-    text += fmt::format("  {:<16}{}\n", shape.name, shape.summary);
+    text += fmt::format("{:<16}{}\n", shape.name, shape.summary);
   }
   return text;
 }
@@ -80,37 +81,64 @@ ExitCode run_make(const MakeArguments& arguments, Console& console) {
 
 void add_shape_settings(CLI::App& app, ShapeSettings& settings) {
   constexpr Index most = std::numeric_limits<Index>::max();
-  add_integer(app, "--subdivide", settings.subdivide, 0, 64,
-              "split every triangle into four, N times (polyhedra; default 0)");
-  add_integer(app, "--refine-face", settings.refine_face, Index{0}, most,
-              "split the triangles of the polyhedron's face N once more");
-  add_real(app, "--ratio", settings.ratio, positive, "proportion of the shape, see below");
-  add_integer(app, "--rows", settings.rows, Index{1}, most,
-              "rows of vertices (default: so that triangles are near equilateral)");
-  add_integer(app, "--columns", settings.columns, Index{1}, most,
-              "vertices in a row (default likewise; with neither, the smaller of the two is 32)");
+  begin_group(app, "The shape");
+  CLI::Option* subdivide = add_integer(app, "--subdivide", settings.subdivide, 0, 64,
+                                       "split every triangle of a polyhedron into four");
+  note_of(app, *subdivide) = {.unit = "times", .default_text = "0"};
+  CLI::Option* face = add_integer(app, "--refine-face", settings.refine_face, Index{0}, most,
+                                  "split the triangles of this face of a polyhedron once more");
+  note_of(app, *face) = {.unit = "a face's number from 0", .default_text = "none"};
+  CLI::Option* ratio = add_real(app, "--ratio", settings.ratio, positive,
+                                "proportion of the shape, see the list of shapes");
+  note_of(app, *ratio).default_text = "the number in the list";
+  CLI::Option* rows =
+      add_integer(app, "--rows", settings.rows, Index{1}, most, "rows of vertices of a grid");
+  CLI::Option* columns =
+      add_integer(app, "--columns", settings.columns, Index{1}, most, "vertices in a row");
+  for (const CLI::Option* option : {rows, columns}) {
+    note_of(app, *option).default_text =
+        "so that triangles are near equilateral; with neither, the smaller of the two is 32";
+  }
+  note_of(app, *rows).unit = "rows";
+  note_of(app, *columns).unit = "vertices";
   app.add_flag("--straight", settings.straight,
                "do not shift every other row by half a cell: right-angled triangles");
+}
+
+void add_changes(CLI::App& app, MakeArguments& arguments) {
+  begin_group(app, "What is done to it");
+  CLI::Option* noise = add_real(app, "--noise", arguments.noise, not_negative,
+                                "normal noise of this standard deviation in each coordinate");
+  note_of(app, *noise).unit = "mean edge lengths";
+  add_integer(app, "--seed", arguments.seed, std::uint64_t{0}, std::uint64_t{1} << 62U,
+              "of the noise, any number");
+  CLI::Option* scale =
+      add_real(app, "--scale", arguments.scale, positive, "multiply all coordinates");
+  note_of(app, *scale).unit = "factor";
+  CLI::Option* move = add_parsed_option(
+      app, "--move", "X,Y,Z", "then move the shape", [&arguments](const std::string& text) {
+        arguments.move = parse_reals_option("--move", text, 3, any_real);
+      });
+  note_of(app, *move) = {.unit = "mesh units", .default_text = "0,0,0"};
 }
 
 }  // namespace
 
 Runner declare_make(CLI::App& app) {
   auto arguments = std::make_shared<MakeArguments>();
-  app.add_option("SHAPE", arguments->shape, "what to make, see below")->required();
+  CLI::Option* shape =
+      app.add_option("SHAPE", arguments->shape, "what to make, see the list of shapes")->required();
+  note_of(app, *shape).offers = shape_names();
   add_output_options(app, arguments->output);
   add_shape_settings(app, arguments->settings);
-  add_real(app, "--noise", arguments->noise, not_negative,
-           "normal noise of this standard deviation per coordinate, in mean edge lengths");
-  add_integer(app, "--seed", arguments->seed, std::uint64_t{0}, std::uint64_t{1} << 62U,
-              "of the noise (default 1)");
-  add_real(app, "--scale", arguments->scale, positive, "multiply all coordinates (default 1)");
-  add_parsed_option(app, "--move", "X,Y,Z", "then move the shape",
-                    [arguments = arguments.get()](const std::string& text) {
-                      arguments->move = parse_reals_option("--move", text, 3, any_real);
-                    });
+  add_changes(app, *arguments);
   add_overwrite_option(app, arguments->output.write.overwrite);
-  app.footer(shape_list());
+  documentation_of(app).sections = {{"Shapes", shape_list()}};
+  documentation_of(app).examples = {
+      {"ibmfair make icosphere ball.ply --subdivide 4", "a sphere of 2562 vertices"},
+      {"ibmfair make torus torus.obj --noise 0.2 --seed 7",
+       "a torus whose vertices are off by a fifth of an edge length, another one for each seed"},
+  };
   return [arguments](Console& console) { return run_make(*arguments, console); };
 }
 

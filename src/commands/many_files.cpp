@@ -10,13 +10,13 @@
 #include "commands/batch/batch_options.h"
 #include "commands/batch/name_pattern.h"
 #include "commands/batch/run_batch.h"
+#include "commands/documentation.h"
 #include "commands/effective_job.h"
+#include "commands/shared_options.h"
 
 namespace ibmfair::commands {
 
 namespace {
-
-constexpr const char* group = "Many files";
 
 struct ManyFiles {
   std::vector<std::string> inputs;
@@ -26,18 +26,20 @@ struct ManyFiles {
 };
 
 void declare_options(CLI::App& command, ManyFiles& many) {
+  begin_group(command, groups::many_files);
   CLI::Option* folder =
       command.add_option("--out-dir", many.folder,
                          "take any number of files IN and write them under the same names "
                          "into this folder (no OUT)");
-  folder->type_name("DIR")->configurable(false)->group(group);
+  folder->type_name("DIR")->configurable(false);
   std::vector<CLI::Option*> options = add_batch_options(command, many.options);
   options.push_back(command.add_option("--out-name", many.name,
                                        "name them otherwise, as {stem}.ply; so can "
                                        "other options for files"));
+  note_of(command, *options.back()).default_text = "{name}";
   options.back()->type_name("PATTERN")->configurable(false);
   for (CLI::Option* option : options) {
-    option->group(group)->needs(folder);
+    option->needs(folder);
   }
 }
 
@@ -109,7 +111,9 @@ Runner take_many_files(CLI::App& command, Runner run, bool asked) {
   }
   command.remove_option(input);
   command.remove_option(output);
-  command.add_option("IN", many->inputs, "mesh files to read")->required();
+  CLI::Option* inputs = command.add_option("IN", many->inputs, "mesh files to read")->required();
+  offer_meshes_to_read(command, *inputs);
+  begin_group(command, groups::every_command);
   command.add_flag("--dump-config", many->options.dump_config,
                    "print these arguments and all defaults as a job, run nothing");
   // The command's own arguments live as long as its runner.

@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include "commands/documentation.h"
 #include "ibmfair/base/errors.h"
 #include "ibmfair/io/numbers.h"
 
@@ -83,14 +84,17 @@ CLI::Option* add_parsed_option(CLI::App& app, const std::string& name, const std
 
 CLI::Option* add_bytes(CLI::App& app, const std::string& name, double& target,
                        const std::string& help) {
-  return add_parsed_option(app, name, "BYTES", help, [&target, name](const std::string& text) {
+  const auto set = [&target, name](const std::string& text) {
     constexpr std::string_view units = "kMGT";
     const std::size_t unit = text.empty() ? std::string_view::npos : units.find(text.back());
     const bool has_unit = unit != std::string_view::npos;
     const double number = parse_real_option(
         name, std::string_view(text).substr(0, text.size() - (has_unit ? 1 : 0)), positive);
     target = has_unit ? number * std::pow(1000.0, static_cast<double>(unit + 1)) : number;
-  });
+  };
+  CLI::Option* option = add_parsed_option(app, name, "BYTES", help, set);
+  note_of(app, *option).unit = "bytes, or k, M, G or T of them";
+  return option;
 }
 
 void show_default(CLI::Option& option, double value, const Range& range) {

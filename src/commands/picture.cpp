@@ -6,6 +6,7 @@
 #include <CLI/CLI.hpp>
 
 #include "commands/argument_roles.h"
+#include "commands/documentation.h"
 #include "ibmfair/io/atomic_file.h"
 #include "ibmfair/picture/field_picture.h"
 #include "ibmfair/picture/png.h"
@@ -40,6 +41,7 @@ void add_picture_options(CLI::App& app, const std::string& what, PictureOptions&
   }
   auto* picture = app.add_option("--picture", options.path, "draw " + what + " into this PNG file")
                       ->type_name(file_to_write);
+  note_of(app, *picture).extensions = {"png"};
   app.add_option("--picture-colour", options.colour,
                  "colour the picture by this field of the surface, with a legend below")
       ->check(CLI::IsMember(names))

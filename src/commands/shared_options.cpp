@@ -4,10 +4,12 @@
 #include <nlohmann/json.hpp>
 
 #include "commands/argument_roles.h"
+#include "commands/documentation.h"
 #include "commands/printable.h"
 #include "ibmfair/base/errors.h"
 #include "ibmfair/base/version.h"
 #include "ibmfair/io/atomic_file.h"
+#include "ibmfair/io/formats.h"
 
 namespace ibmfair::commands {
 
@@ -15,13 +17,48 @@ namespace {
 
 constexpr int report_version = 1;
 
+/// The names and extensions of the formats, but for the row of the many others.
+struct FormatWords {
+  std::vector<std::string> names, extensions;
+};
+
+FormatWords format_words(bool to_write) {
+  FormatWords words;
+  for (const Format& format : formats()) {
+    if (to_write ? format.generate != nullptr : &format != &formats().back()) {
+      words.names.emplace_back(format.name);
+      words.extensions.insert(words.extensions.end(), format.extensions.begin(),
+                              format.extensions.end());
+    }
+  }
+  return words;
+}
+
 }  // namespace
 
+void add_input_argument(CLI::App& app, std::string& path) {
+  CLI::Option* in = app.add_option("IN", path, "mesh file to read; - is standard input");
+  offer_meshes_to_read(app, *in->required());
+}
+
+void offer_meshes_to_read(CLI::App& app, const CLI::Option& option) {
+  note_of(app, option).extensions = format_words(false).extensions;
+}
+
+void offer_meshes_to_write(CLI::App& app, const CLI::Option& option) {
+  note_of(app, option).extensions = format_words(true).extensions;
+}
+
 void add_input_options(CLI::App& app, InputOptions& options) {
-  app.add_option("--input-format", options.read.format,
-                 "format of the input, where its name does not tell (as for -)")
-      ->type_name("NAME");
-  app.add_flag("--weld", options.read.weld, "merge vertices at exactly the same place");
+  begin_group(app, groups::input_and_output);
+  CLI::Option* format =
+      app.add_option("--input-format", options.read.format,
+                     "format of the input, where its name does not tell (as for -)")
+          ->type_name("NAME");
+  note_of(app, *format).offers = format_words(false).names;
+  note_of(app, *format).default_text = "by the file's name and first bytes";
+  app.add_flag("--weld", options.read.weld,
+               "merge vertices at exactly the same place (never done unasked)");
 }
 
 MeshFile read_input(const std::string& path, const InputOptions& options, Console& console) {
@@ -33,27 +70,36 @@ MeshFile read_input(const std::string& path, const InputOptions& options, Consol
 }
 
 void add_output_options(CLI::App& app, OutputOptions& options) {
-  app.add_option("OUT", options.path, "mesh file to write; - is standard output")
-      ->type_name(file_to_write)
-      ->required();
-  app.add_option("--format", options.write.format,
-                 "format of the output, where its name does not tell (as for -)")
-      ->type_name("NAME");
+  begin_group(app, groups::input_and_output);
+  CLI::Option* out = app.add_option("OUT", options.path, "mesh file to write; - is standard output")
+                         ->type_name(file_to_write);
+  offer_meshes_to_write(app, *out->required());
+  CLI::Option* format =
+      app.add_option("--format", options.write.format,
+                     "format of the output, where its name does not tell (as for -)")
+          ->type_name("NAME");
+  note_of(app, *format).offers = format_words(true).names;
+  note_of(app, *format).default_text = "by the file's name";
 }
 
 void add_overwrite_option(CLI::App& app, bool& overwrite) {
+  begin_group(app, groups::input_and_output);
   app.add_flag("--overwrite", overwrite, "replace files that exist");
 }
 
 void add_strict_option(CLI::App& app, bool& strict) {
+  begin_group(app, groups::input_and_output);
   app.add_flag("--strict", strict, "fail (exit code 4) where the mesh has defects");
 }
 
 void add_report_options(CLI::App& app, ReportOptions& options) {
+  begin_group(app, groups::reports_and_pictures);
   app.add_flag("--json", options.json, "write the figures as JSON to standard output")
       ->configurable(false);  // a batch reads them there itself
-  app.add_option("--report", options.path, "write the figures as JSON to this file, too")
-      ->type_name(file_to_write);
+  CLI::Option* report =
+      app.add_option("--report", options.path, "write the figures as JSON to this file, too")
+          ->type_name(file_to_write);
+  note_of(app, *report).extensions = {"json"};
 }
 
 std::string text_of(const nlohmann::ordered_json& report) {

@@ -10,9 +10,17 @@
 
 namespace CLI {
 class App;
-}
+class Option;
+}  // namespace CLI
 
 namespace ibmfair::commands {
+
+/// The positional IN: a mesh to read.
+void add_input_argument(CLI::App& app, std::string& path);
+
+/// The file names of a mesh that shells offer first for this argument or option.
+void offer_meshes_to_read(CLI::App& app, const CLI::Option& option);
+void offer_meshes_to_write(CLI::App& app, const CLI::Option& option);
 
 /// How input files are read.
 struct InputOptions {

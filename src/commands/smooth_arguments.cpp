@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 
 #include "commands/argument_roles.h"
+#include "commands/documentation.h"
 #include "commands/numeric_options.h"
 #include "ibmfair/energy/bending_energy.h"
 #include "ibmfair/flow/jacobian_solver.h"
@@ -28,82 +29,122 @@ std::vector<std::string> laplacian_names() {
   return names;
 }
 
-void add_flow_options(CLI::App& app, SmoothArguments& a) {
+void add_amount_options(CLI::App& app, SmoothArguments& a) {
   constexpr int most = 1'000'000;
-  add_integer(app, "--steps", a.flow.steps, 0, most,
-              "time steps (default 16; 0 writes the mesh as it was read)");
-  auto* cutoff =
+  begin_group(app, "How much to smooth");
+  CLI::Option* cutoff =
       add_length(app, "--cutoff", a.cutoff, Length::Unit::edges,
-                 "smooth ripples up to about this wavelength, in all steps together: in "
-                 "mean edge lengths, or with % of the bounding box's diagonal, or with u "
-                 "in the mesh's units (default: 8 for 16 steps, more with more steps)");
-  add_real(app, "--time-step", a.time_step, positive,
-           "time of one step instead: length^4 (--metric mass) or length^2 (identity)")
-      ->excludes(cutoff);
-  app.add_option("--laplacian", a.flow.laplacian, "member of the family of energies")
+                 "smooth ripples up to about this wavelength, in all steps together");
+  note_of(app, *cutoff).default_text = "8e for 16 steps, more with more steps";
+  CLI::Option* steps = add_integer(app, "--steps", a.flow.steps, 0, most,
+                                   "time steps; 0 writes the mesh as it was read");
+  note_of(app, *steps).unit = "steps";
+  CLI::Option* time_step = add_real(app, "--time-step", a.time_step, positive,
+                                    "time of one step, in place of a cut-off for all of them");
+  time_step->excludes(cutoff);
+  note_of(app, *time_step).unit = "mesh units^4, or mesh units^2 with --metric identity";
+  note_of(app, *time_step).default_text = "what --cutoff makes of it";
+  CLI::Option* max_move = add_length(app, "--max-move", a.max_move, Length::Unit::absolute,
+                                     "move no vertex further than this from where it was");
+  note_of(app, *max_move).default_text = "no limit";
+}
+
+void add_flow_options(CLI::App& app, SmoothArguments& a) {
+  begin_group(app, groups::energy_and_flow);
+  app.add_option("--laplacian", a.flow.laplacian,
+                 "member of the family of energies: crouzeix-raviart removes folded spikes best, "
+                 "lagrange is consistent, for stationary limits")
       ->check(CLI::IsMember(laplacian_names()))
       ->capture_default_str();
   app.add_flag("--no-mass", a.no_mass, "leave the mass matrix out of the energy");
-  app.add_option("--metric", a.metric, "of the flow: mass (independent of sampling) or identity")
+  app.add_option("--metric", a.metric,
+                 "of the flow: mass (independent of the sampling) or identity")
       ->check(CLI::IsMember({"mass", "identity"}))
       ->capture_default_str();
-  add_integer(app, "--newton-iterations", a.flow.newton_iterations, 1, 1000,
-              "inexact Newton iterations per step (default 1)");
-  app.add_option("--solver", a.flow.solver,
-                 "of the linear systems: cholmod (factored), cg (conjugate gradients: least "
-                 "memory) or auto (the one predicted to be quicker)")
-      ->check(CLI::IsMember(solver_names()))
-      ->capture_default_str();
-  add_real(app, "--solver-tolerance", a.flow.solver_tolerance, positive,
-           "residual at which conjugate gradients stop, of what it was: 0.3 halves the time, and "
-           "leaves ripples near the cut-off where there are few steps (default 0.05)");
-  add_bytes(
-      app, "--memory", a.flow.memory_limit,
-      "memory that the program may take, as in 800M or 4G: auto takes a solver that fits, and "
-      "what fits with none is refused before the first step (default: what there is)");
-  app.add_flag("--dry-run", a.dry_run,
-               "print what time and memory it would take, and write no mesh");
-  app.add_option("--tangential", a.tangential,
-                 "relax or none: even out vertices within the surface after each step (default "
-                 "relax; none where the mesh has texture coordinates)")
-      ->check(CLI::IsMember({"relax", "none"}));
+  CLI::Option* iterations = add_integer(app, "--newton-iterations", a.flow.newton_iterations, 1,
+                                        1000, "inexact Newton iterations per step");
+  note_of(app, *iterations).unit = "iterations";
+  CLI::Option* tangential =
+      app.add_option("--tangential", a.tangential,
+                     "even out vertices within the surface after each step (relax), or do not")
+          ->check(CLI::IsMember({"relax", "none"}));
+  note_of(app, *tangential).default_text =
+      "relax, or none where the mesh has texture coordinates or with --plain";
   app.add_flag("--plain", a.plain, "the published scheme: no guard, no relaxation");
 }
 
+void add_solver_options(CLI::App& app, SmoothArguments& a) {
+  begin_group(app, groups::solver_and_memory);
+  app.add_option("--solver", a.flow.solver,
+                 "of the linear systems: cholmod (factored once for many steps), cg (conjugate "
+                 "gradients: least memory) or auto (the one predicted to be quicker)")
+      ->check(CLI::IsMember(solver_names()))
+      ->capture_default_str();
+  CLI::Option* tolerance =
+      add_real(app, "--solver-tolerance", a.flow.solver_tolerance, positive,
+               "residual at which conjugate gradients stop: 0.3 halves the time, and leaves "
+               "ripples near the cut-off where there are few steps");
+  note_of(app, *tolerance).unit = "times the residual at their start";
+  CLI::Option* memory =
+      add_bytes(app, "--memory", a.flow.memory_limit,
+                "memory that the program may take, as in 800M or 4G: auto takes a solver that "
+                "fits, and what fits with none is refused before the first step");
+  note_of(app, *memory).default_text = "what there is";
+  app.add_flag("--dry-run", a.dry_run,
+               "print what time and memory it would take, and write no mesh");
+}
+
 void add_constraint_options(CLI::App& app, SmoothArguments& a) {
+  begin_group(app, "Which vertices move");
   app.add_option("--boundary", a.boundary,
                  "open boundaries: fixed (two rings of vertices), position (one) or free")
       ->check(CLI::IsMember({"fixed", "position", "free"}))
       ->capture_default_str();
-  app.add_option("--fix", a.fix_file, "hold the vertices listed in this file, counted from 0")
-      ->type_name(file_to_read);
-  app.add_option("--mask", a.mask,
-                 "move only the vertices of this OBJ group, object or material, or those whose PLY "
-                 "property of this name is not zero")
-      ->type_name("NAME");
-  add_length(
-      app, "--max-move", a.max_move, Length::Unit::absolute,
-      "move no vertex further than this from where it was: in the mesh's units, or with e in "
-      "mean edge lengths, or with % of the bounding box's diagonal");
+  CLI::Option* fix =
+      app.add_option("--fix", a.fix_file,
+                     "hold the vertices listed in this text file, by their numbers from 0")
+          ->type_name(file_to_read);
+  note_of(app, *fix).default_text = "none";
+  CLI::Option* mask =
+      app.add_option("--mask", a.mask,
+                     "move only the vertices of this OBJ group, object or material, or those whose "
+                     "PLY property of this name is not zero")
+          ->type_name("NAME");
+  note_of(app, *mask).default_text = "all move";
+}
+
+void add_file_options(CLI::App& app, SmoothArguments& a) {
+  add_input_options(app, a.reading);
+  add_strict_option(app, a.strict);
+  CLI::Option* checkpoint =
+      app.add_option("--checkpoint", a.checkpoint,
+                     "when interrupted (Ctrl-C or SIGTERM), end after the time step, write the "
+                     "mesh that was reached to this file instead of OUT, and say how to go on from "
+                     "it; once more ends at once")
+          ->type_name(file_to_write)
+          ->configurable(false);  // a batch starts its files again
+  offer_meshes_to_write(app, *checkpoint);
+  add_overwrite_option(app, a.output.write.overwrite);
+  add_report_options(app, a.report);
+  add_picture_options(app, "the mesh before and after", a.picture);
 }
 
 }  // namespace
 
 void add_smooth_arguments(CLI::App& app, SmoothArguments& a) {
-  app.add_option("IN", a.input, "mesh file to read; - is standard input")->required();
+  add_input_argument(app, a.input);
   add_output_options(app, a.output);
-  add_flow_options(app, a);
+  add_amount_options(app, a);
   add_constraint_options(app, a);
-  add_input_options(app, a.reading);
-  add_strict_option(app, a.strict);
-  add_report_options(app, a.report);
-  add_picture_options(app, "the mesh before and after", a.picture);
-  app.add_option("--checkpoint", a.checkpoint,
-                 "when interrupted (Ctrl-C), end after the time step and write the mesh that was "
-                 "reached to this file instead of OUT")
-      ->type_name(file_to_write)
-      ->configurable(false);  // a batch starts its files again
-  add_overwrite_option(app, a.output.write.overwrite);
+  add_flow_options(app, a);
+  add_solver_options(app, a);
+  add_file_options(app, a);
+  documentation_of(app).examples = {
+      {"ibmfair smooth scan.ply fair.ply --cutoff 2% --picture fair.png",
+       "removes ripples up to a fiftieth of the mesh's size, and draws it before and after"},
+      {"ibmfair smooth part.obj fair.obj --mask blend --max-move 0.5e",
+       "moves only the group `blend`, no vertex by more than half a mean edge length"},
+  };
 }
 
 }  // namespace ibmfair::commands

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "commands/argument_roles.h"
+#include "commands/documentation.h"
 #include "commands/numeric_options.h"
 #include "ibmfair/base/errors.h"
 #include "ibmfair/base/threads.h"
@@ -29,12 +30,12 @@ Shard parse_shard(const std::string& text) {
 std::vector<CLI::Option*> add_batch_options(CLI::App& app, BatchOptions& options) {
   std::vector<CLI::Option*> added;
   added.push_back(add_integer(app, "--jobs", options.jobs, 0, largest_thread_count,
-                              "files at a time, which share the cores (default 1; 0 is one a "
-                              "core)"));
+                              "this many at a time, which share the cores; 0 is one a core"));
+  note_of(app, *added.back()).unit = "files";
   added.push_back(
       app.add_flag("--fail-fast", options.fail_fast, "start no further file once one has failed"));
   added.push_back(app.add_flag("--keep-going")
-                      ->description("go on with the others (default)")
+                      ->description("go on with the others, as without it")
                       ->excludes(added.back()));
   added.push_back(app.add_flag("--resume", options.resume,
                                "skip what is done and unchanged, redo and replace the rest of what "
@@ -42,15 +43,19 @@ std::vector<CLI::Option*> add_batch_options(CLI::App& app, BatchOptions& options
   added.push_back(add_parsed_option(
       app, "--shard", "I/N", "run the I-th of N parts of the list, counted from 1",
       [&options](const std::string& text) { options.shard = parse_shard(text); }));
+  note_of(app, *added.back()).default_text = "1/1";
   if (app.get_option_no_throw("--dry-run") == nullptr) {
     added.push_back(app.add_flag("--dry-run", options.dry_run, "print the commands, run nothing"));
   }
   added.push_back(app.add_option("--summary", options.summary,
                                  "write what became of every file to this .csv or .json file")
                       ->type_name(file_to_write));
+  note_of(app, *added.back()).extensions = {"csv", "json"};
   added.push_back(
       app.add_option("--journal", options.journal, "keep the record for --resume in this file")
           ->type_name(file_to_write));
+  note_of(app, *added.back()).default_text =
+      "JOBS.journal, or .ibmfair-batch.journal in the output folder";
   for (CLI::Option* option : added) {
     option->configurable(false);
   }

@@ -1,0 +1,130 @@
+#include "commands/usage/help_text.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <sstream>
+
+#include <fmt/format.h>
+#include <sys/ioctl.h>
+#include <unistd.h>
+
+namespace ibmfair::commands {
+
+namespace {
+
+constexpr std::size_t left_column = 26;
+constexpr std::size_t narrowest = 80, widest = 110;
+
+/// The text in lines of at most `width` columns, every one but the first behind `indent` blanks;
+/// the first begins at column `start`.
+std::string wrapped(const std::string& text, std::size_t start, std::size_t indent,
+                    std::size_t width) {
+  std::istringstream words(text);
+  std::string result;
+  std::size_t column = start;
+  bool first = true;
+  for (std::string word; words >> word; first = false) {
+    if (!first && column + 1 + word.size() > width) {
+      result += "\n" + std::string(indent, ' ');
+      column = indent;
+    } else if (!first) {
+      result += ' ';
+      ++column;
+    }
+    result += word;
+    column += word.size();
+  }
+  return result;
+}
+
+/// `  heading   text`, the text in a column of its own.
+std::string entry(const std::string& heading, const std::string& text, std::size_t width) {
+  std::string line = fmt::format("  {}", heading);
+  if (line.size() + 2 > left_column) {
+    line += "\n" + std::string(left_column, ' ');
+  } else {
+    line.resize(left_column, ' ');
+  }
+  return line + wrapped(text, left_column, left_column, width) + "\n";
+}
+
+std::string option_groups(const std::vector<OptionUsage>& options, std::size_t width) {
+  std::string text;
+  for (const std::string& group : groups_of(options)) {
+    text += fmt::format("\n{}:\n", group);
+    for (const OptionUsage& option : options) {
+      if (option.group == group) {
+        text += entry(heading_of(option), full_help_of(option, options), width);
+      }
+    }
+  }
+  return text;
+}
+
+std::string example_list(const std::vector<Example>& examples, std::size_t width) {
+  std::string text = examples.empty() ? "" : "\nExamples:\n";
+  for (const Example& example : examples) {
+    text += fmt::format("  {}\n      {}\n", example.command, wrapped(example.meaning, 6, 6, width));
+  }
+  return text;
+}
+
+std::size_t terminal_width() {
+  for (const int descriptor : {STDOUT_FILENO, STDERR_FILENO}) {
+    winsize size{};
+    if (ioctl(descriptor, TIOCGWINSZ, &size) == 0 && size.ws_col > 0) {
+      return size.ws_col;
+    }
+  }
+  return 0;
+}
+
+}  // namespace
+
+std::string help_text(const ProgramUsage& program, std::size_t width) {
+  std::string text = fmt::format("{}\n\nUsage: ibmfair COMMAND [ARGUMENT...] [OPTION...]\n",
+                                 wrapped(program.summary, 0, 0, width));
+  text += "\nCommands:\n";
+  for (const CommandUsage& command : program.commands) {
+    text += entry(command.name, command.summary, width);
+  }
+  text += entry("help COMMAND", "tell all about one of them: arguments, options, examples", width);
+  text += option_groups(program.options, width);
+  std::vector<Example> examples;
+  for (const CommandUsage& command : program.commands) {
+    if (!command.examples.empty()) {
+      examples.push_back(command.examples.front());
+    }
+  }
+  text += example_list(examples, width) + "\nExit codes:\n";
+  for (const ExitCodeUsage& row : program.exit_codes) {
+    text += fmt::format("  {:<10}{}\n", row.code, wrapped(row.meaning, 12, 12, width));
+  }
+  return text;
+}
+
+std::string help_text(const CommandUsage& command, std::size_t width) {
+  std::string text = fmt::format("{}\n\nUsage: {}\n\nArguments:\n",
+                                 wrapped(command.summary, 0, 0, width), synopsis_of(command));
+  for (const OptionUsage& argument : command.arguments) {
+    text += entry(argument.name, full_help_of(argument, {}), width);
+  }
+  text += option_groups(command.options, width);
+  text += example_list(command.examples, width);
+  for (const Section& section : command.sections) {
+    text += fmt::format("\n{}:\n", section.title);
+    std::istringstream lines(section.text);
+    for (std::string line; std::getline(lines, line);) {
+      text += fmt::format("  {}\n", line);
+    }
+  }
+  return text;
+}
+
+std::size_t help_width() {
+  const char* given = std::getenv("COLUMNS");
+  const unsigned long columns = given == nullptr ? 0 : std::strtoul(given, nullptr, 10);
+  return std::clamp<std::size_t>(columns > 0 ? columns : terminal_width(), narrowest, widest);
+}
+
+}  // namespace ibmfair::commands

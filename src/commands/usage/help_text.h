@@ -1,0 +1,20 @@
+// How --help looks.
+#pragma once
+
+#include <string>
+
+#include "commands/usage/usage.h"
+
+namespace ibmfair::commands {
+
+/// The help of the program, in lines of at most `width` columns.
+std::string help_text(const ProgramUsage& program, std::size_t width);
+
+/// The help of a command.
+std::string help_text(const CommandUsage& command, std::size_t width);
+
+/// The width to write help in: that of the terminal, or of COLUMNS, within 80 to 110; 80 where
+/// neither is known.
+std::size_t help_width();
+
+}  // namespace ibmfair::commands
