@@ -10,23 +10,29 @@
 #include <unistd.h>
 
 #include "commands/printable.h"
+#include "commands/terminal_line.h"
 #include "ibmfair/io/atomic_file.h"
 
 namespace ibmfair::commands {
 
 namespace {
 
-bool wants_colour() {
-  const char* no_color = std::getenv("NO_COLOR");
-  const char* terminal = std::getenv("TERM");
-  return (no_color == nullptr || *no_color == '\0') && terminal != nullptr &&
-         std::string_view(terminal) != "dumb";
+std::string_view variable(const char* name) {
+  const char* value = std::getenv(name);
+  return value == nullptr ? "" : value;
+}
+
+bool wants_colour(bool on_terminal) {
+  const std::string_view terminal = variable("TERM"), force = variable("CLICOLOR_FORCE");
+  if (!variable("NO_COLOR").empty() || terminal == "dumb") {
+    return false;
+  }
+  return (!force.empty() && force != "0") || (on_terminal && !terminal.empty());
 }
 
 }  // namespace
 
-Console::Console()
-    : terminal_(isatty(STDERR_FILENO) == 1), coloured_(terminal_ && wants_colour()) {}
+Console::Console() : terminal_(isatty(STDERR_FILENO) == 1), coloured_(wants_colour(terminal_)) {}
 
 void Console::error(std::string_view text) const {
   say("error: ", "\x1b[1;31m", text);
@@ -61,6 +67,7 @@ void Console::say(std::string_view label, std::string_view colour, std::string_v
       text = "(a message with control characters, which there is no memory to escape)";
     }
   }
+  const TerminalPause pause;
   const bool in_colour = coloured_ && !colour.empty();
   const std::array<std::string_view, 7> parts{
       "ibmfair: ", in_colour ? colour : "", label, in_colour ? "\x1b[0m" : "", text, "\n", table};

@@ -14,7 +14,8 @@ class Console {
     verbose  ///< details, too
   };
 
-  /// Colours are used only on a terminal, and never where NO_COLOR is set or TERM is "dumb".
+  /// Colours are used on a terminal, or where CLICOLOR_FORCE is set and not 0, and never where
+  /// NO_COLOR is set or TERM is "dumb".
   Console();
 
   void set_level(Level level) { level_ = level; }

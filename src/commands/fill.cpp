@@ -11,6 +11,7 @@
 #include "commands/defect_warnings.h"
 #include "commands/fill_arguments.h"
 #include "commands/fill_report.h"
+#include "commands/progress.h"
 #include "commands/vertex_list.h"
 #include "ibmfair/base/errors.h"
 #include "ibmfair/base/stopwatch.h"
@@ -142,11 +143,20 @@ ExitCode conclude(const std::string& missed, bool strict, const Console& console
   return ExitCode::not_reached;
 }
 
-Filling fill_within_memory(const FillArguments& arguments, const Input& input) {
+Filling fill_within_memory(const FillArguments& arguments, const Input& input, Progress& progress) {
   const Points& X = input.file.mesh().X;
+  FillOptions options = fill_options(arguments);
+  progress.begin_work("triangulate");
+  options.on_hole = [&progress](std::int64_t finished, std::int64_t all) {
+    if (finished < all) {
+      progress.advance(fmt::format("hole {} of {}", finished + 1, all),
+                       static_cast<double>(finished) / static_cast<double>(all));
+    } else {
+      progress.begin("check for intersections");
+    }
+  };
   try {
-    return fill_holes(X, input.topology, hole_choice(arguments, X, input.topology),
-                      fill_options(arguments));
+    return fill_holes(X, input.topology, hole_choice(arguments, X, input.topology), options);
   } catch (const OutOfMemory& error) {
     throw OutOfMemory(fmt::format(
         "{}; coarser patches (--max-new-vertices N) or fewer holes (--only, --max-edges) need less",
@@ -155,18 +165,19 @@ Filling fill_within_memory(const FillArguments& arguments, const Input& input) {
 }
 
 ExitCode fill(const FillArguments& arguments, const Input& input, FillSeconds& seconds,
-              nlohmann::ordered_json& report, Console& console) {
+              nlohmann::ordered_json& report, Console& console, Progress& progress) {
   const Points& X = input.file.mesh().X;
   Filling filling;
   {
     const Stopwatch watch(seconds.fill);
-    filling = fill_within_memory(arguments, input);
+    filling = fill_within_memory(arguments, input, progress);
   }
   seconds.audit = filling.audit_seconds;
   seconds.fill -= filling.audit_seconds;
   const std::string missed = shortfall(filling, arguments.allow_intersections);
   if (missed.empty() || !arguments.strict) {
     const Stopwatch watch(seconds.write);
+    progress.begin("write");
     tell(filling.new_F.rows() > 0
              ? write_mesh(input.file, filling.X, extension_of(filling, input.triangulation),
                           arguments.output.path, arguments.output.write)
@@ -174,6 +185,7 @@ ExitCode fill(const FillArguments& arguments, const Input& input, FillSeconds& s
          console);
     draw(arguments, input, filling);
   }
+  progress.end();
   const std::vector<Hole> holes = find_holes(X, input.topology);
   const auto touching = std::count_if(holes.begin(), holes.end(),
                                       [](const Hole& hole) { return hole.touches_itself; });
@@ -198,11 +210,12 @@ ExitCode fill(const FillArguments& arguments, const Input& input, FillSeconds& s
 }
 
 ExitCode fair_again(const FillArguments& arguments, const Input& input, FillSeconds& seconds,
-                    nlohmann::ordered_json& report, Console& console) {
+                    nlohmann::ordered_json& report, Console& console, Progress& progress) {
   Points X = input.file.mesh().X;
   RegionReport region;
   {
     const Stopwatch watch(seconds.fill);
+    progress.begin("fair the region");
     region = fair_region(X, input.topology, region_of(arguments, input),
                          fill_options(arguments).fairing);
   }
@@ -214,22 +227,27 @@ ExitCode fair_again(const FillArguments& arguments, const Input& input, FillSeco
   }
   if (missed.empty() || !arguments.strict) {
     const Stopwatch watch(seconds.write);
+    progress.begin("write");
     tell(write_mesh(input.file, X, arguments.output.path, arguments.output.write), console);
     draw(arguments, input.file.mesh().X, input.topology, X, input.topology);
   }
+  progress.end();
   add_region(report, region, seconds);
   console.note(fmt::format("{} -> {}, region '{}' faired", arguments.input, arguments.output.path,
                            arguments.region),
-               region_text(region, seconds));
+               region_text(region, seconds, console.level() == Console::Level::verbose));
   return conclude(missed, arguments.strict, console);
 }
 
-Input read(const FillArguments& arguments, FillSeconds& seconds, Console& console) {
+Input read(const FillArguments& arguments, FillSeconds& seconds, Console& console,
+           Progress& progress) {
   Input input;
+  progress.begin("read");
   {
     const Stopwatch watch(seconds.read);
     input.file = read_input(arguments.input, arguments.reading, console);
   }
+  progress.begin("connect");
   const Stopwatch watch(seconds.topology);
   input.triangulation = triangulate(input.file.mesh());
   input.topology = build_topology(input.file.mesh().X, input.triangulation.F);
@@ -242,15 +260,16 @@ ExitCode run_fill(const FillArguments& arguments, Console& console) {
   check_report(arguments.report, arguments.output.path, overwrite);
   check_picture(arguments.picture, overwrite);
   FillSeconds seconds;
-  const Input input = read(arguments, seconds, console);
+  Progress progress(console);
+  const Input input = read(arguments, seconds, console, progress);
   require_writable_format(input.file, arguments.output.path, arguments.output.write);
   warn_of_defects(input.topology, arguments.strict, console);
   nlohmann::ordered_json report = start_report("fill");
   report["input"] = arguments.input;
   report["output"] = arguments.output.path;
   const ExitCode code = arguments.region.empty()
-                            ? fill(arguments, input, seconds, report, console)
-                            : fair_again(arguments, input, seconds, report, console);
+                            ? fill(arguments, input, seconds, report, console, progress)
+                            : fair_again(arguments, input, seconds, report, console, progress);
   report["defects"] = defects_json(input.topology);
   deliver_report(arguments.report, overwrite, report);
   return code;

@@ -7,6 +7,7 @@
 
 #include "commands/figure_list.h"
 #include "commands/hole_json.h"
+#include "commands/stage_times.h"
 
 namespace ibmfair::commands {
 namespace {
@@ -49,41 +50,69 @@ ordered_json seam_json(const SeamAudit& seam) {
           {"folded_hinges", seam.folds}};
 }
 
-std::string hole_line(const HoleReport& hole) {
-  std::string text = fmt::format("  hole {}: {}", hole.hole, name_of(hole.status));
-  if (!hole.reason.empty()) {
-    text += ", " + hole.reason;
-  }
-  if (hole.new_triangles > 0) {
-    text += fmt::format("; {} + {}", counted(hole.new_vertices, "vertex", "vertices"),
-                        counted(hole.new_triangles, "triangle", "triangles"));
-    if (hole.fairing.steps > 0) {
-      text += fmt::format(", E_b {:.4g} -> {:.4g}, gradient x {:.1e} in {} solves",
-                          hole.fairing.energy_before, hole.fairing.energy_after,
-                          hole.fairing.gradient_ratio, hole.fairing.flow.solves);
-    }
-    text += fmt::format(", seam {:.2g} deg (around {:.2g})", degrees(hole.seam.seam.median),
-                        degrees(hole.seam.surroundings.median));
-    if (hole.seam.folds > 0) {
-      text += ", " + counted(hole.seam.folds, "fold", "folds");
-    }
-    if (hole.intersections > 0) {
-      text += ", " + counted(hole.intersections, "intersection", "intersections");
-    }
-  }
-  return text + "\n";
+std::string percent(double before, double after) {
+  return before != 0 ? fmt::format("{:+.3g} %", 100 * (after / before - 1)) : std::string("-");
 }
 
-std::string times(const FillSeconds& seconds) {
-  return fmt::format(
-      "  seconds: read {:.3f} topology {:.3f} fill {:.3f} audit {:.3f} write {:.3f}\n",
-      seconds.read, seconds.topology, seconds.fill, seconds.audit, seconds.write);
+constexpr const char* hole_columns = "  {:>6}  {:<14}{:>9}{:>10}{:>11}{:>10}{:>10}{:>8}{:>8}  {}";
+
+/// Why it is not filled, or what is wrong with how it is.
+std::string remarks(const HoleReport& hole) {
+  std::vector<std::string> parts;
+  if (!hole.reason.empty()) {
+    parts.push_back(hole.reason);
+  }
+  if (hole.seam.folds > 0) {
+    parts.push_back(counted(hole.seam.folds, "fold", "folds"));
+  }
+  if (hole.intersections > 0) {
+    parts.push_back(counted(hole.intersections, "intersection", "intersections"));
+  }
+  return fmt::format("{}", fmt::join(parts, ", "));
+}
+
+std::string hole_line(const HoleReport& hole) {
+  const FairingReport& fairing = hole.fairing;
+  const bool filled = hole.new_triangles > 0, faired = filled && fairing.steps > 0;
+  const auto if_filled = [filled](auto value, const char* format) {
+    return filled ? fmt::format(fmt::runtime(format), value) : std::string("-");
+  };
+  std::string line =
+      fmt::format(hole_columns, hole.hole, name_of(hole.status), if_filled(hole.new_vertices, "{}"),
+                  if_filled(hole.new_triangles, "{}"),
+                  faired ? fmt::format("{:.4g}", fairing.energy_after) : "-",
+                  faired ? percent(fairing.energy_before, fairing.energy_after) : "-",
+                  faired ? fmt::format("{:.1e}", fairing.gradient_ratio) : "-",
+                  if_filled(degrees(hole.seam.seam.median), "{:.2g}"),
+                  if_filled(degrees(hole.seam.surroundings.median), "{:.2g}"), remarks(hole));
+  line.erase(line.find_last_not_of(' ') + 1);
+  return line + "\n";
+}
+
+/// Names and units of the columns: energies and ratios have none, angles are degrees.
+std::string hole_heading() {
+  std::string text = fmt::format(hole_columns, "hole", "status", "vertices", "triangles", "energy",
+                                 "change", "gradient", "seam", "around", "");
+  text.erase(text.find_last_not_of(' ') + 1);
+  std::string units =
+      fmt::format(hole_columns, "", "", "new", "new", "", "", "x start", "deg", "deg", "");
+  units.erase(units.find_last_not_of(' ') + 1);
+  return text + "\n" + units + "\n";
+}
+
+std::string times(const FillSeconds& seconds, bool detailed) {
+  return stage_times_line({{"read", seconds.read},
+                           {"topology", seconds.topology},
+                           {"fill", seconds.fill},
+                           {"audit", seconds.audit},
+                           {"write", seconds.write}},
+                          detailed);
 }
 
 }  // namespace
 
 std::string fill_text(const Filling& filling, const FillSeconds& seconds, bool detailed) {
-  std::string text;
+  std::string text = hole_heading();
   int shown = 0, left = 0;
   for (const HoleReport& hole : filling.holes) {
     if (!detailed && shown >= first_few) {
@@ -96,7 +125,7 @@ std::string fill_text(const Filling& filling, const FillSeconds& seconds, bool d
   if (left > 0) {
     text += fmt::format("  and {} more (-v tells of all)\n", left);
   }
-  return text + times(seconds);
+  return text + times(seconds, detailed);
 }
 
 void add_filling(ordered_json& report, const Filling& filling, const std::vector<Hole>& holes,
@@ -120,15 +149,16 @@ void add_filling(ordered_json& report, const Filling& filling, const std::vector
   report["seconds"] = seconds_json(seconds);
 }
 
-std::string region_text(const RegionReport& region, const FillSeconds& seconds) {
+std::string region_text(const RegionReport& region, const FillSeconds& seconds, bool detailed) {
   return fmt::format(
-             "  {} free, E_b {:.6g} -> {:.6g}, gradient x {:.1e} in {} solves and {} "
+             "  {} free, energy {:.5g} -> {:.5g} ({}), gradient x {:.1e} in {} solves and {} "
              "factorizations\n",
              counted(region.fairing.flow.unknowns, "vertex", "vertices"),
              region.fairing.energy_before, region.fairing.energy_after,
+             percent(region.fairing.energy_before, region.fairing.energy_after),
              region.fairing.gradient_ratio, region.fairing.flow.solves,
              region.fairing.flow.factorizations) +
-         times(seconds);
+         times(seconds, detailed);
 }
 
 void add_region(ordered_json& report, const RegionReport& region, const FillSeconds& seconds) {

@@ -15,8 +15,8 @@ struct FillSeconds {
   double read = 0, topology = 0, fill = 0, audit = 0, write = 0;
 };
 
-/// One line for each hole that was not skipped, all of them with `detailed`, else the first few,
-/// after one line about all.
+/// A table with a line for each hole: all of them and all stages with `detailed`, else the first
+/// few and those that took long.
 std::string fill_text(const Filling& filling, const FillSeconds& seconds, bool detailed);
 
 /// Adds the fields that the holes fill.
@@ -24,7 +24,7 @@ void add_filling(nlohmann::ordered_json& report, const Filling& filling,
                  const std::vector<Hole>& holes, const FillSeconds& seconds);
 
 /// The same for a region.
-std::string region_text(const RegionReport& region, const FillSeconds& seconds);
+std::string region_text(const RegionReport& region, const FillSeconds& seconds, bool detailed);
 void add_region(nlohmann::ordered_json& report, const RegionReport& region,
                 const FillSeconds& seconds);
 

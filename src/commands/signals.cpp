@@ -9,6 +9,7 @@
 #include <poll.h>
 #include <unistd.h>
 
+#include "commands/terminal_line.h"
 #include "ibmfair/io/temporary_file.h"
 
 namespace ibmfair::commands {
@@ -31,11 +32,13 @@ extern "C" void end_on_request(int signal_number) {
   const int error = errno;
   if (end_is_postponed.exchange(false)) {
     postponed_signal = signal_number;
+    clear_terminal_line();
     tell("ibmfair: interrupted; ending after this step, once more to end at once\n");
     errno = error;
     return;
   }
   remove_temporary_files();
+  end_terminal_line();
   tell("ibmfair: interrupted\n");
   _exit(128 + signal_number);
 }
@@ -43,6 +46,7 @@ extern "C" void end_on_request(int signal_number) {
 /// Then the signal takes its usual course: it is no longer handled, and held back until the return.
 extern "C" void tell_of_crash(int signal_number) {
   remove_temporary_files();
+  end_terminal_line();
   tell("ibmfair: error: the program crashed, please report it\n");
   raise(signal_number);
 }

@@ -9,7 +9,7 @@
 
 #include "commands/command.h"
 #include "commands/defect_warnings.h"
-#include "commands/progress_bar.h"
+#include "commands/progress.h"
 #include "commands/signals.h"
 #include "commands/smooth_arguments.h"
 #include "commands/smooth_report.h"
@@ -104,16 +104,18 @@ void resolve(const SmoothArguments& arguments, const Points& X, const Topology& 
 }
 
 void run_flow(const SmoothArguments& arguments, FlowOptions options, const MeshFile& file,
-              const Topology& topology, Points& X, SmoothFigures& figures, Console& console) {
+              const Topology& topology, Points& X, SmoothFigures& figures, Console& console,
+              Progress& progress) {
   resolve(arguments, X, topology, options, figures);
   const auto held_vertices = held(arguments, file, topology);
   std::optional<PostponedEnd> postponed;
   if (!arguments.checkpoint.empty()) {
     postponed.emplace();
   }
-  ProgressBar bar(console, options.total_time);
+  progress.begin_work("flow");
+  options.on_stage = [&progress](FlowStage stage) { progress.enter(stage); };
   figures.flow = willmore_flow(X, topology, held_vertices, options, [&](const StepRecord& step) {
-    bar.update(step);
+    progress.advance(step, options.steps, options.total_time);
     return PostponedEnd::signal_number() == 0;
   });
   figures.total_time = options.total_time;
@@ -210,6 +212,8 @@ ExitCode run_smooth(const SmoothArguments& arguments, Console& console) {
   check_outputs(arguments);
   SmoothFigures figures;
   std::optional<MeshFile> file;
+  Progress progress(console);
+  progress.begin("read");
   {
     const Stopwatch watch(figures.seconds_read);
     file = read_input(arguments.input, arguments.reading, console);
@@ -217,6 +221,7 @@ ExitCode run_smooth(const SmoothArguments& arguments, Console& console) {
   check_formats(arguments, *file);
   const Points before = file->mesh().X;
   Topology topology;
+  progress.begin("connect");
   {
     const Stopwatch watch(figures.seconds_topology);
     topology = build_topology(before, triangulate(file->mesh()).F);
@@ -231,20 +236,24 @@ ExitCode run_smooth(const SmoothArguments& arguments, Console& console) {
   SmoothArguments resolved = arguments;
   resolved.flow = options;
   if (arguments.dry_run) {
+    progress.end();
     return forecast(resolved, options, *file, topology, console);
   }
+  progress.begin("measure");
   figures.mean_edge_length = mean_edge_length(before, topology.E);
   figures.before = mesh_figures(before, topology, options);
   Points after = before;
   if (options.steps > 0) {
-    run_flow(resolved, options, *file, topology, after, figures, console);
+    run_flow(resolved, options, *file, topology, after, figures, console, progress);
   }
+  progress.begin("measure");
   figures.after = mesh_figures(after, topology, options);
   measure_moves(before, after, figures);
 
   const bool interrupted = figures.flow.status == FlowStatus::interrupted;
   const OutputOptions output = interrupted ? checkpoint_of(arguments) : arguments.output;
   WriteReport written;
+  progress.begin("write");
   {
     const Stopwatch watch(figures.seconds_write);
     written = write_mesh(*file, after, output.path, output.write);
@@ -253,6 +262,7 @@ ExitCode run_smooth(const SmoothArguments& arguments, Console& console) {
     console.note(note);
   }
   draw(arguments, topology, before, after);
+  progress.end();
   nlohmann::ordered_json report = start_report("smooth");
   report["input"] = arguments.input;
   report["output"] = output.path;
@@ -262,7 +272,7 @@ ExitCode run_smooth(const SmoothArguments& arguments, Console& console) {
   deliver_report(arguments.report, output.write.overwrite, report);
   console.note(fmt::format("{} -> {}, {} of {} vertices moved", arguments.input, output.path,
                            written.moved_vertices, before.rows()),
-               smooth_table(figures, topology));
+               smooth_table(figures, topology, console.level() == Console::Level::verbose));
   if (interrupted) {
     console.warning(fmt::format("interrupted; {} holds the state that was reached: {}", output.path,
                                 way_on(figures, options.steps)));

@@ -1,10 +1,13 @@
 #include "commands/smooth_report.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 
 #include <fmt/format.h>
 
+#include "commands/sparkline.h"
+#include "commands/stage_times.h"
 #include "ibmfair/base/process_memory.h"
 #include "ibmfair/energy/bending_energy.h"
 #include "ibmfair/flow/folds.h"
@@ -29,9 +32,15 @@ const char* name_of(FlowStatus status) {
   return "unknown";
 }
 
-std::string row(const char* name, double before, double after) {
-  return fmt::format("  {:<16}{:>14.6g}{:>14.6g}{:>+11.3f} %\n", name, before, after,
-                     before != 0 ? 100 * (after / before - 1) : 0.0);
+std::string row(const char* name, const char* unit, double before, double after) {
+  const std::string change =
+      before != 0 ? fmt::format("{:+.3g} %", 100 * (after / before - 1)) : std::string("-");
+  return fmt::format("  {:<16}{:<10}{:>12.5g}{:>12.5g}{:>13}\n", name, unit, before, after, change);
+}
+
+/// A length in the mesh's units and in mean edge lengths.
+std::string length_text(double length, double edge) {
+  return fmt::format("{:.4g} u = {:.3g} mean edge lengths", length, length / edge);
 }
 
 ordered_json state_json(const MeshFigures& figures) {
@@ -72,6 +81,31 @@ ordered_json seconds_json(const SmoothFigures& figures) {
           {"write", figures.seconds_write}};
 }
 
+StageTimes stage_times(const SmoothFigures& figures) {
+  StageTimes times;
+  const ordered_json seconds = seconds_json(figures);
+  for (const auto& [stage, value] : seconds.items()) {
+    times.emplace_back(stage, value.get<double>());
+  }
+  return times;
+}
+
+/// The energy at the start and after each step.
+std::string curve(const FlowReport& flow) {
+  constexpr std::size_t columns = 60;
+  std::vector<double> energies{flow.energy_before};
+  for (const StepRecord& step : flow.steps) {
+    if (std::isfinite(step.energy)) {
+      energies.push_back(step.energy);
+    }
+  }
+  return flow.steps.empty()
+             ? std::string()
+             : fmt::format("  {:<16}{} {:.4g} to {:.4g}{}\n", "energy by step",
+                           sparkline(energies, columns, locale_is_utf8()), energies.front(),
+                           energies.back(), spans_decades(energies) ? ", logarithmic" : "");
+}
+
 /// What the linear systems took.
 std::string effort(const FlowReport& flow) {
   return flow.solver == "cg" ? fmt::format("{} iterations", flow.iterations)
@@ -92,29 +126,32 @@ MeshFigures mesh_figures(const Points& X, const Topology& topology, const FlowOp
   return figures;
 }
 
-std::string smooth_table(const SmoothFigures& figures, const Topology& topology) {
+std::string smooth_table(const SmoothFigures& figures, const Topology& topology, bool detailed) {
   const FlowReport& flow = figures.flow;
+  const MeshFigures &before = figures.before, &after = figures.after;
   const double edge = figures.mean_edge_length;
-  std::string text = fmt::format("  {:<16}{:>14}{:>14}{:>13}\n", "", "before", "after", "change");
-  text += row("bending energy", figures.before.energy, figures.after.energy);
-  text += row("area", figures.before.area, figures.after.area);
-  text += row(topology.boundary_loops.empty() ? "volume" : "volume (cone)", figures.before.volume,
-              figures.after.volume);
-  text += row("smallest angle", figures.before.smallest_angle, figures.after.smallest_angle);
+  std::string text =
+      fmt::format("  {:<16}{:<10}{:>12}{:>12}{:>13}\n", "", "unit", "before", "after", "change");
+  text += row("bending energy", "1", before.energy, after.energy);
+  text += row("area", "u^2", before.area, after.area);
+  text += row(topology.boundary_loops.empty() ? "volume" : "volume (cone)", "u^3", before.volume,
+              after.volume);
+  text += row("smallest angle", "degrees", before.smallest_angle, after.smallest_angle);
+  text += fmt::format("  {:<16}{:<10}{:>12}{:>12}{:>+13}\n", "folds", "hinges", before.folds,
+                      after.folds, after.folds - before.folds);
   if (edge > 0) {
     text +=
-        fmt::format("  vertices moved by at most {:.4g} ({:.3g} mean edge lengths), rms {:.4g}\n",
-                    figures.largest_move, figures.largest_move / edge, figures.rms_move);
-    text += fmt::format("  {} steps, {} solves, {}; cut-off {:.4g} ({:.3g} mean edge lengths)\n",
-                        flow.steps.size(), flow.solves, effort(flow), figures.cutoff,
-                        figures.cutoff / edge);
+        fmt::format("  {:<16}{}; rms {}\n", "largest move", length_text(figures.largest_move, edge),
+                    length_text(figures.rms_move, edge));
+    text += fmt::format("  {:<16}{}\n", "cut-off", length_text(figures.cutoff, edge));
   }
-  text += "  seconds:";
-  const ordered_json seconds = seconds_json(figures);
-  for (const auto& [stage, value] : seconds.items()) {
-    text += fmt::format(" {} {:.3f}", stage, value.get<double>());
+  if (detailed) {
+    text += curve(flow);
   }
-  return text + "\n";
+  return text +
+         fmt::format("  {:<16}{} steps, {} solves, {}\n", "effort", flow.steps.size(), flow.solves,
+                     effort(flow)) +
+         stage_times_line(stage_times(figures), detailed);
 }
 
 std::string forecast_table(const FlowForecast& forecast) {

@@ -31,8 +31,9 @@ struct SmoothFigures {
 /// E_b, area, volume and quality of `X`.
 MeshFigures mesh_figures(const Points& X, const Topology& topology, const FlowOptions& options);
 
-/// Aligned lines, ending in a line feed.
-std::string smooth_table(const SmoothFigures& figures, const Topology& topology);
+/// Aligned lines, ending in a line feed: figures before and after, and what the run took. With
+/// `detailed`, the energy after each step as a curve, too, and all stages.
+std::string smooth_table(const SmoothFigures& figures, const Topology& topology, bool detailed);
 
 /// What a run would take, as aligned lines and as JSON.
 std::string forecast_table(const FlowForecast& forecast);

@@ -138,7 +138,7 @@ pid_t spawn(const std::vector<std::string>& arguments, const RunOptions& options
   if (!words.empty()) {
     words.insert(words.begin(), "/usr/bin/prlimit");
   }
-  words.emplace_back(IBMFAIR_PROGRAM);
+  words.push_back(program_path());
   words.insert(words.end(), arguments.begin(), arguments.end());
   std::vector<std::string> variables = environment_with(options.environment);
   SpawnAttributes attributes;
@@ -251,6 +251,10 @@ RunResult run_program(const std::vector<std::string>& arguments, const RunOption
   result.peak_megabytes = static_cast<double>(usage.ru_maxrss) / 1024;
   result.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
   return result;
+}
+
+std::string program_path() {
+  return IBMFAIR_PROGRAM;
 }
 
 Words operator+(Words a, const Words& b) {

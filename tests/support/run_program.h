@@ -46,6 +46,9 @@ Words operator+(Words a, const Words& b);
 
 bool contains(const std::string& text, const std::string& part);
 
+/// The full name of the program under test.
+std::string program_path();
+
 /// Runs the program with these arguments, no shell in between. Throws std::runtime_error if it
 /// cannot be started or does not end within the limit.
 RunResult run_program(const std::vector<std::string>& arguments, const RunOptions& options = {});

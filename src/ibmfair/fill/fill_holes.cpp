@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <exception>
+#include <mutex>
 #include <optional>
 
 #include "ibmfair/base/errors.h"
@@ -278,9 +279,36 @@ class Assembly {
   std::vector<Index> corners_;
 };
 
+/// Counts for the observer.
+class HoleCounter {
+ public:
+  HoleCounter(const std::vector<std::vector<Index>>& groups, const HoleObserver& observer)
+      : observer_(observer) {
+    for (const auto& group : groups) {
+      all_ += static_cast<std::int64_t>(group.size());
+    }
+    add(0);
+  }
+
+  void add(std::size_t holes) {
+    if (observer_) {
+      const std::lock_guard lock(mutex_);
+      finished_ += static_cast<std::int64_t>(holes);
+      observer_(finished_, all_);
+    }
+  }
+
+ private:
+  const HoleObserver& observer_;
+  std::mutex mutex_;
+  std::int64_t finished_ = 0, all_ = 0;
+};
+
 std::vector<GroupResult> fill_groups(const HoleFiller& filler,
                                      const std::vector<std::vector<Index>>& groups,
-                                     const std::vector<Index>& limits) {
+                                     const std::vector<Index>& limits,
+                                     const HoleObserver& observer) {
+  HoleCounter counter(groups, observer);
   // CGAL breaks ties between triangulations by addresses in memory, which depend on what other
   // threads allocate: one after the other, before anything runs in parallel.
   std::vector<GroupResult> results;
@@ -293,6 +321,7 @@ std::vector<GroupResult> fill_groups(const HoleFiller& filler,
   parallel_tasks(static_cast<std::int64_t>(results.size()), [&](std::int64_t i) {
     try {
       filler.finish(results[i]);
+      counter.add(results[i].reports.size());
     } catch (...) {
       errors[i] = std::current_exception();
     }
@@ -352,8 +381,9 @@ Filling fill_holes(const Points& X, const Topology& topology, const HoleChoice& 
     }
   }
   const auto groups = group_holes(topology, holes, chosen, options.rim_smooth);
-  auto results = fill_groups(HoleFiller(X, topology, holes, options), groups,
-                             shares(groups, holes, options, static_cast<Index>(X.rows())));
+  auto results =
+      fill_groups(HoleFiller(X, topology, holes, options), groups,
+                  shares(groups, holes, options, static_cast<Index>(X.rows())), options.on_hole);
   Assembly assembly(X, filling);
   for (GroupResult& group : results) {
     assembly.add(group);

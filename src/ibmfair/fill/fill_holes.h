@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -15,6 +16,10 @@
 
 namespace ibmfair {
 
+/// Told of the holes that are finished and of all that are to be filled, one call at a time, from
+/// any thread.
+using HoleObserver = std::function<void(std::int64_t finished, std::int64_t all)>;
+
 struct FillOptions {
   FairingOptions fairing;
   bool refine = true;  ///< false: no new vertices, but where an edge of the mesh is in the way
@@ -23,6 +28,7 @@ struct FillOptions {
   /// In all holes together; 0: as many as the mesh has, or 100,000, and in a hole of n edges half
   /// the square of n: several times what a patch like a half sphere needs, not what a balloon does.
   Index most_new_vertices = 0;
+  HoleObserver on_hole = {};
 };
 
 enum class HoleStatus : std::uint8_t {

@@ -48,6 +48,12 @@ double relative_residual(const SymmetricMatrix& J, const Points& Y, const Points
   return size > 0 ? std::sqrt(residual / size) : 0;
 }
 
+void tell_stage(const FlowOptions& options, FlowStage stage) {
+  if (options.on_stage) {
+    options.on_stage(stage);
+  }
+}
+
 }  // namespace
 
 SolverForecast forecast_direct(const JacobianShape& shape, const JacobianParts& /*parts*/) {
@@ -68,6 +74,7 @@ void DirectJacobian::update(const JacobianParts& parts) {
     assemble(parts);
   }
   if (!symbolic_) {
+    tell_stage(shape_.options, FlowStage::analyse);
     const Stopwatch watch(shape_.report.seconds.analyse);
     symbolic_.emplace(J_, shape_.options.ordering);
     shape_.report.forecast = symbolic_->forecast();
@@ -91,6 +98,7 @@ void DirectJacobian::assemble(const JacobianParts& parts) {
 }
 
 void DirectJacobian::factor(Precision precision) {
+  tell_stage(shape_.options, FlowStage::factor);
   const Stopwatch watch(shape_.report.seconds.factor);
   if (!factor_ || precision != precision_) {
     precision_ = precision;
@@ -110,6 +118,7 @@ void DirectJacobian::factor(Precision precision) {
 }
 
 void DirectJacobian::solve(const Points& B, Points& Y) {
+  tell_stage(shape_.options, FlowStage::solve);
   Points solution;
   {
     const Stopwatch watch(shape_.report.seconds.solve);

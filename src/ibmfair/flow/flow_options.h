@@ -17,6 +17,10 @@ namespace ibmfair {
 /// sampling, time has unit length^4) or identity ([W07]; time has unit length^2).
 enum class Metric : std::uint8_t { mass, identity };
 
+/// What a flow is at between its steps, for those who wait.
+enum class FlowStage : std::uint8_t { analyse, factor, solve };
+using StageObserver = std::function<void(FlowStage)>;
+
 struct FlowOptions {
   std::string laplacian = "crouzeix-raviart";  ///< a name from bending_models()
   bool mass = true;                            ///< with the mass matrix in the energy
@@ -31,6 +35,7 @@ struct FlowOptions {
   double solver_tolerance = 0.05;  ///< of the residual, for iterative solvers; below 1
   double memory_limit = std::numeric_limits<double>::infinity();  ///< of the whole process, bytes
   Ordering ordering = Ordering::automatic;
+  StageObserver on_stage = {};  ///< told when a stage begins that may take long
 
   /// Throws BadOption where a value cannot be used.
   void validate() const;

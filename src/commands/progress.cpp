@@ -1,0 +1,188 @@
+#include "commands/progress.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <new>
+#include <string_view>
+#include <system_error>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "commands/terminal_line.h"
+
+namespace ibmfair::commands {
+
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr auto pause_between_frames = 100ms;
+constexpr double seconds_to_mention = 2;  // a stage that is over sooner needs no clock
+constexpr int bar_width = 24;
+
+std::string bar(double share) {
+  const int filled = static_cast<int>(std::clamp(share, 0.0, 1.0) * bar_width);
+  return fmt::format("[{:=<{}}{: <{}}]", "", filled, "", bar_width - filled);
+}
+
+/// `8 s`, `2 min 05 s`, `3 h 20 min`.
+std::string duration(double seconds) {
+  const auto whole = static_cast<long long>(std::llround(std::min(seconds, 1e9)));
+  if (whole < 60) {
+    return fmt::format("{} s", whole);
+  }
+  return whole < 3600 ? fmt::format("{} min {:02} s", whole / 60, whole % 60)
+                      : fmt::format("{} h {:02} min", whole / 3600, whole / 60 % 60);
+}
+
+std::string_view word_for(FlowStage stage) {
+  switch (stage) {
+    case FlowStage::analyse:
+      return "analyse";
+    case FlowStage::factor:
+      return "factor";
+    case FlowStage::solve:
+      break;
+  }
+  return "";
+}
+
+bool can_go_back_in_line() {
+  const char* terminal = std::getenv("TERM");
+  return terminal != nullptr && std::string_view(terminal) != "dumb";
+}
+
+}  // namespace
+
+std::string progress_line(const ProgressState& state, std::size_t columns) {
+  std::vector<std::string> parts{state.stage};
+  if (!state.detail.empty()) {
+    parts.push_back(state.detail);
+  }
+  if (state.share && *state.share > state.first_share && *state.share < 1) {
+    const double done = *state.share - state.first_share;
+    parts.push_back(duration(state.seconds * (1 - *state.share) / done) + " left");
+  } else if (state.seconds >= seconds_to_mention) {
+    parts.push_back(duration(state.seconds));
+  }
+  if (state.energy) {
+    parts.push_back(fmt::format("energy {:.4g}", *state.energy));
+  }
+  std::string line = state.share && bar_width + 12 < columns ? bar(*state.share) + " " : "";
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    const std::string next = (i == 0 ? "" : ", ") + parts[i];
+    if (line.size() + next.size() > columns) {
+      break;
+    }
+    line += next;
+  }
+  return line;
+}
+
+Progress::Progress(const Console& console)
+    : visible_(console.on_terminal() && console.level() != Console::Level::quiet &&
+               can_go_back_in_line()) {
+  if (visible_) {
+    try {
+      drawer_ = std::thread(&Progress::draw_until_end, this);
+    } catch (const std::system_error&) {
+      visible_ = false;  // no thread is to be had: then without
+    }
+  }
+}
+
+Progress::~Progress() {
+  end();
+}
+
+void Progress::end() {
+  if (drawer_.joinable()) {
+    {
+      const std::lock_guard lock(mutex_);
+      ended_ = true;
+    }
+    changed_.notify_one();
+    drawer_.join();
+    clear_terminal_line();
+  }
+}
+
+void Progress::begin(const std::string& stage) {
+  if (visible_) {
+    const std::lock_guard lock(mutex_);
+    state_ = {};
+    state_.stage = stage;
+    start_ = Clock::now();
+    changed_.notify_one();
+  }
+}
+
+void Progress::begin_work(const std::string& stage) {
+  if (visible_) {
+    begin(stage);
+    const std::lock_guard lock(mutex_);
+    state_.share = 0;
+  }
+}
+
+void Progress::advance(const std::string& stage, double share) {
+  if (visible_) {
+    const std::lock_guard lock(mutex_);
+    state_.stage = stage;
+    state_.share = share;
+    changed_.notify_one();
+  }
+}
+
+void Progress::advance(const StepRecord& step, int steps, double total_time) {
+  if (visible_) {
+    const std::lock_guard lock(mutex_);
+    if (step.step == 1) {  // what came before it, such as the factor, tells nothing of the others
+      start_ = Clock::now();
+      state_.first_share = step.time / total_time;
+    }
+    // A guarded flow may take more steps than were asked for, as it shortens them.
+    state_.stage = fmt::format("step {} of {}", step.step, std::max(step.step, steps));
+    state_.share = step.time / total_time;
+    state_.energy = step.energy;
+    changed_.notify_one();
+  }
+}
+
+void Progress::enter(FlowStage stage) {
+  if (visible_) {
+    const std::lock_guard lock(mutex_);
+    state_.detail = word_for(stage);
+    changed_.notify_one();
+  }
+}
+
+void Progress::draw_until_end() {
+  try {
+    draw_frames();
+  } catch (const std::bad_alloc&) {
+    // What the program is there for may still find enough.
+  }
+}
+
+void Progress::draw_frames() {
+  std::unique_lock lock(mutex_);
+  while (!ended_) {
+    if (!state_.stage.empty()) {
+      ProgressState state = state_;
+      state.seconds = std::chrono::duration<double>(Clock::now() - start_).count();
+      lock.unlock();
+      // What a terminal echoes of Ctrl-C stays within the line, too.
+      const std::size_t columns = error_terminal_columns();
+      show_terminal_line(progress_line(state, columns > 3 ? columns - 3 : 0));
+      lock.lock();
+      changed_.wait_for(lock, pause_between_frames, [this] { return ended_; });
+    } else {
+      changed_.wait(lock);
+    }
+  }
+}
+
+}  // namespace ibmfair::commands

@@ -1,0 +1,31 @@
+// Runs a program on a terminal of its own, as a person does who watches it.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "support/run_program.h"
+
+namespace ibmfair::test {
+
+struct TerminalOptions {
+  int columns = 80;
+  std::string directory = {};                 ///< working directory; empty: the test's own
+  std::vector<std::string> environment = {};  ///< `NAME=value`, on top of the test's own
+  /// Ctrl-C is typed as soon as this is true of what was drawn so far.
+  std::function<bool(const std::string& drawn)> interrupt_when = {};
+};
+
+struct TerminalResult {
+  int exit_code = -1;               ///< negative: ended by that signal
+  std::string drawn;                ///< every byte that reached the terminal
+  std::vector<std::string> lines;   ///< what is left on the screen, without blanks at the ends
+  std::vector<std::string> frames;  ///< what stood in the line of the cursor before each return
+};
+
+/// The program under test, with TERM=xterm and no NO_COLOR unless the environment says otherwise.
+/// Throws std::runtime_error where it does not end within two minutes.
+TerminalResult run_on_terminal(const Words& arguments, const TerminalOptions& options = {});
+
+}  // namespace ibmfair::test
