@@ -132,15 +132,14 @@ std::vector<std::string> option_names(const CLI::App& app) {
 /// What the user should read instead of the parser's own words: an option that nobody knows is the
 /// likely cause of whatever else the parser complains about.
 std::string explain(const CLI::ParseError& error, const CLI::App& app) {
+  if (!app.remaining().empty()) {
+    const std::string word = app.remaining().front();
+    return word.starts_with('-') ? fmt::format("unknown option '{}' before the command{}", word,
+                                               suggestion(word, option_names(app)))
+                                 : unknown_command(word);
+  }
   const auto chosen = app.get_subcommands();
   if (chosen.empty()) {
-    for (const std::string& word : app.remaining()) {
-      if (!word.starts_with('-')) {
-        return unknown_command(word);
-      }
-      return fmt::format("unknown option '{}' before the command{}", word,
-                         suggestion(word, option_names(app)));
-    }
     return "no command given";
   }
   const CLI::App& command = *chosen.front();

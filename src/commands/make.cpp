@@ -90,6 +90,7 @@ void add_shape_settings(CLI::App& app, ShapeSettings& settings) {
   note_of(app, *face) = {.unit = "a face's number from 0", .default_text = "none"};
   CLI::Option* ratio = add_real(app, "--ratio", settings.ratio, positive,
                                 "proportion of the shape, see the list of shapes");
+  note_of(app, *ratio).unit = "of two lengths";
   note_of(app, *ratio).default_text = "the number in the list";
   CLI::Option* rows =
       add_integer(app, "--rows", settings.rows, Index{1}, most, "rows of vertices of a grid");
@@ -110,8 +111,10 @@ void add_changes(CLI::App& app, MakeArguments& arguments) {
   CLI::Option* noise = add_real(app, "--noise", arguments.noise, not_negative,
                                 "normal noise of this standard deviation in each coordinate");
   note_of(app, *noise).unit = "mean edge lengths";
-  add_integer(app, "--seed", arguments.seed, std::uint64_t{0}, std::uint64_t{1} << 62U,
-              "of the noise, any number");
+  CLI::Option* seed =
+      add_integer(app, "--seed", arguments.seed, std::uint64_t{0}, std::uint64_t{1} << 62U,
+                  "of the noise: another number makes other noise of the same kind");
+  note_of(app, *seed).unit = "any whole number";
   CLI::Option* scale =
       add_real(app, "--scale", arguments.scale, positive, "multiply all coordinates");
   note_of(app, *scale).unit = "factor";

@@ -89,7 +89,8 @@ void add_overwrite_option(CLI::App& app, bool& overwrite) {
 
 void add_strict_option(CLI::App& app, bool& strict) {
   begin_group(app, groups::input_and_output);
-  app.add_flag("--strict", strict, "fail (exit code 4) where the mesh has defects");
+  app.add_flag("--strict", strict,
+               "fail (exit code 4) where the mesh has defects, instead of saying so and going on");
 }
 
 void add_report_options(CLI::App& app, ReportOptions& options) {

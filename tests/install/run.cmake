@@ -24,6 +24,13 @@ if(NOT output MATCHES "energy 25\\.1")
 endif()
 
 run(${WORK}/installed/bin/ibmfair --version)
+foreach(file man/man1/ibmfair.1 man/man1/ibmfair-smooth.1 bash-completion/completions/ibmfair
+             zsh/site-functions/_ibmfair fish/vendor_completions.d/ibmfair.fish)
+  file(READ ${WORK}/installed/share/${file} text)
+  if(NOT text MATCHES "smooth")
+    message(FATAL_ERROR "share/${file} does not tell of \"smooth\"")
+  endif()
+endforeach()
 file(WRITE ${WORK}/one.stl "solid one
 facet normal 0 0 1
 outer loop

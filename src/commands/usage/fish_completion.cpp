@@ -71,12 +71,14 @@ std::string fish_option(const std::string& condition, const OptionUsage& option)
 }
 
 std::string fish_arguments(const CommandUsage& command) {
-  std::string text;
+  std::string text, condition = "__ibmfair_on " + command.name;
   for (const OptionUsage& argument : command.arguments) {
-    const bool words = !argument.choices.empty() || !argument.offers.empty();
-    // Words are for the first place only.
-    text += fmt::format("complete -c ibmfair -n '__ibmfair_on {}{}'{}\n", command.name,
-                        words ? " 2" : "", fish_action(argument));
+    if (argument.choices.empty() && argument.offers.empty()) {
+      text += fmt::format("complete -c ibmfair -n '{}'{}\n", condition, fish_action(argument));
+    } else {  // words are for the first place, and nothing else is
+      text += fmt::format("complete -c ibmfair -n '{} 2'{}\n", condition, fish_action(argument));
+      condition += fmt::format("; and not __ibmfair_on {} 2", command.name);
+    }
   }
   return text;
 }
