@@ -193,12 +193,15 @@ TEST(Program, OutputThatCannotBeWrittenHasExitCode6AndLeavesNothing) {
   EXPECT_EQ(refused.exit_code, 6);
   EXPECT_TRUE(contains(refused.err, "--overwrite")) << refused.err;
   EXPECT_EQ(test::read_bytes(path), "mine");
-  const RunResult report = run_program({"info", "-", "--report", path}, {.input = made({"cube"})});
+  const std::string kept_report = directory / "kept.json";
+  test::write_bytes(kept_report, "mine");
+  const RunResult report =
+      run_program({"info", "-", "--report", kept_report}, {.input = made({"cube"})});
   EXPECT_EQ(report.exit_code, 6);
-  EXPECT_EQ(test::read_bytes(path), "mine");
+  EXPECT_EQ(test::read_bytes(kept_report), "mine");
   EXPECT_EQ(run_program({"make", "cube", path, "--overwrite"}).exit_code, 0);
   EXPECT_EQ(run_program({"info", path}).exit_code, 0);
-  EXPECT_EQ(directory.entries(), 1U);
+  EXPECT_EQ(directory.entries(), 2U);
 }
 
 TEST(Program, StandardOutputThatIsGoneIsAnErrorNotACrash) {

@@ -48,7 +48,7 @@ Runner declare_batch(CLI::App& app) {
   app.add_flag("--dump-config", options.dump_config,
                "print the list file by file with all defaults, run nothing");
   begin_group(app, groups::reports_and_pictures);
-  app.add_flag("--json", options.json, "write the summary as JSON to standard output");
+  app.add_flag("--json", options.report.json, "write the summary as JSON to standard output");
   add_overwrite_option(app, options.overwrite);
   documentation_of(app).sections = {{"A job file", format_text}};
   documentation_of(app).examples = {
@@ -59,7 +59,7 @@ Runner declare_batch(CLI::App& app) {
   return [arguments, &app](Console& console) {
     BatchOptions options = arguments->options;
     options.threads = app["--threads"]->empty() ? 0 : app["--threads"]->as<int>();
-    return run_batch(read_jobs(arguments->jobs), options, default_journal(arguments->jobs),
+    return run_batch(app, read_jobs(arguments->jobs), options, default_journal(arguments->jobs),
                      console);
   };
 }

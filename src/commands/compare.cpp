@@ -13,6 +13,7 @@
 #include "commands/documentation.h"
 #include "commands/figure_list.h"
 #include "commands/numeric_options.h"
+#include "commands/report/report_formats.h"
 #include "commands/shared_options.h"
 #include "ibmfair/base/errors.h"
 #include "ibmfair/measure/directed_distance.h"
@@ -51,8 +52,8 @@ struct Side {
 };
 
 /// What the command found out, in words and for machines.
-struct Outcome {
-  ordered_json json = ordered_json::object();
+struct Comparison {
+  ordered_json& json;
   FigureList list;
   double largest_distance = 0.0;
 };
@@ -90,97 +91,97 @@ std::string lengths_text(const Statistics& s, double unit) {
                      s.max / unit);
 }
 
-void compare_matching(const Side& a, const Side& b, Outcome& outcome) {
+void compare_matching(const Side& a, const Side& b, Comparison& comparison) {
   const Statistics moved = vertex_differences(a.mesh.X, b.mesh.X);
   const NormalAngles angles = face_normal_angles(a.mesh, b.mesh);
-  ordered_json& vertices = outcome.json["vertex_distance"] = statistics_json(moved);
+  ordered_json& vertices = comparison.json["vertex_distance"] = statistics_json(moved);
   vertices["vertex"] = moved.where;
   vertices["mean_edge"] = a.summary.mean_edge;
-  ordered_json& faces = outcome.json["face_normal_degrees"] = angles_json(angles);
+  ordered_json& faces = comparison.json["face_normal_degrees"] = angles_json(angles);
   faces["face"] = angles.degrees.where;
 
-  outcome.list.add("vertex to vertex",
-                   fmt::format("{}, at vertex {}", lengths_text(moved, 1.0), moved.where));
+  comparison.list.add("vertex to vertex",
+                      fmt::format("{}, at vertex {}", lengths_text(moved, 1.0), moved.where));
   if (a.summary.mean_edge > 0.0) {
-    outcome.list.add("  in mean edges of A", lengths_text(moved, a.summary.mean_edge));
+    comparison.list.add("  in mean edges of A", lengths_text(moved, a.summary.mean_edge));
   }
-  outcome.list.add("normals, face to face",
-                   angles_text(angles, fmt::format(" at face {}", angles.degrees.where)));
+  comparison.list.add("normals, face to face",
+                      angles_text(angles, fmt::format(" at face {}", angles.degrees.where)));
 }
 
 void add_direction(const std::string& label, const std::string& field, const DirectedDistance& d,
-                   Outcome& outcome) {
-  outcome.json["surface_distance"][field] = {
+                   Comparison& comparison) {
+  comparison.json["surface_distance"][field] = {
       {"mean", d.mean},
       {"rms", d.rms},
       {"max", d.max},
       {"farthest", {d.farthest[0], d.farthest[1], d.farthest[2]}},
       {"normal_degrees", angles_json(d.angles)}};
-  outcome.list.add(label, fmt::format("RMS {:.6e}, mean {:.6e}, largest {:.6e} at {} {} {}", d.rms,
-                                      d.mean, d.max, figure(d.farthest[0]), figure(d.farthest[1]),
-                                      figure(d.farthest[2])));
-  outcome.list.add("  normals", angles_text(d.angles, ""));
-  outcome.largest_distance = std::max(outcome.largest_distance, d.max);
+  comparison.list.add(label, fmt::format("RMS {:.6e}, mean {:.6e}, largest {:.6e} at {} {} {}",
+                                         d.rms, d.mean, d.max, figure(d.farthest[0]),
+                                         figure(d.farthest[1]), figure(d.farthest[2])));
+  comparison.list.add("  normals", angles_text(d.angles, ""));
+  comparison.largest_distance = std::max(comparison.largest_distance, d.max);
 }
 
 void add_ratio(const std::string& label, const std::string& field, std::optional<double> a,
-               std::optional<double> b, Outcome& outcome) {
+               std::optional<double> b, Comparison& comparison) {
   if (a && b && *a != 0.0) {
-    outcome.json[field + "_ratio"] = *b / *a;
-    outcome.list.add(label, fmt::format("{:.8g} of A's {:.8g}", *b / *a, *a));
+    comparison.json[field + "_ratio"] = *b / *a;
+    comparison.list.add(label, fmt::format("{:.8g} of A's {:.8g}", *b / *a, *a));
   } else {
-    outcome.json[field + "_ratio"] = nullptr;
+    comparison.json[field + "_ratio"] = nullptr;
   }
 }
 
-void compare_meshes(const Side& a, const Side& b, std::int64_t samples, Outcome& outcome) {
+void compare_meshes(const Side& a, const Side& b, std::int64_t samples, Comparison& comparison) {
   const bool matching = same_connectivity(a.mesh, b.mesh);
-  outcome.json["same_connectivity"] = matching;
-  outcome.list.add("connectivity", matching ? "the same" : "different");
+  comparison.json["same_connectivity"] = matching;
+  comparison.list.add("connectivity", matching ? "the same" : "different");
   if (matching) {
-    compare_matching(a, b, outcome);
+    compare_matching(a, b, comparison);
   }
-  outcome.json["surface_distance"] = ordered_json::object();
+  comparison.json["surface_distance"] = ordered_json::object();
   add_direction("surface A to B", "a_to_b",
-                directed_distance(a.mesh.X, a.F, b.mesh.X, b.F, samples), outcome);
+                directed_distance(a.mesh.X, a.F, b.mesh.X, b.F, samples), comparison);
   add_direction("surface B to A", "b_to_a",
-                directed_distance(b.mesh.X, b.F, a.mesh.X, a.F, samples), outcome);
-  add_ratio("area of B", "area", a.summary.area, b.summary.area, outcome);
-  add_ratio("volume of B", "volume", a.summary.volume, b.summary.volume, outcome);
+                directed_distance(b.mesh.X, b.F, a.mesh.X, a.F, samples), comparison);
+  add_ratio("area of B", "area", a.summary.area, b.summary.area, comparison);
+  add_ratio("volume of B", "volume", a.summary.volume, b.summary.volume, comparison);
 }
 
 void compare_with_surface(const Side& a, const ExactSurface& surface, const std::string& name,
-                          Outcome& outcome) {
+                          Comparison& comparison) {
   const SurfaceDeviation deviation = deviation_from(surface, a.mesh.X, a.F);
-  ordered_json& json = outcome.json["exact_surface"] = ordered_json::object();
+  ordered_json& json = comparison.json["exact_surface"] = ordered_json::object();
   json["surface"] = name;
   json["vertex_distance"] = statistics_json(deviation.distance);
   json["vertex_distance"]["vertex"] = deviation.distance.where;
   json["triangle_normal_degrees"] = angles_json(deviation.angles);
-  outcome.list.add("surface", name);
-  outcome.list.add("vertex to surface",
-                   fmt::format("{}, at vertex {}", lengths_text(deviation.distance, 1.0),
-                               deviation.distance.where));
-  outcome.list.add("normals, triangle to surface", angles_text(deviation.angles, ""));
-  outcome.largest_distance = std::max(outcome.largest_distance, deviation.distance.max);
+  comparison.list.add("surface", name);
+  comparison.list.add("vertex to surface",
+                      fmt::format("{}, at vertex {}", lengths_text(deviation.distance, 1.0),
+                                  deviation.distance.where));
+  comparison.list.add("normals, triangle to surface", angles_text(deviation.angles, ""));
+  comparison.largest_distance = std::max(comparison.largest_distance, deviation.distance.max);
 }
 
-void compare_with_sphere(const Side& a, const CompareArguments& arguments, Outcome& outcome) {
+void compare_with_sphere(const Side& a, const CompareArguments& arguments, Comparison& comparison) {
   Vec3 center = Vec3::Map(arguments.center.data());
   double radius = 0.0;
   if (arguments.sphere == "fit") {
     const SphereFit fit = fit_sphere(used_positions(a.mesh.X, a.F));
     center = fit.center;
     radius = fit.radius;
-    outcome.json["radius_deviation"] = fit.deviation;
-    outcome.list.add("radius deviation", fmt::format("{:.4e} of the radius", fit.deviation));
+    comparison.json["radius_deviation"] = fit.deviation;
+    comparison.list.add("radius deviation", fmt::format("{:.4e} of the radius", fit.deviation));
   } else {
     radius = parse_real_option("--sphere", arguments.sphere, positive);
   }
   compare_with_surface(a, ExactSphere(center, radius),
                        fmt::format("sphere of radius {:.8g} about {:.8g} {:.8g} {:.8g}", radius,
                                    center[0], center[1], center[2]),
-                       outcome);
+                       comparison);
 }
 
 void check(const CompareArguments& arguments) {
@@ -194,37 +195,39 @@ void check(const CompareArguments& arguments) {
   }
 }
 
-ExitCode run_compare(const CompareArguments& arguments, Console& console) {
+ExitCode run_compare(const CompareArguments& arguments, const CLI::App& app, Console& console) {
   check(arguments);
-  check_report(arguments.report, {}, arguments.overwrite);
+  check_reports(arguments.report, {}, arguments.overwrite);
   const Side a = read_side(arguments.a, arguments.input, console);
-  Outcome outcome{start_report("compare"), {}, 0.0};
-  outcome.json["a"] = arguments.a;
+  Report report(app);
+  Comparison comparison{report.figures, {}, 0.0};
+  comparison.json["a"] = arguments.a;
   if (!arguments.b.empty()) {
-    outcome.json["b"] = arguments.b;
-    compare_meshes(a, read_side(arguments.b, arguments.input, console), arguments.samples, outcome);
+    comparison.json["b"] = arguments.b;
+    compare_meshes(a, read_side(arguments.b, arguments.input, console), arguments.samples,
+                   comparison);
   } else if (!arguments.sphere.empty()) {
-    compare_with_sphere(a, arguments, outcome);
+    compare_with_sphere(a, arguments, comparison);
   } else {
     const double axis_radius = arguments.torus->at(0);
     const double tube_radius = arguments.torus->at(1);
     compare_with_surface(
         a, ExactTorus(Vec3::Map(arguments.center.data()), axis_radius, tube_radius),
-        fmt::format("torus of radii {:.8g} and {:.8g}", axis_radius, tube_radius), outcome);
+        fmt::format("torus of radii {:.8g} and {:.8g}", axis_radius, tube_radius), comparison);
   }
 
-  const bool within = !arguments.tolerance || outcome.largest_distance <= *arguments.tolerance;
+  const bool within = !arguments.tolerance || comparison.largest_distance <= *arguments.tolerance;
   if (arguments.tolerance) {
-    outcome.json["tolerance"] = *arguments.tolerance;
-    outcome.json["within_tolerance"] = within;
+    comparison.json["tolerance"] = *arguments.tolerance;
+    comparison.json["within_tolerance"] = within;
   }
-  deliver_report(arguments.report, arguments.overwrite, outcome.json);
+  deliver_report(arguments.report, arguments.overwrite, report);
   if (!arguments.report.json) {
-    write_standard_output(outcome.list.text());
+    write_standard_output(comparison.list.text());
   }
   if (!within) {
     console.note(fmt::format("the largest distance {:.6g} is above the tolerance {:.6g}",
-                             outcome.largest_distance, *arguments.tolerance));
+                             comparison.largest_distance, *arguments.tolerance));
   }
   return within ? ExitCode::done : ExitCode::not_reached;
 }
@@ -291,7 +294,7 @@ Runner declare_compare(CLI::App& app) {
        "tells how far the two are apart, with exit code 1 where that is more than 0.5"},
       {"ibmfair compare ball.ply --sphere fit", "the same for the sphere that fits best"},
   };
-  return [arguments](Console& console) { return run_compare(*arguments, console); };
+  return [arguments, &app](Console& console) { return run_compare(*arguments, app, console); };
 }
 
 }  // namespace ibmfair::commands

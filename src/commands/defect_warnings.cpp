@@ -17,16 +17,23 @@ using nlohmann::ordered_json;
 
 struct Kind {
   const char* what;   // for a person
+  const char* one;    // for a person, with the element's name
   const char* field;  // of the report
   const std::vector<Index> Defects::*list;
 };
 
 constexpr std::array<Kind, 5> kinds{{
-    {"triangles with a repeated corner", "repeated_corner_triangles", &Defects::repeated_corner},
-    {"triangles without area", "zero_area_triangles", &Defects::zero_area},
-    {"triangles over the same vertices as another", "duplicate_triangles", &Defects::duplicate},
-    {"edges of three or more triangles", "non_manifold_edges", &Defects::non_manifold_edges},
-    {"bow-tie vertices", "bow_tie_vertices", &Defects::bow_tie_vertices},
+    {"triangles with a repeated corner", "triangle {} has a corner twice",
+     "repeated_corner_triangles", &Defects::repeated_corner},
+    {"triangles without area", "triangle {} has no area", "zero_area_triangles",
+     &Defects::zero_area},
+    {"triangles over the same vertices as another",
+     "triangle {} lies over the same vertices as another", "duplicate_triangles",
+     &Defects::duplicate},
+    {"edges of three or more triangles", "edge {} has three or more triangles",
+     "non_manifold_edges", &Defects::non_manifold_edges},
+    {"bow-tie vertices", "vertex {} joins several fans of triangles", "bow_tie_vertices",
+     &Defects::bow_tie_vertices},
 }};
 
 /// An edge is named by its two vertices, everything else by its number.
@@ -44,6 +51,35 @@ std::string describe(const Topology& topology, const Kind& kind) {
     text += (i > 0 ? ", " : "") + name(topology, kind, list[i]);
   }
   return text + (list.size() > most ? ", ...)" : ")");
+}
+
+constexpr const char* consequence = "left out of the energy, their vertices are held";
+
+/// The vertices of element i.
+std::vector<Index> vertices_of(const Topology& topology, const Kind& kind, Index i) {
+  if (kind.list == &Defects::bow_tie_vertices) {
+    return {i};
+  }
+  if (kind.list == &Defects::non_manifold_edges) {
+    return {topology.E(i, 0), topology.E(i, 1)};
+  }
+  return {topology.F(i, 0), topology.F(i, 1), topology.F(i, 2)};
+}
+
+/// As large as the element and the triangles around it.
+ScenePlace place_of_element(const Points& X, const Topology& topology, const Kind& kind, Index i) {
+  const std::vector<Index> vertices = vertices_of(topology, kind, i);
+  ScenePlace place;
+  place.title = fmt::format(fmt::runtime(kind.one), name(topology, kind, i));
+  place.at = X(vertices, Eigen::all).colwise().mean();
+  for (const Index v : vertices) {
+    for (const Index t : topology.stars[v]) {
+      for (const Index w : topology.F.row(t)) {
+        place.radius = std::max(place.radius, (X.row(w).transpose() - place.at).norm());
+      }
+    }
+  }
+  return place;
 }
 
 }  // namespace
@@ -65,12 +101,28 @@ void require_no_defects(const Topology& topology) {
   }
 }
 
+std::vector<Warning> defect_list(const Points& X, const Topology& topology) {
+  constexpr std::size_t most = 100;
+  std::vector<Warning> warnings;
+  for (const Kind& kind : kinds) {
+    const auto& list = topology.defects.*kind.list;
+    if (!list.empty()) {
+      warnings.push_back({fmt::format("{}: {}", describe(topology, kind), consequence)});
+    }
+    for (std::size_t i = 0; i < std::min(most, list.size()); ++i) {
+      const ScenePlace place = place_of_element(X, topology, kind, list[i]);
+      warnings.push_back({place.title, place});
+    }
+  }
+  return warnings;
+}
+
 void warn_of_defects(const Topology& topology, bool strict, const Console& console) {
   if (strict) {
     require_no_defects(topology);
   }
   for (const std::string& line : defect_lines(topology)) {
-    console.warning(line + ": left out of the energy, their vertices are held");
+    console.warning(fmt::format("{}: {}", line, consequence));
   }
 }
 

@@ -7,6 +7,7 @@
 #include <nlohmann/json_fwd.hpp>
 
 #include "commands/console.h"
+#include "commands/report/report.h"
 #include "ibmfair/mesh/topology.h"
 
 namespace ibmfair::commands {
@@ -14,6 +15,9 @@ namespace ibmfair::commands {
 /// One warning for each kind of defect: how many, and the first few by number (counted from 0).
 /// With `strict`, throws BadMesh with the same text instead.
 void warn_of_defects(const Topology& topology, bool strict, const Console& console);
+
+/// The same warnings for a report, each with the first hundred of its elements one by one.
+std::vector<Warning> defect_list(const Points& X, const Topology& topology);
 
 /// The same texts, one a kind, without the consequences.
 std::vector<std::string> defect_lines(const Topology& topology);

@@ -46,26 +46,42 @@ bool gives_way(const CLI::Option& option) {
          !std::all_of(needed.begin(), needed.end(), is_given);
 }
 
+/// Adds the argument or option with what it stands for, if that is known.
+void add_value(const CLI::Option& option, ordered_json& place) {
+  if (is_flag(option)) {
+    place[key_of(option)] = option.count() > 0;
+  } else if (option.count() > 0) {
+    place[key_of(option)] = values_json(option);
+  } else if (!option.get_default_str().empty() && !gives_way(option)) {
+    place[key_of(option)] = value_json(option.get_default_str());
+  }
+}
+
 }  // namespace
 
 ordered_json effective_job(const CLI::App& command) {
   ordered_json job = {{"command", command.get_name()}};
   ordered_json options = ordered_json::object();
   for (const CLI::Option* option : command.get_options()) {
-    ordered_json& place = option->get_positional() ? job : options;
-    if (!option->get_configurable()) {
-      continue;
-    }
-    if (is_flag(*option)) {
-      place[key_of(*option)] = option->count() > 0;
-    } else if (option->count() > 0) {
-      place[key_of(*option)] = values_json(*option);
-    } else if (!option->get_default_str().empty() && !gives_way(*option)) {
-      place[key_of(*option)] = value_json(option->get_default_str());
+    if (option->get_configurable()) {
+      add_value(*option, option->get_positional() ? job : options);
     }
   }
   job["options"] = std::move(options);
   return job;
+}
+
+ordered_json options_in_force(const CLI::App& command) {
+  ordered_json options = ordered_json::object();
+  for (const CLI::Option* option : command.get_options()) {
+    if (!option->get_positional() && option != command.get_help_ptr()) {
+      add_value(*option, options);
+    }
+  }
+  for (const char* name : {"dump-config", "json", "threads"}) {
+    options.erase(name);
+  }
+  return options;
 }
 
 std::string job_file_text(const std::vector<ordered_json>& jobs) {

@@ -11,15 +11,18 @@
 #include "commands/defect_warnings.h"
 #include "commands/fill_arguments.h"
 #include "commands/fill_report.h"
+#include "commands/page/mesh_scene.h"
 #include "commands/progress.h"
+#include "commands/report/report_formats.h"
+#include "commands/smooth_report.h"
 #include "commands/vertex_list.h"
 #include "ibmfair/base/errors.h"
 #include "ibmfair/base/stopwatch.h"
 #include "ibmfair/fill/fill_region.h"
 #include "ibmfair/flow/held_vertices.h"
-#include "ibmfair/io/atomic_file.h"
 #include "ibmfair/io/extension.h"
 #include "ibmfair/io/formats.h"
+#include "ibmfair/page/scene_lines.h"
 
 namespace ibmfair::commands {
 namespace {
@@ -123,23 +126,95 @@ void draw(const FillArguments& arguments, const Points& before, const Topology& 
   draw_picture(arguments.picture, arguments.output.write.overwrite, states, topology.F.rows());
 }
 
-void draw(const FillArguments& arguments, const Input& input, const Filling& filling) {
-  if (arguments.picture.path.empty()) {
-    return;
+/// The mesh with its patches.
+struct FilledMesh {
+  Points X;
+  Triangles F;
+
+  FilledMesh(const Topology& topology, const Filling& filling)
+      : X(filling.X.rows() + filling.new_X.rows(), 3),
+        F(topology.F.rows() + filling.new_F.rows(), 3) {
+    X << filling.X, filling.new_X;
+    F << topology.F, filling.new_F;
   }
-  const Topology& topology = input.topology;
-  Points X(filling.X.rows() + filling.new_X.rows(), 3);
-  X << filling.X, filling.new_X;
-  Triangles F(topology.F.rows() + filling.new_F.rows(), 3);
-  F << topology.F, filling.new_F;
-  draw(arguments, input.file.mesh().X, topology, X, build_topology(X, F));
+};
+
+void draw(const FillArguments& arguments, const Input& input, const Filling& filling) {
+  if (!arguments.picture.path.empty()) {
+    FilledMesh filled(input.topology, filling);
+    const Topology topology = build_topology(filled.X, std::move(filled.F));
+    draw(arguments, input.file.mesh().X, input.topology, filled.X, topology);
+  }
 }
 
-ExitCode conclude(const std::string& missed, bool strict, const Console& console) {
+/// One of the two states that a page and the report beside it tell of.
+nlohmann::ordered_json state_json(const FillArguments& arguments, const Points& X,
+                                  const Topology& topology) {
+  FlowOptions options;
+  options.laplacian = arguments.fill.fairing.laplacian;
+  options.mass = !arguments.no_mass;
+  nlohmann::ordered_json json = mesh_figures_json(mesh_figures(X, topology, options));
+  json["vertices"] = topology.vertex_count;
+  json["triangles"] = topology.F.rows();
+  json["boundary_loops"] = topology.boundary_loops.size();
+  return json;
+}
+
+/// Gives the report its end and writes it. `after` has the input's vertices and triangles first.
+void deliver(const FillArguments& arguments, const Input& input, const SceneState& after,
+             const SceneSource& marks, Report& report, const Console& console) {
+  const SceneState before{"before", &input.file.mesh().X, &input.topology};
+  report.figures["defects"] = defects_json(input.topology);
+  if (wants_page(arguments.report)) {
+    report.figures["before"] = state_json(arguments, *before.X, *before.topology);
+    report.figures["after"] = state_json(arguments, *after.X, *after.topology);
+  }
+  report.scene = [&] {
+    SceneSource source = marks;
+    source.name = arguments.input;
+    source.states = {before, after};
+    source.laplacian = arguments.fill.fairing.laplacian;
+    source.polygons = &input.file.mesh().faces;
+    return mesh_scene(std::move(source), report.warnings, console);
+  };
+  deliver_report(arguments.report, arguments.output.write.overwrite, report);
+}
+
+void deliver(const FillArguments& arguments, const Input& input, const Filling& filling,
+             const std::vector<Hole>& holes, Report& report, const Console& console) {
+  FilledMesh filled(input.topology, filling);
+  Topology topology;
+  if (wants_page(arguments.report)) {
+    topology = build_topology(filled.X, std::move(filled.F));
+  }
+  SceneSource marks;
+  marks.patch = filling.hole_of_triangle;
+  for (const HoleReport& hole : filling.holes) {
+    if (hole.new_triangles > 0) {
+      marks.lines.push_back(seam_line(filled.X, holes[static_cast<std::size_t>(hole.hole)]));
+    }
+  }
+  deliver(arguments, input, {"after", &filled.X, &topology}, marks, report, console);
+}
+
+void deliver_region(const FillArguments& arguments, const Input& input, const Points& X,
+                    const std::vector<std::uint8_t>& region, Report& report,
+                    const Console& console) {
+  std::vector<std::uint8_t> held;
+  for (const std::uint8_t chosen : region) {
+    held.push_back(chosen ? 0 : 1);
+  }
+  SceneSource marks;
+  marks.lines = held_lines(X, input.topology, held);
+  deliver(arguments, input, {"after", &X, &input.topology}, marks, report, console);
+}
+
+ExitCode conclude(const std::string& missed, bool strict, Report& report, const Console& console) {
   if (missed.empty()) {
     return ExitCode::done;
   }
-  console.warning(missed + (strict ? "; nothing was written (--strict)" : ""));
+  report.warnings.push_back({missed + (strict ? "; nothing was written (--strict)" : "")});
+  console.warning(report.warnings.back().text);
   return ExitCode::not_reached;
 }
 
@@ -165,7 +240,7 @@ Filling fill_within_memory(const FillArguments& arguments, const Input& input, P
 }
 
 ExitCode fill(const FillArguments& arguments, const Input& input, FillSeconds& seconds,
-              nlohmann::ordered_json& report, Console& console, Progress& progress) {
+              Report& report, Console& console, Progress& progress) {
   const Points& X = input.file.mesh().X;
   Filling filling;
   {
@@ -195,7 +270,7 @@ ExitCode fill(const FillArguments& arguments, const Input& input, FillSeconds& s
                     "joins those, and mostly fills such holes better",
                     touching));
   }
-  add_filling(report, filling, holes, seconds);
+  add_filling(filling, holes, seconds, report);
   const auto filled = std::count_if(filling.holes.begin(), filling.holes.end(),
                                     [](const HoleReport& hole) { return hole.new_triangles > 0; });
   if (filling.holes.empty()) {
@@ -206,18 +281,20 @@ ExitCode fill(const FillArguments& arguments, const Input& input, FillSeconds& s
                              filling.new_X.rows(), filling.new_F.rows()),
                  fill_text(filling, seconds, console.level() == Console::Level::verbose));
   }
-  return conclude(missed, arguments.strict, console);
+  const ExitCode code = conclude(missed, arguments.strict, report, console);
+  deliver(arguments, input, filling, holes, report, console);
+  return code;
 }
 
 ExitCode fair_again(const FillArguments& arguments, const Input& input, FillSeconds& seconds,
-                    nlohmann::ordered_json& report, Console& console, Progress& progress) {
+                    Report& report, Console& console, Progress& progress) {
   Points X = input.file.mesh().X;
+  const std::vector<std::uint8_t> chosen = region_of(arguments, input);
   RegionReport region;
   {
     const Stopwatch watch(seconds.fill);
     progress.begin("fair the region");
-    region = fair_region(X, input.topology, region_of(arguments, input),
-                         fill_options(arguments).fairing);
+    region = fair_region(X, input.topology, chosen, fill_options(arguments).fairing);
   }
   std::string missed;
   if (!region.fairing.converged) {
@@ -232,11 +309,13 @@ ExitCode fair_again(const FillArguments& arguments, const Input& input, FillSeco
     draw(arguments, input.file.mesh().X, input.topology, X, input.topology);
   }
   progress.end();
-  add_region(report, region, seconds);
+  add_region(region, seconds, report);
   console.note(fmt::format("{} -> {}, region '{}' faired", arguments.input, arguments.output.path,
                            arguments.region),
                region_text(region, seconds, console.level() == Console::Level::verbose));
-  return conclude(missed, arguments.strict, console);
+  const ExitCode code = conclude(missed, arguments.strict, report, console);
+  deliver_region(arguments, input, X, chosen, report, console);
+  return code;
 }
 
 Input read(const FillArguments& arguments, FillSeconds& seconds, Console& console,
@@ -254,25 +333,22 @@ Input read(const FillArguments& arguments, FillSeconds& seconds, Console& consol
   return input;
 }
 
-ExitCode run_fill(const FillArguments& arguments, Console& console) {
-  const bool overwrite = arguments.output.write.overwrite;
-  require_writable(arguments.output.path, overwrite);
-  check_report(arguments.report, arguments.output.path, overwrite);
-  check_picture(arguments.picture, overwrite);
+ExitCode run_fill(const FillArguments& arguments, const CLI::App& app, Console& console) {
+  check_reports(arguments.report,
+                {{"", arguments.output.path}, {"--picture", arguments.picture.path}},
+                arguments.output.write.overwrite);
   FillSeconds seconds;
   Progress progress(console);
   const Input input = read(arguments, seconds, console, progress);
   require_writable_format(input.file, arguments.output.path, arguments.output.write);
   warn_of_defects(input.topology, arguments.strict, console);
-  nlohmann::ordered_json report = start_report("fill");
-  report["input"] = arguments.input;
-  report["output"] = arguments.output.path;
-  const ExitCode code = arguments.region.empty()
-                            ? fill(arguments, input, seconds, report, console, progress)
-                            : fair_again(arguments, input, seconds, report, console, progress);
-  report["defects"] = defects_json(input.topology);
-  deliver_report(arguments.report, overwrite, report);
-  return code;
+  Report report(app);
+  report.warnings = defect_list(input.file.mesh().X, input.topology);
+  report.figures["input"] = arguments.input;
+  report.figures["output"] = arguments.output.path;
+  return arguments.region.empty()
+             ? fill(arguments, input, seconds, report, console, progress)
+             : fair_again(arguments, input, seconds, report, console, progress);
 }
 
 }  // namespace
@@ -280,7 +356,7 @@ ExitCode run_fill(const FillArguments& arguments, Console& console) {
 Runner declare_fill(CLI::App& app) {
   auto arguments = std::make_shared<FillArguments>();
   add_fill_arguments(app, *arguments);
-  return [arguments](Console& console) { return run_fill(*arguments, console); };
+  return [arguments, &app](Console& console) { return run_fill(*arguments, app, console); };
 }
 
 }  // namespace ibmfair::commands

@@ -50,6 +50,28 @@ ordered_json seam_json(const SeamAudit& seam) {
           {"folded_hinges", seam.folds}};
 }
 
+ordered_json filled_hole_json(const Hole& rim, const HoleReport& hole) {
+  ordered_json json = hole_json(rim);
+  json["status"] = name_of(hole.status);
+  json["reason"] = hole.reason;
+  json["new_vertices"] = hole.new_vertices;
+  json["new_triangles"] = hole.new_triangles;
+  if (hole.new_triangles > 0) {
+    json.update(seam_json(hole.seam));
+    json["intersections"] = hole.intersections;
+    json["fairing"] = fairing_json(hole.fairing);
+  }
+  return json;
+}
+
+Warning warning_of(const Points& X, const Hole& rim, const HoleReport& hole) {
+  ScenePlace place;
+  place.title = fmt::format("hole {}", hole.hole);
+  place.at = X(rim.loop, Eigen::all).colwise().mean();
+  place.radius = rim.diameter / 2;
+  return {fmt::format("hole {}: {}, {}", hole.hole, name_of(hole.status), hole.reason), place};
+}
+
 std::string percent(double before, double after) {
   return before != 0 ? fmt::format("{:+.3g} %", 100 * (after / before - 1)) : std::string("-");
 }
@@ -128,25 +150,22 @@ std::string fill_text(const Filling& filling, const FillSeconds& seconds, bool d
   return text + times(seconds, detailed);
 }
 
-void add_filling(ordered_json& report, const Filling& filling, const std::vector<Hole>& holes,
-                 const FillSeconds& seconds) {
-  report["new_vertices"] = filling.new_X.rows();
-  report["new_triangles"] = filling.new_F.rows();
-  report["holes"] = ordered_json::array();
+void add_filling(const Filling& filling, const std::vector<Hole>& holes, const FillSeconds& seconds,
+                 Report& report) {
+  ordered_json& json = report.figures;
+  json["new_vertices"] = filling.new_X.rows();
+  json["new_triangles"] = filling.new_F.rows();
+  json["holes"] = ordered_json::array();
+  report.table = Table{flattened(filled_hole_json({}, {})), {}};
   for (const HoleReport& hole : filling.holes) {
-    ordered_json json = hole_json(holes[static_cast<std::size_t>(hole.hole)]);
-    json["status"] = name_of(hole.status);
-    json["reason"] = hole.reason;
-    json["new_vertices"] = hole.new_vertices;
-    json["new_triangles"] = hole.new_triangles;
-    if (hole.new_triangles > 0) {
-      json.update(seam_json(hole.seam));
-      json["intersections"] = hole.intersections;
-      json["fairing"] = fairing_json(hole.fairing);
+    const Hole& rim = holes[static_cast<std::size_t>(hole.hole)];
+    json["holes"].push_back(filled_hole_json(rim, hole));
+    report.table->rows.push_back(flattened(json["holes"].back()));
+    if (hole.status != HoleStatus::filled && hole.status != HoleStatus::skipped) {
+      report.warnings.push_back(warning_of(filling.X, rim, hole));
     }
-    report["holes"].push_back(std::move(json));
   }
-  report["seconds"] = seconds_json(seconds);
+  json["seconds"] = seconds_json(seconds);
 }
 
 std::string region_text(const RegionReport& region, const FillSeconds& seconds, bool detailed) {
@@ -161,17 +180,18 @@ std::string region_text(const RegionReport& region, const FillSeconds& seconds, 
          times(seconds, detailed);
 }
 
-void add_region(ordered_json& report, const RegionReport& region, const FillSeconds& seconds) {
-  report["free_vertices"] = region.fairing.flow.unknowns;
-  report["fairing"] = fairing_json(region.fairing);
+void add_region(const RegionReport& region, const FillSeconds& seconds, Report& report) {
+  ordered_json& json = report.figures;
+  json["free_vertices"] = region.fairing.flow.unknowns;
+  json["fairing"] = fairing_json(region.fairing);
   const FlowSeconds& s = region.fairing.flow.seconds;
-  report["fairing"]["seconds"] = {{"assemble", s.assemble},
-                                  {"analyse", s.analyse},
-                                  {"factor", s.factor},
-                                  {"gradient", s.gradient},
-                                  {"solve", s.solve}};
-  report["folded_hinges"] = region.folds;
-  report["seconds"] = seconds_json(seconds);
+  json["fairing"]["seconds"] = {{"assemble", s.assemble},
+                                {"analyse", s.analyse},
+                                {"factor", s.factor},
+                                {"gradient", s.gradient},
+                                {"solve", s.solve}};
+  json["folded_hinges"] = region.folds;
+  json["seconds"] = seconds_json(seconds);
 }
 
 }  // namespace ibmfair::commands

@@ -3,8 +3,7 @@
 
 #include <string>
 
-#include <nlohmann/json_fwd.hpp>
-
+#include "commands/report/report.h"
 #include "ibmfair/fill/fill_holes.h"
 #include "ibmfair/fill/fill_region.h"
 
@@ -19,13 +18,13 @@ struct FillSeconds {
 /// few and those that took long.
 std::string fill_text(const Filling& filling, const FillSeconds& seconds, bool detailed);
 
-/// Adds the fields that the holes fill.
-void add_filling(nlohmann::ordered_json& report, const Filling& filling,
-                 const std::vector<Hole>& holes, const FillSeconds& seconds);
+/// Adds the fields that the holes fill, the holes as a table, and warnings of those that were not
+/// filled as they should.
+void add_filling(const Filling& filling, const std::vector<Hole>& holes, const FillSeconds& seconds,
+                 Report& report);
 
 /// The same for a region.
 std::string region_text(const RegionReport& region, const FillSeconds& seconds, bool detailed);
-void add_region(nlohmann::ordered_json& report, const RegionReport& region,
-                const FillSeconds& seconds);
+void add_region(const RegionReport& region, const FillSeconds& seconds, Report& report);
 
 }  // namespace ibmfair::commands

@@ -11,6 +11,7 @@
 #include "commands/command.h"
 #include "commands/documentation.h"
 #include "commands/hole_json.h"
+#include "commands/report/report_formats.h"
 #include "commands/shared_options.h"
 #include "ibmfair/mesh/topology.h"
 
@@ -50,18 +51,20 @@ std::string to_text(const std::vector<Hole>& holes) {
   return text;
 }
 
-ExitCode run_holes(const HolesArguments& arguments, Console& console) {
-  check_report(arguments.report, {}, arguments.overwrite);
+ExitCode run_holes(const HolesArguments& arguments, const CLI::App& app, Console& console) {
+  check_reports(arguments.report, {}, arguments.overwrite);
   const MeshFile file = read_input(arguments.path, arguments.input, console);
   const Mesh& mesh = file.mesh();
   const std::vector<Hole> holes = find_holes(mesh.X, build_topology(mesh.X, triangulate(mesh).F));
 
-  nlohmann::ordered_json report = start_report("holes");
-  report["file"] = file.name();
-  report["holes"] = nlohmann::ordered_json::array();
+  Report report(app);
+  report.figures["file"] = file.name();
+  report.figures["holes"] = nlohmann::ordered_json::array();
+  report.table = Table{hole_json({}), {}};
   for (const Hole& hole : holes) {
-    report["holes"].push_back(hole_json(hole));
-    report["holes"].back()["vertices"] = hole.loop;
+    report.table->rows.push_back(hole_json(hole));
+    report.figures["holes"].push_back(hole_json(hole));
+    report.figures["holes"].back()["vertices"] = hole.loop;
   }
   deliver_report(arguments.report, arguments.overwrite, report);
   if (!arguments.report.json) {
@@ -86,7 +89,7 @@ Runner declare_holes(CLI::App& app) {
       {"ibmfair holes scan.ply", "lists the boundary loops: id, edges, perimeter, diameter"},
       {"ibmfair holes scan.ply --json > holes.json", "the same for programs, with the vertices"},
   };
-  return [arguments](Console& console) { return run_holes(*arguments, console); };
+  return [arguments, &app](Console& console) { return run_holes(*arguments, app, console); };
 }
 
 }  // namespace ibmfair::commands

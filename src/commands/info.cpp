@@ -11,6 +11,7 @@
 #include "commands/defect_warnings.h"
 #include "commands/documentation.h"
 #include "commands/figure_list.h"
+#include "commands/report/report_formats.h"
 #include "commands/shared_options.h"
 #include "ibmfair/energy/bending_energy.h"
 #include "ibmfair/io/formats.h"
@@ -67,9 +68,9 @@ ordered_json optional_json(const std::optional<T>& value) {
   return value ? ordered_json(*value) : ordered_json();
 }
 
-ordered_json to_json(const MeshFile& file, const Topology& topology, const Findings& findings) {
+void add_findings(ordered_json& json, const MeshFile& file, const Topology& topology,
+                  const Findings& findings) {
   const MeshSummary& s = findings.summary;
-  ordered_json json = start_report("info");
   json["file"] = file.name();
   json["format"] = file.format().name;
   json["vertices"] = s.vertices;
@@ -102,7 +103,6 @@ ordered_json to_json(const MeshFile& file, const Topology& topology, const Findi
                       {"radius", findings.sphere->radius},
                       {"relative_deviation", findings.sphere->deviation}};
   }
-  return json;
 }
 
 std::string orientation_text(const MeshSummary& s) {
@@ -160,14 +160,17 @@ std::string to_text(const MeshFile& file, const Topology& topology, const Findin
   return list.text();
 }
 
-ExitCode run_info(const InfoArguments& arguments, Console& console) {
-  check_report(arguments.report, {}, arguments.overwrite);
+ExitCode run_info(const InfoArguments& arguments, const CLI::App& app, Console& console) {
+  check_reports(arguments.report, {}, arguments.overwrite);
   const MeshFile file = read_input(arguments.path, arguments.input, console);
   const Mesh& mesh = file.mesh();
   const Topology topology = build_topology(mesh.X, triangulate(mesh).F);
   const Findings findings = examine(mesh, topology, arguments.sphere);
 
-  deliver_report(arguments.report, arguments.overwrite, to_json(file, topology, findings));
+  Report report(app);
+  add_findings(report.figures, file, topology, findings);
+  report.warnings = defect_list(mesh.X, topology);
+  deliver_report(arguments.report, arguments.overwrite, report);
   if (!arguments.report.json) {
     write_standard_output(to_text(file, topology, findings));
   }
@@ -195,7 +198,7 @@ Runner declare_info(CLI::App& app) {
       {"ibmfair make icosphere - --format off --subdivide 4 | ibmfair info - --sphere",
        "reads a mesh from a pipe, and tells how far it is from a sphere"},
   };
-  return [arguments](Console& console) { return run_info(*arguments, console); };
+  return [arguments, &app](Console& console) { return run_info(*arguments, app, console); };
 }
 
 }  // namespace ibmfair::commands

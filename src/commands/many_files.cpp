@@ -78,9 +78,9 @@ ExitCode run_many_files(CLI::App& command, const ManyFiles& many, Console& conso
     const CLI::Option* option = command.get_option_no_throw(name);
     return option != nullptr && option->count() > 0;
   };
-  options.json = given("--json");
+  options.report.json = given("--json");
   options.overwrite = given("--overwrite");
-  return run_batch({job}, options, many.folder + "/.ibmfair-batch.journal", console);
+  return run_batch(command, {job}, options, many.folder + "/.ibmfair-batch.journal", console);
 }
 
 }  // namespace

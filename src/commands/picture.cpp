@@ -49,12 +49,6 @@ void add_picture_options(CLI::App& app, const std::string& what, PictureOptions&
       ->needs(picture);
 }
 
-void check_picture(const PictureOptions& options, bool overwrite) {
-  if (!options.path.empty()) {
-    require_writable(options.path, overwrite);
-  }
-}
-
 void draw_picture(const PictureOptions& options, bool overwrite, std::span<const FieldState> states,
                   Eigen::Index patch_from) {
   if (options.path.empty()) {

@@ -20,9 +20,6 @@ struct PictureOptions {
 /// --picture, --picture-colour. `what` says what is drawn.
 void add_picture_options(CLI::App& app, const std::string& what, PictureOptions& options);
 
-/// Throws CannotWrite where the picture's file exists and must not be replaced.
-void check_picture(const PictureOptions& options, bool overwrite);
-
 /// The states beside each other, in colours if the options want some; without, triangles from
 /// `patch_from` on are marked. Does nothing where no picture is wanted.
 void draw_picture(const PictureOptions& options, bool overwrite, std::span<const FieldState> states,

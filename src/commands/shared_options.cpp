@@ -6,16 +6,17 @@
 #include "commands/argument_roles.h"
 #include "commands/documentation.h"
 #include "commands/printable.h"
-#include "ibmfair/base/errors.h"
-#include "ibmfair/base/version.h"
-#include "ibmfair/io/atomic_file.h"
 #include "ibmfair/io/formats.h"
 
 namespace ibmfair::commands {
 
 namespace {
 
-constexpr int report_version = 1;
+std::string dumped(const nlohmann::ordered_json& json, int indentation) {
+  // File names need not be UTF-8; JSON must be.
+  return printable_json(
+      json.dump(indentation, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
+}
 
 /// The names and extensions of the formats, but for the row of the many others.
 struct FormatWords {
@@ -61,7 +62,7 @@ void add_input_options(CLI::App& app, InputOptions& options) {
                "merge vertices at exactly the same place (never done unasked)");
 }
 
-MeshFile read_input(const std::string& path, const InputOptions& options, Console& console) {
+MeshFile read_input(const std::string& path, const InputOptions& options, const Console& console) {
   MeshFile file = read_mesh(path, options.read);
   for (const std::string& note : file.notes()) {
     console.note(note);
@@ -98,44 +99,21 @@ void add_report_options(CLI::App& app, ReportOptions& options) {
   app.add_flag("--json", options.json, "write the figures as JSON to standard output")
       ->configurable(false);  // a batch reads them there itself
   CLI::Option* report =
-      app.add_option("--report", options.path, "write the figures as JSON to this file, too")
-          ->type_name(file_to_write);
-  note_of(app, *report).extensions = {"json"};
+      app.add_option(
+             "--report", options.paths,
+             "write the figures to this file, too: all as .json, a table as .csv, or as .html a "
+             "page that shows the mesh; may be given several times")
+          ->type_name(file_to_write)
+          ->allow_extra_args(false);
+  note_of(app, *report).extensions = {"html", "json", "csv"};
 }
 
-std::string text_of(const nlohmann::ordered_json& report) {
-  // File names need not be UTF-8; JSON must be.
-  return printable_json(
-      report.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n");
+std::string text_of(const nlohmann::ordered_json& json) {
+  return dumped(json, 2) + "\n";
 }
 
-nlohmann::ordered_json start_report(const std::string& command) {
-  return {{"version", report_version}, {"program", "ibmfair " + version()}, {"command", command}};
-}
-
-void check_report(const ReportOptions& options, const std::string& mesh_path, bool overwrite) {
-  if (mesh_path == "-" && (options.json || options.path == "-")) {
-    throw BadOption("standard output cannot take both the mesh and the report; use --report FILE");
-  }
-  if (!options.path.empty() && options.path == mesh_path) {
-    throw BadOption("--report: '" + options.path + "' is the output already");
-  }
-  if (!options.path.empty()) {
-    require_writable(options.path, overwrite);
-  }
-}
-
-void deliver_report(const ReportOptions& options, bool overwrite,
-                    const nlohmann::ordered_json& report) {
-  const std::string text = text_of(report);
-  if (!options.path.empty()) {
-    AtomicFile file(options.path, overwrite);
-    file.write(text);
-    file.commit();
-  }
-  if (options.json) {
-    write_standard_output(text);
-  }
+std::string line_of(const nlohmann::ordered_json& json) {
+  return dumped(json, -1);
 }
 
 }  // namespace ibmfair::commands

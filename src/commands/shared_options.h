@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include <nlohmann/json_fwd.hpp>
 
@@ -31,7 +32,7 @@ struct InputOptions {
 void add_input_options(CLI::App& app, InputOptions& options);
 
 /// Reads a mesh file ("-": standard input) and passes on what the reader has to say.
-MeshFile read_input(const std::string& path, const InputOptions& options, Console& console);
+MeshFile read_input(const std::string& path, const InputOptions& options, const Console& console);
 
 /// Where a mesh is written and how.
 struct OutputOptions {
@@ -50,26 +51,16 @@ void add_strict_option(CLI::App& app, bool& strict);
 
 /// Where a command's figures go.
 struct ReportOptions {
-  bool json = false;  ///< on standard output
-  std::string path;   ///< of a JSON file; empty: none
+  bool json = false;                ///< on standard output
+  std::vector<std::string> paths;   ///< of files, whose endings name the format
+  std::string option = "--report";  ///< that names them
 };
 
 /// --json, --report.
 void add_report_options(CLI::App& app, ReportOptions& options);
 
-/// The start of every report: its version, which changes when the meaning of a field does, the
-/// program's version, and the command.
-nlohmann::ordered_json start_report(const std::string& command);
-
-/// A report as text.
-std::string text_of(const nlohmann::ordered_json& report);
-
-/// Throws BadOption where the report and the mesh would both go to standard output, and
-/// CannotWrite where the report's file exists and must not be replaced.
-void check_report(const ReportOptions& options, const std::string& mesh_path, bool overwrite);
-
-/// Writes the report where the options want it, each to where it was asked for.
-void deliver_report(const ReportOptions& options, bool overwrite,
-                    const nlohmann::ordered_json& report);
+/// JSON as text that a terminal shows as it is (commands/printable.h): indented, or in one line.
+std::string text_of(const nlohmann::ordered_json& json);
+std::string line_of(const nlohmann::ordered_json& json);
 
 }  // namespace ibmfair::commands

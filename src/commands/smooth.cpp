@@ -9,7 +9,9 @@
 
 #include "commands/command.h"
 #include "commands/defect_warnings.h"
+#include "commands/page/mesh_scene.h"
 #include "commands/progress.h"
+#include "commands/report/report_formats.h"
 #include "commands/signals.h"
 #include "commands/smooth_arguments.h"
 #include "commands/smooth_report.h"
@@ -19,8 +21,8 @@
 #include "ibmfair/flow/held_vertices.h"
 #include "ibmfair/flow/time_scale.h"
 #include "ibmfair/flow/willmore_flow.h"
-#include "ibmfair/io/atomic_file.h"
 #include "ibmfair/mesh/geometry.h"
+#include "ibmfair/page/scene_lines.h"
 
 namespace ibmfair::commands {
 namespace {
@@ -103,46 +105,6 @@ void resolve(const SmoothArguments& arguments, const Points& X, const Topology& 
   }
 }
 
-void run_flow(const SmoothArguments& arguments, FlowOptions options, const MeshFile& file,
-              const Topology& topology, Points& X, SmoothFigures& figures, Console& console,
-              Progress& progress) {
-  resolve(arguments, X, topology, options, figures);
-  const auto held_vertices = held(arguments, file, topology);
-  std::optional<PostponedEnd> postponed;
-  if (!arguments.checkpoint.empty()) {
-    postponed.emplace();
-  }
-  progress.begin_work("flow");
-  options.on_stage = [&progress](FlowStage stage) { progress.enter(stage); };
-  figures.flow = willmore_flow(X, topology, held_vertices, options, [&](const StepRecord& step) {
-    progress.advance(step, options.steps, options.total_time);
-    return PostponedEnd::signal_number() == 0;
-  });
-  figures.total_time = options.total_time;
-  if (figures.flow.unknowns == 0) {
-    console.warning("no vertex is free to move: the mesh is written as it was read");
-  }
-}
-
-ExitCode forecast(const SmoothArguments& arguments, FlowOptions options, const MeshFile& file,
-                  const Topology& topology, Console& console) {
-  SmoothFigures figures;
-  FlowForecast forecast;
-  if (options.steps > 0) {
-    const Points& X = file.mesh().X;
-    resolve(arguments, X, topology, options, figures);
-    forecast = forecast_flow(X, topology, held(arguments, file, topology), options);
-  }
-  nlohmann::ordered_json report = start_report("smooth");
-  report["input"] = arguments.input;
-  report["forecast"] = forecast_json(forecast);
-  deliver_report(arguments.report, arguments.output.write.overwrite, report);
-  console.note(fmt::format("{}: {} of {} vertices would move in {} steps", arguments.input,
-                           forecast.unknowns, topology.vertex_count, options.steps),
-               forecast_table(forecast));
-  return ExitCode::done;
-}
-
 void draw(const SmoothArguments& arguments, const Topology& topology, const Points& before,
           const Points& after) {
   const std::array<FieldState, 2> states{{{before, topology, nullptr, arguments.flow.laplacian},
@@ -159,16 +121,11 @@ OutputOptions checkpoint_of(const SmoothArguments& arguments) {
 }
 
 void check_outputs(const SmoothArguments& arguments) {
-  const bool overwrite = arguments.output.write.overwrite;
-  require_writable(arguments.output.path, overwrite);
-  check_report(arguments.report, arguments.output.path, overwrite);
-  check_picture(arguments.picture, overwrite);
-  if (!arguments.checkpoint.empty()) {
-    if (arguments.checkpoint == arguments.output.path) {
-      throw BadOption("--checkpoint: '" + arguments.checkpoint + "' is the output already");
-    }
-    require_writable(arguments.checkpoint, overwrite);
-  }
+  check_reports(arguments.report,
+                {{"", arguments.output.path},
+                 {"--picture", arguments.picture.path},
+                 {"--checkpoint", arguments.checkpoint}},
+                arguments.output.write.overwrite);
 }
 
 void check_formats(const SmoothArguments& arguments, const MeshFile& file) {
@@ -177,6 +134,66 @@ void check_formats(const SmoothArguments& arguments, const MeshFile& file) {
     const OutputOptions checkpoint = checkpoint_of(arguments);
     require_writable_format(file, checkpoint.path, checkpoint.write);
   }
+}
+
+/// The mesh and what becomes of it.
+struct Smoothing {
+  MeshFile file;
+  Topology topology;
+  Points X;  // after
+  std::vector<std::uint8_t> held;
+  SmoothFigures figures;
+
+  const Points& before() const { return file.mesh().X; }
+};
+
+Smoothing read_smoothing(const SmoothArguments& arguments, const Console& console,
+                         Progress& progress) {
+  Smoothing s;
+  progress.begin("read");
+  {
+    const Stopwatch watch(s.figures.seconds_read);
+    s.file = read_input(arguments.input, arguments.reading, console);
+  }
+  check_formats(arguments, s.file);
+  progress.begin("connect");
+  const Stopwatch watch(s.figures.seconds_topology);
+  s.topology = build_topology(s.before(), triangulate(s.file.mesh()).F);
+  s.X = s.before();
+  return s;
+}
+
+void run_flow(const SmoothArguments& arguments, FlowOptions options, Smoothing& s,
+              Progress& progress) {
+  resolve(arguments, s.X, s.topology, options, s.figures);
+  s.held = held(arguments, s.file, s.topology);
+  std::optional<PostponedEnd> postponed;
+  if (!arguments.checkpoint.empty()) {
+    postponed.emplace();
+  }
+  progress.begin_work("flow");
+  options.on_stage = [&progress](FlowStage stage) { progress.enter(stage); };
+  s.figures.flow = willmore_flow(s.X, s.topology, s.held, options, [&](const StepRecord& step) {
+    progress.advance(step, options.steps, options.total_time);
+    return PostponedEnd::signal_number() == 0;
+  });
+  s.figures.total_time = options.total_time;
+}
+
+ExitCode forecast(const SmoothArguments& arguments, FlowOptions options, Smoothing& s,
+                  Report& report, Console& console) {
+  FlowForecast forecast;
+  if (options.steps > 0) {
+    resolve(arguments, s.X, s.topology, options, s.figures);
+    forecast = forecast_flow(s.X, s.topology, held(arguments, s.file, s.topology), options);
+  }
+  report.figures["input"] = arguments.input;
+  report.figures["forecast"] = forecast_json(forecast);
+  deliver_report(arguments.report, arguments.output.write.overwrite, report);
+  console.note(fmt::format("{}: {} of {} vertices would move in {} steps", arguments.input,
+                           forecast.unknowns, s.topology.vertex_count, options.steps),
+               forecast_table(forecast));
+  return ExitCode::done;
 }
 
 /// What is left of the flow, in time steps of about the same length.
@@ -191,93 +208,113 @@ std::string way_on(const SmoothFigures& figures, int steps) {
                      count, left / count);
 }
 
-ExitCode conclude(FlowStatus status, const Console& console) {
-  switch (status) {
+/// What is to be said about the end of the flow; empty: it went as it should.
+std::string remark_on(const SmoothFigures& figures, const OutputOptions& output, int steps) {
+  switch (figures.flow.status) {
     case FlowStatus::completed:
-      return ExitCode::done;
+      return steps > 0 && figures.flow.unknowns == 0
+                 ? "no vertex is free to move: the mesh is written as it was read"
+                 : "";
     case FlowStatus::interrupted:
-      return static_cast<ExitCode>(128 + PostponedEnd::signal_number());
+      return fmt::format("interrupted; {} holds the state that was reached: {}", output.path,
+                         way_on(figures, steps));
     case FlowStatus::stalled:
-      console.warning("the flow stalled before its time was up; the state it reached was written");
-      return ExitCode::not_reached;
+      return "the flow stalled before its time was up; the state it reached was written";
     case FlowStatus::diverged:
-      console.warning(
-          "the flow diverged; the last finite state was written (smaller steps, or no --plain)");
-      return ExitCode::not_reached;
+      return "the flow diverged; the last finite state was written (smaller steps, or no --plain)";
   }
-  return ExitCode::internal_error;
+  return {};
 }
 
-ExitCode run_smooth(const SmoothArguments& arguments, Console& console) {
-  check_outputs(arguments);
-  SmoothFigures figures;
-  std::optional<MeshFile> file;
-  Progress progress(console);
-  progress.begin("read");
-  {
-    const Stopwatch watch(figures.seconds_read);
-    file = read_input(arguments.input, arguments.reading, console);
-  }
-  check_formats(arguments, *file);
-  const Points before = file->mesh().X;
-  Topology topology;
-  progress.begin("connect");
-  {
-    const Stopwatch watch(figures.seconds_topology);
-    topology = build_topology(before, triangulate(file->mesh()).F);
-  }
-  warn_of_defects(topology, arguments.strict, console);
+ExitCode exit_code_of(FlowStatus status) {
+  return status == FlowStatus::completed ? ExitCode::done
+         : status == FlowStatus::interrupted
+             ? static_cast<ExitCode>(128 + PostponedEnd::signal_number())
+             : ExitCode::not_reached;
+}
 
-  FlowOptions options = arguments.flow;
-  options.mass = !arguments.no_mass;
-  options.metric = arguments.metric == "mass" ? Metric::mass : Metric::identity;
-  options.guarded = !arguments.plain;
-  options.relax = relaxes(arguments, *file, console);
-  SmoothArguments resolved = arguments;
-  resolved.flow = options;
-  if (arguments.dry_run) {
-    progress.end();
-    return forecast(resolved, options, *file, topology, console);
+/// The mesh before and after, and the border of what was held.
+std::optional<Scene> smooth_scene(const SmoothArguments& arguments, const Smoothing& s,
+                                  const std::vector<Warning>& warnings, const Console& console) {
+  SceneSource source{arguments.input,
+                     {{"before", &s.before(), &s.topology}, {"after", &s.X, &s.topology}},
+                     arguments.flow.laplacian};
+  source.polygons = &s.file.mesh().faces;
+  if (!s.held.empty()) {
+    source.lines = held_lines(s.X, s.topology, s.held);
   }
-  progress.begin("measure");
-  figures.mean_edge_length = mean_edge_length(before, topology.E);
-  figures.before = mesh_figures(before, topology, options);
-  Points after = before;
-  if (options.steps > 0) {
-    run_flow(resolved, options, *file, topology, after, figures, console, progress);
-  }
-  progress.begin("measure");
-  figures.after = mesh_figures(after, topology, options);
-  measure_moves(before, after, figures);
+  return mesh_scene(std::move(source), warnings, console);
+}
 
-  const bool interrupted = figures.flow.status == FlowStatus::interrupted;
-  const OutputOptions output = interrupted ? checkpoint_of(arguments) : arguments.output;
+/// Writes the mesh that was reached, and says so.
+void write_and_tell(const SmoothArguments& arguments, const OutputOptions& output, Smoothing& s,
+                    Report& report, const Console& console, Progress& progress) {
   WriteReport written;
   progress.begin("write");
   {
-    const Stopwatch watch(figures.seconds_write);
-    written = write_mesh(*file, after, output.path, output.write);
+    const Stopwatch watch(s.figures.seconds_write);
+    written = write_mesh(s.file, s.X, output.path, output.write);
   }
   for (const std::string& note : written.notes) {
     console.note(note);
   }
-  draw(arguments, topology, before, after);
+  draw(arguments, s.topology, s.before(), s.X);
   progress.end();
-  nlohmann::ordered_json report = start_report("smooth");
-  report["input"] = arguments.input;
-  report["output"] = output.path;
-  add_smooth_figures(report, figures, topology, options);
-  report["defects"] = defects_json(topology);
-  report["moved_vertices"] = written.moved_vertices;
-  deliver_report(arguments.report, output.write.overwrite, report);
+  report.figures["input"] = arguments.input;
+  report.figures["output"] = output.path;
+  add_smooth_figures(s.figures, s.topology, arguments.flow, report);
+  report.figures["defects"] = defects_json(s.topology);
+  report.figures["moved_vertices"] = written.moved_vertices;
   console.note(fmt::format("{} -> {}, {} of {} vertices moved", arguments.input, output.path,
-                           written.moved_vertices, before.rows()),
-               smooth_table(figures, topology, console.level() == Console::Level::verbose));
-  if (interrupted) {
-    console.warning(fmt::format("interrupted; {} holds the state that was reached: {}", output.path,
-                                way_on(figures, options.steps)));
+                           written.moved_vertices, s.X.rows()),
+               smooth_table(s.figures, s.topology, console.level() == Console::Level::verbose));
+}
+
+/// The options of the flow as the mesh and other options have them.
+FlowOptions flow_options(const SmoothArguments& arguments, const MeshFile& file,
+                         const Console& console) {
+  FlowOptions options = arguments.flow;
+  options.mass = !arguments.no_mass;
+  options.metric = arguments.metric == "mass" ? Metric::mass : Metric::identity;
+  options.guarded = !arguments.plain;
+  options.relax = relaxes(arguments, file, console);
+  return options;
+}
+
+ExitCode run_smooth(SmoothArguments arguments, const CLI::App& app, Console& console) {
+  check_outputs(arguments);
+  Progress progress(console);
+  Smoothing s = read_smoothing(arguments, console, progress);
+  warn_of_defects(s.topology, arguments.strict, console);
+  Report report(app);
+  report.warnings = defect_list(s.before(), s.topology);
+  arguments.flow = flow_options(arguments, s.file, console);
+  const FlowOptions& options = arguments.flow;
+  if (arguments.dry_run) {
+    progress.end();
+    return forecast(arguments, options, s, report, console);
   }
-  return conclude(figures.flow.status, console);
+  progress.begin("measure");
+  s.figures.mean_edge_length = mean_edge_length(s.before(), s.topology.E);
+  s.figures.before = mesh_figures(s.before(), s.topology, options);
+  if (options.steps > 0) {
+    run_flow(arguments, options, s, progress);
+  }
+  progress.begin("measure");
+  s.figures.after = mesh_figures(s.X, s.topology, options);
+  measure_moves(s.before(), s.X, s.figures);
+
+  const FlowStatus status = s.figures.flow.status;
+  const OutputOptions output =
+      status == FlowStatus::interrupted ? checkpoint_of(arguments) : arguments.output;
+  write_and_tell(arguments, output, s, report, console, progress);
+  if (const std::string remark = remark_on(s.figures, output, options.steps); !remark.empty()) {
+    console.warning(remark);
+    report.warnings.push_back({remark});
+  }
+  report.scene = [&] { return smooth_scene(arguments, s, report.warnings, console); };
+  deliver_report(arguments.report, output.write.overwrite, report);
+  return exit_code_of(status);
 }
 
 }  // namespace
@@ -285,7 +322,7 @@ ExitCode run_smooth(const SmoothArguments& arguments, Console& console) {
 Runner declare_smooth(CLI::App& app) {
   auto arguments = std::make_shared<SmoothArguments>();
   add_smooth_arguments(app, *arguments);
-  return [arguments](Console& console) { return run_smooth(*arguments, console); };
+  return [arguments, &app](Console& console) { return run_smooth(*arguments, app, console); };
 }
 
 }  // namespace ibmfair::commands

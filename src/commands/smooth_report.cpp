@@ -43,28 +43,16 @@ std::string length_text(double length, double edge) {
   return fmt::format("{:.4g} u = {:.3g} mean edge lengths", length, length / edge);
 }
 
-ordered_json state_json(const MeshFigures& figures) {
-  return {{"energy", figures.energy},
-          {"area", figures.area},
-          {"volume", figures.volume},
-          {"smallest_angle_degrees", figures.smallest_angle},
-          {"folded_hinges", figures.folds}};
-}
-
-ordered_json steps_json(const FlowReport& flow) {
-  ordered_json steps = ordered_json::array();
-  for (const StepRecord& step : flow.steps) {
-    steps.push_back({{"step", step.step},
-                     {"time", step.time},
-                     {"time_step", step.time_step},
-                     {"energy", step.energy},
-                     {"gradient_norm", step.gradient_norm},
-                     {"largest_move", step.largest_move},
-                     {"decrease_ratio", step.decrease_ratio},
-                     {"refactored", step.refactored},
-                     {"held_back", step.held_back}});
-  }
-  return steps;
+ordered_json step_json(const StepRecord& step) {
+  return {{"step", step.step},
+          {"time", step.time},
+          {"time_step", step.time_step},
+          {"energy", step.energy},
+          {"gradient_norm", step.gradient_norm},
+          {"largest_move", step.largest_move},
+          {"decrease_ratio", step.decrease_ratio},
+          {"refactored", step.refactored},
+          {"held_back", step.held_back}};
 }
 
 ordered_json seconds_json(const SmoothFigures& figures) {
@@ -126,6 +114,14 @@ MeshFigures mesh_figures(const Points& X, const Topology& topology, const FlowOp
   return figures;
 }
 
+ordered_json mesh_figures_json(const MeshFigures& figures) {
+  return {{"energy", figures.energy},
+          {"area", figures.area},
+          {"volume", figures.volume},
+          {"smallest_angle_degrees", figures.smallest_angle},
+          {"folded_hinges", figures.folds}};
+}
+
 std::string smooth_table(const SmoothFigures& figures, const Topology& topology, bool detailed) {
   const FlowReport& flow = figures.flow;
   const MeshFigures &before = figures.before, &after = figures.after;
@@ -178,42 +174,48 @@ ordered_json forecast_json(const FlowForecast& forecast) {
   return {{"unknowns", forecast.unknowns}, {"solver", forecast.solver}, {"solvers", backends}};
 }
 
-void add_smooth_figures(ordered_json& report, const SmoothFigures& figures,
-                        const Topology& topology, const FlowOptions& options) {
+void add_smooth_figures(const SmoothFigures& figures, const Topology& topology,
+                        const FlowOptions& options, Report& report) {
   const FlowReport& flow = figures.flow;
-  report["status"] = name_of(flow.status);
-  report["options"] = {{"laplacian", options.laplacian},
-                       {"mass", options.mass},
-                       {"metric", options.metric == Metric::mass ? "mass" : "identity"},
-                       {"steps", options.steps},
-                       {"total_time", figures.total_time},
-                       {"cutoff", figures.cutoff},
-                       {"newton_iterations", options.newton_iterations},
-                       {"solver_tolerance", options.solver_tolerance},
-                       {"guarded", options.guarded},
-                       {"tangential", options.guarded && options.relax ? "relax" : "none"}};
-  report["mesh"] = {{"vertices", topology.vertex_count},
-                    {"triangles", topology.F.rows()},
-                    {"unknowns", flow.unknowns},
-                    {"mean_edge_length", figures.mean_edge_length}};
-  report["before"] = state_json(figures.before);
-  report["after"] = state_json(figures.after);
-  report["largest_move"] = figures.largest_move;
-  report["rms_move"] = figures.rms_move;
-  report["flow"] = {{"energy_before", flow.energy_before},
-                    {"energy_after", flow.energy_after},
-                    {"time_reached", flow.time_reached},
-                    {"solves", flow.solves},
-                    {"solver", flow.solver},
-                    {"iterations", flow.iterations},
-                    {"factorizations", flow.factorizations},
-                    {"rejected", flow.rejected},
-                    {"shortened_relaxations", flow.shortened_relaxations},
-                    {"ordering", flow.forecast.ordering},
-                    {"factor_entries", flow.forecast.factor_entries},
-                    {"factor_flops", flow.forecast.flops}};
-  report["steps"] = steps_json(flow);
-  report["seconds"] = seconds_json(figures);
+  ordered_json& json = report.figures;
+  json["status"] = name_of(flow.status);
+  json["options"] = {{"laplacian", options.laplacian},
+                     {"mass", options.mass},
+                     {"metric", options.metric == Metric::mass ? "mass" : "identity"},
+                     {"steps", options.steps},
+                     {"total_time", figures.total_time},
+                     {"cutoff", figures.cutoff},
+                     {"newton_iterations", options.newton_iterations},
+                     {"solver_tolerance", options.solver_tolerance},
+                     {"guarded", options.guarded},
+                     {"tangential", options.guarded && options.relax ? "relax" : "none"}};
+  json["mesh"] = {{"vertices", topology.vertex_count},
+                  {"triangles", topology.F.rows()},
+                  {"unknowns", flow.unknowns},
+                  {"mean_edge_length", figures.mean_edge_length}};
+  json["before"] = mesh_figures_json(figures.before);
+  json["after"] = mesh_figures_json(figures.after);
+  json["largest_move"] = figures.largest_move;
+  json["rms_move"] = figures.rms_move;
+  json["flow"] = {{"energy_before", flow.energy_before},
+                  {"energy_after", flow.energy_after},
+                  {"time_reached", flow.time_reached},
+                  {"solves", flow.solves},
+                  {"solver", flow.solver},
+                  {"iterations", flow.iterations},
+                  {"factorizations", flow.factorizations},
+                  {"rejected", flow.rejected},
+                  {"shortened_relaxations", flow.shortened_relaxations},
+                  {"ordering", flow.forecast.ordering},
+                  {"factor_entries", flow.forecast.factor_entries},
+                  {"factor_flops", flow.forecast.flops}};
+  json["steps"] = ordered_json::array();
+  report.table = Table{step_json({}), {}};
+  for (const StepRecord& step : flow.steps) {
+    json["steps"].push_back(step_json(step));
+    report.table->rows.push_back(step_json(step));
+  }
+  json["seconds"] = seconds_json(figures);
 }
 
 }  // namespace ibmfair::commands

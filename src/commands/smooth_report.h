@@ -5,6 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "commands/report/report.h"
 #include "ibmfair/flow/willmore_flow.h"
 #include "ibmfair/mesh/topology.h"
 
@@ -31,6 +32,9 @@ struct SmoothFigures {
 /// E_b, area, volume and quality of `X`.
 MeshFigures mesh_figures(const Points& X, const Topology& topology, const FlowOptions& options);
 
+/// They as an object.
+nlohmann::ordered_json mesh_figures_json(const MeshFigures& figures);
+
 /// Aligned lines, ending in a line feed: figures before and after, and what the run took. With
 /// `detailed`, the energy after each step as a curve, too, and all stages.
 std::string smooth_table(const SmoothFigures& figures, const Topology& topology, bool detailed);
@@ -39,8 +43,8 @@ std::string smooth_table(const SmoothFigures& figures, const Topology& topology,
 std::string forecast_table(const FlowForecast& forecast);
 nlohmann::ordered_json forecast_json(const FlowForecast& forecast);
 
-/// The fields of the report that the run fills; see the README for the schema.
-void add_smooth_figures(nlohmann::ordered_json& report, const SmoothFigures& figures,
-                        const Topology& topology, const FlowOptions& options);
+/// The fields of the report that the run fills, and its steps as a table.
+void add_smooth_figures(const SmoothFigures& figures, const Topology& topology,
+                        const FlowOptions& options, Report& report);
 
 }  // namespace ibmfair::commands

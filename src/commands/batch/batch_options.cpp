@@ -47,10 +47,15 @@ std::vector<CLI::Option*> add_batch_options(CLI::App& app, BatchOptions& options
   if (app.get_option_no_throw("--dry-run") == nullptr) {
     added.push_back(app.add_flag("--dry-run", options.dry_run, "print the commands, run nothing"));
   }
-  added.push_back(app.add_option("--summary", options.summary,
-                                 "write what became of every file to this .csv or .json file")
-                      ->type_name(file_to_write));
-  note_of(app, *added.back()).extensions = {"csv", "json"};
+  // Where a command takes many files, its --report is about each of them.
+  const bool has_reports = app.get_option_no_throw("--report") != nullptr;
+  options.report.option = "--summary";
+  added.push_back(app.add_option(has_reports ? "--summary" : "--summary,--report",
+                                 options.report.paths,
+                                 "write what became of every file to this .csv, .json or .html "
+                                 "file; may be given several times")
+                      ->type_name(file_to_write)
+                      ->allow_extra_args(false));
   added.push_back(
       app.add_option("--journal", options.journal, "keep the record for --resume in this file")
           ->type_name(file_to_write));

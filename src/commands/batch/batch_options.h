@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "commands/batch/item.h"
+#include "commands/shared_options.h"
 
 namespace CLI {
 class App;
@@ -26,11 +27,10 @@ struct BatchOptions {
   bool resume = false;
   bool dry_run = false;
   bool dump_config = false;
-  bool json = false;       ///< the summary on standard output
-  bool overwrite = false;  ///< outputs and the summary
+  ReportOptions report;    ///< on the whole list
+  bool overwrite = false;  ///< outputs and the reports
   int threads = 0;         ///< of every item; 0: its share of the cores
   Shard shard;
-  std::string summary;  ///< a file for the summary; empty: none
   std::string journal;  ///< empty: the default of the list
 };
 

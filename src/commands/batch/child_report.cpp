@@ -5,14 +5,17 @@
 
 #include <nlohmann/json.hpp>
 
+#include "commands/csv.h"
+
 namespace ibmfair::commands {
 
 namespace {
 
 using nlohmann::ordered_json;
 
-constexpr std::array<std::string_view, 9> left_out{
-    "version", "program", "command", "input", "output", "file", "a", "options", "seconds"};
+constexpr std::array<std::string_view, 10> left_out{"version", "program", "command", "arguments",
+                                                    "input",   "output",  "file",    "a",
+                                                    "options", "seconds"};
 
 /// What follows `label` in the first line that starts with it.
 std::string after_label(std::string_view text, std::string_view label) {
@@ -24,19 +27,6 @@ std::string after_label(std::string_view text, std::string_view label) {
     text.remove_prefix(std::min(end + 1, text.size()));
   }
   return {};
-}
-
-void flatten(const ordered_json& object, const std::string& prefix, ordered_json& flat) {
-  for (const auto& [key, value] : object.items()) {
-    if (prefix.empty() && std::find(left_out.begin(), left_out.end(), key) != left_out.end()) {
-      continue;
-    }
-    if (value.is_object()) {
-      flatten(value, prefix + key + ".", flat);
-    } else if (!value.is_array() && !value.is_null()) {
-      flat[prefix + key] = value;
-    }
-  }
 }
 
 }  // namespace
@@ -52,12 +42,21 @@ std::string first_message(std::string_view err) {
 }
 
 ordered_json main_figures(std::string_view out) {
-  ordered_json flat = ordered_json::object();
-  const ordered_json report = ordered_json::parse(out, nullptr, false);
-  if (report.is_object()) {
-    flatten(report, "", flat);
+  ordered_json report = ordered_json::parse(out, nullptr, false);
+  if (!report.is_object()) {
+    return ordered_json::object();
   }
-  return flat;
+  for (const std::string_view name : left_out) {
+    report.erase(std::string(name));
+  }
+  const ordered_json flat = flattened(report);
+  ordered_json figures = ordered_json::object();
+  for (const auto& [name, value] : flat.items()) {
+    if (!value.is_null()) {
+      figures[name] = value;
+    }
+  }
+  return figures;
 }
 
 }  // namespace ibmfair::commands

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "commands/output_files.h"
 #include "ibmfair/base/errors.h"
 
 namespace ibmfair::commands {
@@ -14,30 +15,17 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The one name of a file that has many, as `a/../b` and `b`.
-std::string identity(const std::string& path) {
-  std::error_code error;
-  const fs::path canonical = fs::weakly_canonical(fs::absolute(path, error), error);
-  return error ? path : canonical.string();
-}
-
-/// Devices and pipes can be written by everybody.
-bool is_special(const std::string& path) {
-  std::error_code ignored;
-  return fs::exists(path, ignored) && !fs::is_regular_file(path, ignored);
-}
-
 /// Which item writes a file.
 using Writers = std::unordered_map<std::string, const Item*>;
 
 bool reads_own_output(const Item& item, const Writers& writers) {
-  const auto writer = writers.find(identity(item.input));
+  const auto writer = writers.find(file_identity(item.input));
   return writer != writers.end() && writer->second != &item;
 }
 
 void add_writer(const std::string& path, const Item& item, Writers& writers) {
-  const auto [place, added] = writers.emplace(identity(path), &item);
-  if (added || is_special(path)) {
+  const auto [place, added] = writers.emplace(file_identity(path), &item);
+  if (added || is_special_file(path)) {
     return;
   }
   const Item& other = *place->second;
@@ -57,7 +45,7 @@ std::vector<Item> without_own_outputs(std::vector<Item> items,
   Writers writers;
   for (const Item& item : items) {
     for (const std::string& path : item.writes) {
-      writers.emplace(identity(path), &item);
+      writers.emplace(file_identity(path), &item);
     }
   }
   std::vector<Item> kept;
@@ -89,8 +77,8 @@ void reject_conflicts(const std::vector<Item>& items) {
   }
   for (const Item& item : items) {
     for (const std::string& path : item.reads) {
-      const auto writer = writers.find(identity(path));
-      if (writer == writers.end() || is_special(path)) {
+      const auto writer = writers.find(file_identity(path));
+      if (writer == writers.end() || is_special_file(path)) {
         continue;
       }
       if (writer->second == &item) {

@@ -13,34 +13,18 @@
 #include "commands/batch/summary.h"
 #include "commands/batch/temporaries.h"
 #include "commands/effective_job.h"
-#include "commands/shared_options.h"
+#include "commands/report/report_formats.h"
 #include "ibmfair/base/errors.h"
 #include "ibmfair/base/stopwatch.h"
 #include "ibmfair/base/threads.h"
-#include "ibmfair/io/atomic_file.h"
 
 namespace ibmfair::commands {
 
 namespace {
 
-bool is_csv(const std::string& path) {
-  return std::filesystem::path(path).extension() == ".csv";
-}
-
-/// The summary of a run that is gone on with replaces the one of its first part.
-bool may_replace_summary(const BatchOptions& options) {
+/// The reports on a run that is gone on with replace those of its first part.
+bool may_replace_reports(const BatchOptions& options) {
   return options.overwrite || options.resume;
-}
-
-void check_summary(const BatchOptions& options) {
-  if (options.summary.empty()) {
-    return;
-  }
-  if (!is_csv(options.summary) && std::filesystem::path(options.summary).extension() != ".json") {
-    throw BadOption(
-        fmt::format("--summary: '{}' ends neither in .csv nor in .json", options.summary));
-  }
-  require_writable(options.summary, may_replace_summary(options));
 }
 
 RunSettings run_settings(const BatchOptions& options, std::size_t items) {
@@ -91,17 +75,13 @@ void clear_away_temporaries(const std::vector<Item>& items, bool shared, const C
   }
 }
 
-void write_summary(const BatchOptions& options, const std::vector<Item>& items,
-                   const std::vector<Outcome>& outcomes, double seconds) {
-  const std::string json = text_of(summary_json(items, outcomes, seconds));
-  if (!options.summary.empty()) {
-    AtomicFile file(options.summary, may_replace_summary(options));
-    file.write(is_csv(options.summary) ? summary_csv(items, outcomes) : json);
-    file.commit();
-  }
-  if (options.json) {
-    write_standard_output(json);
-  }
+void write_reports(const CLI::App& command, const BatchOptions& options,
+                   const std::vector<Item>& items, const std::vector<Outcome>& outcomes,
+                   double seconds) {
+  Report report(command);
+  report.figures["command"] = "batch";  // which `command` stands for where it takes many files
+  add_summary(items, outcomes, seconds, report);
+  deliver_report(options.report, may_replace_reports(options), report);
 }
 
 ExitCode exit_code_of(const RunResult& result) {
@@ -138,9 +118,9 @@ RunResult run_and_tell(const std::vector<Item>& items, std::size_t total,
 
 }  // namespace
 
-ExitCode run_batch(const std::vector<Job>& jobs, const BatchOptions& options,
-                   const std::string& journal, Console& console) {
-  check_summary(options);
+ExitCode run_batch(const CLI::App& command, const std::vector<Job>& jobs,
+                   const BatchOptions& options, const std::string& journal, Console& console) {
+  check_reports(options.report, {}, may_replace_reports(options));
   const std::vector<Item> all = expand_jobs(jobs);
   const std::vector<Item> items = items_of_shard(all, options.shard);
   if (options.dump_config) {
@@ -170,7 +150,7 @@ ExitCode run_batch(const std::vector<Job>& jobs, const BatchOptions& options,
     result = run_and_tell(items, all.size(), options, earlier, record, console);
   }
   console.note(summary_line(result.outcomes, seconds), summary_table(items, result.outcomes));
-  write_summary(options, items, result.outcomes, seconds);
+  write_reports(command, options, items, result.outcomes, seconds);
   return exit_code_of(result);
 }
 

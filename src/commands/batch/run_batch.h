@@ -11,11 +11,12 @@
 
 namespace ibmfair::commands {
 
-/// Runs the jobs, or lists them, as the options say. `journal` is where the record of the list goes
+/// Runs the jobs, or lists them, as the options say, which came from the arguments of `command`.
+/// `journal` is where the record of the list goes
 /// unless the options name another file. Returns ExitCode::not_reached where an item failed, and
 /// 128 + signal where the batch was interrupted. Throws as expand_jobs and the journal do, before
 /// anything is run.
-ExitCode run_batch(const std::vector<Job>& jobs, const BatchOptions& options,
-                   const std::string& journal, Console& console);
+ExitCode run_batch(const CLI::App& command, const std::vector<Job>& jobs,
+                   const BatchOptions& options, const std::string& journal, Console& console);
 
 }  // namespace ibmfair::commands

@@ -2,12 +2,13 @@
 
 #include <algorithm>
 #include <array>
+#include <filesystem>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "commands/exit_code.h"
 #include "commands/printable.h"
-#include "commands/shared_options.h"
 
 namespace ibmfair::commands {
 
@@ -59,16 +60,18 @@ void add_figures(const ordered_json& figures, ordered_json& row) {
   }
 }
 
-std::string csv_field(const ordered_json& value) {
-  std::string text = value.is_string() ? value.get<std::string>() : value.dump();
-  if (text.find_first_of(",\"\r\n") == std::string::npos) {
-    return text;
-  }
-  std::string quoted = "\"";
-  for (const char c : text) {
-    quoted.append(c == '"' ? 2 : 1, c);
-  }
-  return quoted + "\"";
+/// Whether the item has got so far as to write its reports.
+bool has_reports(const Outcome& outcome) {
+  return is_done(outcome) || (outcome.status == Status::failed &&
+                              outcome.exit_code == static_cast<int>(ExitCode::not_reached));
+}
+
+/// The page that the item has written; empty: none.
+std::string page_of(const Item& item, const Outcome& outcome) {
+  const auto page = std::find_if(item.writes.begin(), item.writes.end(), [](const auto& path) {
+    return std::filesystem::path(path).extension() == ".html";
+  });
+  return page != item.writes.end() && has_reports(outcome) ? *page : std::string();
 }
 
 }  // namespace
@@ -120,43 +123,26 @@ std::string summary_table(const std::vector<Item>& items, const std::vector<Outc
   return lines <= most_lines ? text : text + fmt::format("  and {} more\n", lines - most_lines);
 }
 
-ordered_json summary_json(const std::vector<Item>& items, const std::vector<Outcome>& outcomes,
-                          double seconds) {
-  ordered_json json = start_report("batch");
+void add_summary(const std::vector<Item>& items, const std::vector<Outcome>& outcomes,
+                 double seconds, Report& report) {
+  ordered_json& json = report.figures;
   json["seconds"] = seconds;
   json["counts"] = ordered_json::object();
   for (const Status status : all_statuses) {
     json["counts"][name_of(status)] = total_of(outcomes, status).items;
   }
   json["items"] = ordered_json::array();
+  report.table = Table{item_json({}, {}), {}};
   for (std::size_t i = 0; i < items.size(); ++i) {
-    ordered_json row = item_json(items[i], outcomes[i]);
-    row["figures"] = outcomes[i].figures;
-    json["items"].push_back(std::move(row));
-  }
-  return json;
-}
-
-std::string summary_csv(const std::vector<Item>& items, const std::vector<Outcome>& outcomes) {
-  ordered_json columns = item_json({}, {});
-  for (const Outcome& outcome : outcomes) {
-    add_figures(outcome.figures, columns);
-  }
-  std::string text;
-  for (const auto& [name, value] : columns.items()) {
-    text += (text.empty() ? "" : ",") + csv_field(name);
-  }
-  text += "\r\n";
-  for (std::size_t i = 0; i < items.size(); ++i) {
-    ordered_json row = item_json(items[i], outcomes[i]);
-    add_figures(outcomes[i].figures, row);
-    std::string line;
-    for (const auto& [name, value] : columns.items()) {
-      line += (name == "command" ? "" : ",") + (row.contains(name) ? csv_field(row[name]) : "");
+    const ordered_json columns = item_json(items[i], outcomes[i]);
+    json["items"].push_back(columns);
+    json["items"].back()["figures"] = outcomes[i].figures;
+    report.table->rows.push_back(columns);
+    add_figures(outcomes[i].figures, report.table->rows.back());
+    if (const std::string page = page_of(items[i], outcomes[i]); !page.empty()) {
+      report.pages.emplace_back(ordered_json::json_pointer(fmt::format("/items/{}/page", i)), page);
     }
-    text += line + "\r\n";
   }
-  return text;
 }
 
 }  // namespace ibmfair::commands

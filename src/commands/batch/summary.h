@@ -4,10 +4,9 @@
 #include <string>
 #include <vector>
 
-#include <nlohmann/json_fwd.hpp>
-
 #include "commands/batch/item.h"
 #include "commands/batch/outcome.h"
+#include "commands/report/report.h"
 
 namespace ibmfair::commands {
 
@@ -20,13 +19,10 @@ std::string summary_line(const std::vector<Outcome>& outcomes, double seconds);
 /// For people: how many items ended how, the time they took, and those that are not done.
 std::string summary_table(const std::vector<Item>& items, const std::vector<Outcome>& outcomes);
 
-/// For machines: command, input, output, status, exit code, seconds, memory, message and figures of
-/// every item.
-nlohmann::ordered_json summary_json(const std::vector<Item>& items,
-                                    const std::vector<Outcome>& outcomes, double seconds);
-
-/// The same as a table of comma-separated values (RFC 4180), one line an item; figures that any
-/// item has are columns.
-std::string summary_csv(const std::vector<Item>& items, const std::vector<Outcome>& outcomes);
+/// For machines: adds command, input, output, status, exit code, seconds, memory, message and
+/// figures of every item, and links to the pages that they have written. As a table it has one line
+/// for each, and figures that any item has are columns.
+void add_summary(const std::vector<Item>& items, const std::vector<Outcome>& outcomes,
+                 double seconds, Report& report);
 
 }  // namespace ibmfair::commands

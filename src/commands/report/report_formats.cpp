@@ -1,0 +1,92 @@
+#include "commands/report/report_formats.h"
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "commands/console.h"
+#include "commands/csv.h"
+#include "commands/page/page.h"
+#include "ibmfair/base/errors.h"
+#include "ibmfair/io/atomic_file.h"
+
+namespace ibmfair::commands {
+
+namespace {
+
+std::string csv_report(const Report& report, const std::string& path) {
+  return csv_text(report.table ? *report.table
+                               : Table{{}, {flattened(complete_figures(report, path))}});
+}
+
+std::string page_report(const Report& report, const std::string& path) {
+  return page_text(complete_figures(report, path), report.scene ? report.scene() : std::nullopt);
+}
+
+constexpr std::array formats{
+    ReportFormat{".json", "all figures", nullptr, json_report},
+    ReportFormat{".csv", "a table, one line for each step, hole or file", nullptr, csv_report},
+    ReportFormat{".html", "a page that shows the mesh and the figures", require_page, page_report},
+};
+
+}  // namespace
+
+std::span<const ReportFormat> report_formats() {
+  return formats;
+}
+
+const ReportFormat& report_format(const std::string& path, const std::string& option) {
+  const std::string extension =
+      CLI::detail::to_lower(std::filesystem::path(path).extension().string());
+  const auto* const row = std::find_if(formats.begin(), formats.end(), [&](const auto& format) {
+    return extension.empty() || format.extension == extension;
+  });
+  if (row == formats.end()) {
+    std::vector<std::string_view> names;
+    for (const ReportFormat& format : formats) {
+      names.push_back(format.extension);
+    }
+    throw BadOption(
+        fmt::format("{}: '{}' ends in none of {}", option, path, fmt::join(names, ", ")));
+  }
+  return *row;
+}
+
+std::string json_report(const Report& report, const std::string& path) {
+  return text_of(complete_figures(report, path));
+}
+
+void check_reports(const ReportOptions& options, const std::vector<OutputFile>& others,
+                   bool overwrite) {
+  const bool to_standard_output =
+      options.json ||
+      std::find(options.paths.begin(), options.paths.end(), "-") != options.paths.end();
+  if (!others.empty() && others.front().path == "-" && to_standard_output) {
+    throw BadOption("standard output cannot take both the mesh and the report; use --report FILE");
+  }
+  std::vector<OutputFile> files = others;
+  for (const std::string& path : options.paths) {
+    const ReportFormat& format = report_format(path, options.option);
+    if (format.require != nullptr) {
+      format.require();
+    }
+    files.push_back({options.option, path});
+  }
+  check_output_files(files, overwrite);
+}
+
+void deliver_report(const ReportOptions& options, bool overwrite, const Report& report) {
+  for (const std::string& path : options.paths) {
+    AtomicFile file(path, overwrite);
+    file.write(report_format(path).text(report, path));
+    file.commit();
+  }
+  if (options.json) {
+    write_standard_output(json_report(report, "-"));
+  }
+}
+
+}  // namespace ibmfair::commands
