@@ -11,6 +11,7 @@ Runner declare_holes(CLI::App& app);
 Runner declare_info(CLI::App& app);
 Runner declare_make(CLI::App& app);
 Runner declare_smooth(CLI::App& app);
+Runner declare_view(CLI::App& app);
 
 std::span<const Command> command_table() {
   static constexpr std::array table{
@@ -21,6 +22,7 @@ std::span<const Command> command_table() {
               declare_info},
       Command{"compare", "measure how far two meshes, or a mesh and an exact surface, are apart",
               declare_compare},
+      Command{"view", "make a page that shows a mesh, or two, in a browser", declare_view},
       Command{"make", "make a shape with known exact values", declare_make},
       Command{"batch", "run commands over many files, resumable", declare_batch},
   };

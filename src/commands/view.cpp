@@ -1,0 +1,145 @@
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "commands/argument_roles.h"
+#include "commands/command.h"
+#include "commands/defect_warnings.h"
+#include "commands/hole_json.h"
+#include "commands/page/mesh_scene.h"
+#include "commands/report/report_formats.h"
+#include "commands/shared_options.h"
+#include "commands/smooth_report.h"
+#include "ibmfair/base/errors.h"
+#include "ibmfair/energy/bending_energy.h"
+#include "ibmfair/measure/matching_meshes.h"
+#include "ibmfair/mesh/geometry.h"
+
+namespace ibmfair::commands {
+namespace {
+
+struct ViewArguments {
+  std::string input, page, with;
+  InputOptions reading;
+  std::string laplacian = "crouzeix-raviart";
+  ReportOptions report;
+  bool overwrite = false;
+};
+
+/// A mesh that is looked at.
+struct ViewedMesh {
+  MeshFile file;
+  Topology topology;
+
+  const Points& X() const { return file.mesh().X; }
+};
+
+ViewedMesh read_viewed(const std::string& path, const ViewArguments& arguments,
+                       const Console& console) {
+  ViewedMesh mesh{read_input(path, arguments.reading, console), {}};
+  mesh.topology = build_topology(mesh.X(), triangulate(mesh.file.mesh()).F);
+  return mesh;
+}
+
+/// The second mesh, with the triangles of the first: how quadrilaterals are cut depends on where
+/// their corners are.
+ViewedMesh read_other(const ViewArguments& arguments, const ViewedMesh& first,
+                      const Console& console) {
+  ViewedMesh other{read_input(arguments.with, arguments.reading, console), {}};
+  if (!same_connectivity(first.file.mesh(), other.file.mesh())) {
+    throw BadMesh(fmt::format(
+        "'{}' and '{}' have different vertices or faces; `ibmfair compare` measures such meshes",
+        arguments.input, arguments.with));
+  }
+  other.topology = build_topology(other.X(), first.topology.F);
+  return other;
+}
+
+nlohmann::ordered_json state_json(const ViewArguments& arguments, const ViewedMesh& mesh) {
+  FlowOptions options;
+  options.laplacian = arguments.laplacian;
+  nlohmann::ordered_json json = mesh_figures_json(mesh_figures(mesh.X(), mesh.topology, options));
+  json["vertices"] = mesh.topology.vertex_count;
+  json["triangles"] = mesh.topology.F.rows();
+  json["boundary_loops"] = mesh.topology.boundary_loops.size();
+  return json;
+}
+
+void add_view(const ViewArguments& arguments, const ViewedMesh& mesh, Report& report) {
+  report.figures["input"] = arguments.input;
+  report.figures["mesh"] = {{"vertices", mesh.topology.vertex_count},
+                            {"faces", mesh.file.mesh().faces.size()},
+                            {"triangles", mesh.topology.F.rows()},
+                            {"mean_edge_length", mean_edge_length(mesh.X(), mesh.topology.E)}};
+  report.figures["before"] = state_json(arguments, mesh);
+  report.figures["holes"] = nlohmann::ordered_json::array();
+  for (const Hole& hole : find_holes(mesh.X(), mesh.topology)) {
+    report.figures["holes"].push_back(hole_json(hole));
+  }
+  report.figures["defects"] = defects_json(mesh.topology);
+  report.warnings = defect_list(mesh.X(), mesh.topology);
+}
+
+void require_html(const std::string& path) {
+  if (report_format(path, "OUT").extension != ".html") {
+    throw BadOption(fmt::format("OUT: '{}' is a page, whose name must end in .html", path));
+  }
+}
+
+ExitCode run_view(const ViewArguments& arguments, const CLI::App& app, Console& console) {
+  if (arguments.input == "-" && arguments.with == "-") {
+    throw BadOption("standard input holds one mesh only");
+  }
+  require_html(arguments.page);
+  ReportOptions reports = arguments.report;
+  reports.paths.insert(reports.paths.begin(), arguments.page);
+  check_reports(reports, {}, arguments.overwrite);
+
+  const ViewedMesh mesh = read_viewed(arguments.input, arguments, console);
+  Report report(app);
+  add_view(arguments, mesh, report);
+  SceneSource source{arguments.input, {{"mesh", &mesh.X(), &mesh.topology}}, arguments.laplacian};
+  source.polygons = &mesh.file.mesh().faces;
+  ViewedMesh other;
+  if (!arguments.with.empty()) {
+    other = read_other(arguments, mesh, console);
+    report.figures["other"] = arguments.with;
+    report.figures["after"] = state_json(arguments, other);
+    source.states = {{"before", &mesh.X(), &mesh.topology}, {"after", &other.X(), &other.topology}};
+  }
+  report.scene = [&] { return mesh_scene(source, report.warnings, console); };
+  deliver_report(reports, arguments.overwrite, report);
+  console.detail(fmt::format("{} -> {}", arguments.input, arguments.page));
+  return ExitCode::done;
+}
+
+}  // namespace
+
+Runner declare_view(CLI::App& app) {
+  auto arguments = std::make_shared<ViewArguments>();
+  app.add_option("IN", arguments->input, "mesh file to read; - is standard input")->required();
+  app.add_option("OUT", arguments->page, "page to write, a file that ends in .html")
+      ->type_name(file_to_write)
+      ->required();
+  app.add_option("--with", arguments->with,
+                 "show IN as it was before, and this mesh, which has the same faces, as it is "
+                 "after")
+      ->type_name(file_to_read);
+  std::vector<std::string> names;
+  for (const BendingModel& model : bending_models()) {
+    names.emplace_back(model.name);
+  }
+  app.add_option("--laplacian", arguments->laplacian, "of the bending energy")
+      ->check(CLI::IsMember(names))
+      ->capture_default_str();
+  add_input_options(app, arguments->reading);
+  add_report_options(app, arguments->report);
+  add_overwrite_option(app, arguments->overwrite);
+  return [arguments, &app](Console& console) { return run_view(*arguments, app, console); };
+}
+
+}  // namespace ibmfair::commands
