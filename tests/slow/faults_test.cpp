@@ -125,6 +125,9 @@ TEST_F(EveryFault, AnAllocationThatFailsIsAnErrorOrDoesNotMatter) {
   expect_every_allocation_may_fail({"smooth", "in.ply", "out.ply", "--steps", "1"}, "out.ply", 200,
                                    1);
   expect_every_allocation_may_fail({"fill", "holed.off", "out.off", "--all"}, "out.off", 160, 1);
+  if (writes_pages()) {
+    expect_every_allocation_may_fail({"view", "holed.off", "page.html"}, "page.html", 160, 1);
+  }
   expect_every_allocation_may_fail({"make", "torus", "out.obj"}, "out.obj", 50, 1);
   expect_every_allocation_may_fail({"info", "in.ply", "--report", "report.json"}, "report.json",
                                    150, 1);

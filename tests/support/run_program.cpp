@@ -266,4 +266,10 @@ bool contains(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
 }
 
+bool writes_pages() {
+  static const bool pages =
+      !contains(run_program({"view", "none", "none.html"}).err, "no report page");
+  return pages;
+}
+
 }  // namespace ibmfair::test

@@ -53,4 +53,7 @@ std::string program_path();
 /// cannot be started or does not end within the limit.
 RunResult run_program(const std::vector<std::string>& arguments, const RunOptions& options = {});
 
+/// Whether the program has the page of reports: it can be built without.
+bool writes_pages();
+
 }  // namespace ibmfair::test

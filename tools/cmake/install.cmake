@@ -1,7 +1,7 @@
 # What `cmake --install` puts in place. Component `program`: the program with man pages and
-# completions for shells, its helper, a mesh to try it on. Component `development`: the library with
-# its headers, and the package by which other projects find it: find_package(ibmfair), target
-# ibmfair::ibmfair.
+# completions for shells, its helper, the schema of its reports, a mesh to try it on. Component
+# `development`: the library with its headers, and the package by which other projects find it:
+# find_package(ibmfair), target ibmfair::ibmfair.
 include(CMakePackageConfigHelpers)
 
 set(package_directory ${CMAKE_INSTALL_LIBDIR}/cmake/ibmfair)
@@ -10,8 +10,8 @@ install(TARGETS ibmfair RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT pr
 install(TARGETS ibmfair_assimp RUNTIME DESTINATION ${CMAKE_INSTALL_LIBEXECDIR}/ibmfair
         COMPONENT program)
 install(DIRECTORY ${usage_directory}/ DESTINATION ${CMAKE_INSTALL_DATAROOTDIR} COMPONENT program)
-install(FILES data/femur.off data/README.md DESTINATION ${CMAKE_INSTALL_DATADIR}/ibmfair
-        COMPONENT program)
+install(FILES data/femur.off data/README.md data/report.schema.json
+        DESTINATION ${CMAKE_INSTALL_DATADIR}/ibmfair COMPONENT program)
 
 install(TARGETS ibmfair_library EXPORT ibmfairTargets
         ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT development)

@@ -1,0 +1,133 @@
+"""Reports of every command are as data/report.schema.json says, which describes nothing else."""
+
+import json
+import sys
+import unittest
+
+from program import ProgramTest, data
+
+try:
+    import jsonschema
+except ImportError:
+    print("python3-jsonschema is not there")
+    sys.exit(77)
+
+schema = json.loads((data / "report.schema.json").read_text())
+
+
+def fields_in(value, path=""):
+    """The names of all fields, without those of lists that depend on the run."""
+    if isinstance(value, dict):
+        for name, part in value.items():
+            yield name
+            yield from fields_in(part)
+    elif isinstance(value, list):
+        for part in value:
+            yield from fields_in(part)
+
+
+def described_fields(part):
+    if isinstance(part, dict):
+        for name, value in part.get("properties", {}).items():
+            yield name
+        for value in part.values():
+            yield from described_fields(value)
+    elif isinstance(part, list):
+        for value in part:
+            yield from described_fields(value)
+
+
+class SchemaTest(ProgramTest):
+    def reports(self):
+        """One of each kind, and with what is there only sometimes."""
+        self.make("ball.off", "icosphere", "--subdivide", "2", "--noise", "0.2")
+        self.make("open.off", "cylinder", "--rows", "6")
+        self.path("defects.off").write_text(
+            "OFF\n6 5 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n0 -1 0\n2 0 0\n"
+            "3 0 1 2\n3 1 0 3\n3 0 1 4\n3 0 1 5\n3 2 2 1\n")
+        quick = ("--steps", "2", "--cutoff", "4", "--overwrite")
+        yield self.json("smooth", "ball.off", "out.off", *quick)
+        yield self.json("smooth", "ball.off", "out.off", "--plain", "--steps", "0", "--overwrite")
+        yield self.json("smooth", "ball.off", "out.off", "--solver", "cg", *quick)
+        yield self.json("smooth", "defects.off", "out.off", *quick)
+        yield self.json("smooth", "ball.off", "dry.off", "--dry-run")
+        yield self.json("fill", "open.off", "out.off", "--all", "--overwrite")
+        yield self.json("fill", "open.off", "out.off", "--overwrite")
+        yield self.json("fill", "open.off", "out.off", "--all", "--max-new-vertices", "1",
+                        "--overwrite", code=1)
+        yield self.json("fill", "open.off", "out.off", "--region", "@all", "--overwrite")
+        yield self.json("holes", "open.off")
+        yield self.json("info", "ball.off", "--sphere")
+        yield self.json("info", "defects.off")
+        yield self.json("compare", "ball.off", "ball.off", "--tolerance", "1")
+        yield self.json("compare", "ball.off", "open.off")
+        yield self.json("compare", "ball.off", "--sphere", "fit")
+        yield self.json("smooth", "ball.off", "open.off", "--out-dir", "fair", "--steps", "1",
+                        "--report", "{stem}.json")
+        self.path("jobs.json").write_text(json.dumps({"jobs": [
+            {"command": "info", "input": "ball.off"},
+            {"command": "smooth", "input": "open.off", "output": "fair/open.off"}]}))
+        yield self.json("batch", "jobs.json", "--keep-going", code=1)
+
+    def pages(self):
+        self.require_pages()
+        self.run_program("fill", "open.off", "out.off", "--all", "--report", "fill.html",
+                         "--report", "fill.json", "--overwrite")
+        yield json.loads(self.path("fill.json").read_text())
+        for words in ((), ("--with", "out.off")):
+            self.run_program("smooth", "ball.off", "out.off", "--steps", "1", "--overwrite")
+            self.run_program("view", "ball.off", "view.html", *words, "--overwrite", "--report",
+                             "view.json")
+            yield json.loads(self.path("view.json").read_text())
+        self.run_program("smooth", "ball.off", "--out-dir", "pages", "--steps", "1", "--report",
+                         "pages/{stem}.html", "--summary", "all.json")
+        yield json.loads(self.path("all.json").read_text())
+
+    def validate(self, reports):
+        jsonschema.Draft202012Validator.check_schema(schema)
+        validator = jsonschema.Draft202012Validator(schema)
+        seen = set()
+        for report in reports:
+            with self.subTest(command=report["command"], arguments=report["arguments"]):
+                error = jsonschema.exceptions.best_match(validator.iter_errors(report))
+                self.assertIsNone(error, error and f"{error.json_path}: {error.message}")
+            seen.update(fields_in(report))
+        return seen
+
+    def test_every_report_is_as_described(self):
+        seen = self.validate(self.reports())
+        for name in ("place", "element", "decrease_ratio", "relative_deviation", "solvers"):
+            self.assertIn(name, seen)
+
+    def test_every_described_field_is_in_some_report(self):
+        seen = self.validate(self.reports()) | self.validate(self.pages())
+        self.assertEqual(sorted(set(described_fields(schema)) - seen), [])
+
+    def test_every_field_has_a_description(self):
+        def check(part, path):
+            if isinstance(part, dict):
+                for name, value in part.get("properties", {}).items():
+                    described = {**value, **schema["$defs"].get(
+                        value.get("$ref", "").removeprefix("#/$defs/"), {}), **value}
+                    self.assertTrue(described.get("description") or "const" in described,
+                                    f"{path}.{name}")
+                for key, value in part.items():
+                    check(value, f"{path}.{key}")
+
+        check(schema["$defs"], "")
+
+    def test_wrong_reports_are_refused(self):
+        validator = jsonschema.Draft202012Validator(schema)
+        self.make("ball.off", "icosphere")
+        right = self.json("info", "ball.off")
+        self.assertTrue(validator.is_valid(right))
+        for change in ({"version": 2}, {"area": "1"}, {"new": 1}, {"components": None}):
+            self.assertFalse(validator.is_valid({**right, **change}), change)
+        for name in right:
+            if name != "sphere":
+                rest = {key: value for key, value in right.items() if key != name}
+                self.assertFalse(validator.is_valid(rest), name)
+
+
+if __name__ == "__main__":
+    unittest.main()
