@@ -19,7 +19,7 @@ namespace ibmfair {
 namespace {
 
 /// Of a value on a mesh of size 1; what is closer together is rounding.
-constexpr double least_difference = 1e-9;
+constexpr double least_difference = 1e-6;
 
 struct WeightedValue {
   double value, weight;

@@ -13,9 +13,6 @@ namespace {
 /// Points of a line that are drawn at most; loops of more are thinned out.
 constexpr Eigen::Index most_line_points = 4000;
 
-/// Values closer to each other than this share of the mesh's size (in the field's power of length)
-/// are not told apart.
-constexpr double least_difference = 1e-6;
 
 struct SceneBox {
   Eigen::RowVector3d low, high;
@@ -123,26 +120,26 @@ Eigen::VectorXd shown_values(const Eigen::VectorXd& values, SurfaceField::Place 
   return of_triangles;
 }
 
+/// The last state sets the scale, as in pictures (picture/field_picture.h).
 void add_field(const SurfaceField& field, const SceneSource& source, const ShownTriangles& shown,
-               double size, Scene& scene) {
+               Scene& scene) {
   SceneField added{&field, {}, {}};
-  std::vector<Eigen::VectorXd> values(source.states.size());
-  std::vector<const Eigen::VectorXd*> known;
+  bool known = false;
   for (std::size_t s = 0; s < source.states.size(); ++s) {
     const SceneState& state = source.states[s];
     added.values.emplace_back();
     if (field.needs_before && s == 0) {
       continue;
     }
-    values[s] = field.values(
-        {*state.X, *state.topology, s > 0 ? source.states[0].X : nullptr, source.laplacian});
-    known.push_back(&values[s]);
+    const FieldState at{*state.X, *state.topology, s > 0 ? source.states[0].X : nullptr,
+                        source.laplacian};
+    const Eigen::VectorXd values = field.values(at);
     added.values[s] = scene.arrays.add_rounded(
-        shown_values(values[s], field.place, *state.topology, shown, scene.states[s]));
+        shown_values(values, field.place, *state.topology, shown, scene.states[s]));
+    added.range = robust_range(field, values, at);
+    known = true;
   }
-  if (!known.empty()) {
-    added.range =
-        robust_range(known, field.diverging, least_difference * std::pow(size, field.dimension));
+  if (known) {
     scene.fields.push_back(std::move(added));
   }
 }
@@ -181,7 +178,7 @@ std::optional<Scene> build_scene(const SceneSource& source, Index most) {
   add_triangles(shown, scene);
   add_edges(source, shown, scene);
   for (const SurfaceField& field : surface_fields()) {
-    add_field(field, source, shown, box.size(), scene);
+    add_field(field, source, shown, scene);
   }
   for (const SceneLine& line : source.lines) {
     scene.lines.push_back(drawn_line(line, scene.centre));
