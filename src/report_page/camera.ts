@@ -1,0 +1,153 @@
+import { MathUtils, PerspectiveCamera, Spherical, Vector3 } from "three";
+import { OrbitControls } from "three/addons/controls/OrbitControls.js";
+import { prefers_stillness } from "./dom";
+
+/** Where a flight ends: what is looked at, from which side, from how far. */
+export interface Sight {
+  target: Vector3;
+  direction: Vector3; // from the target to the eye
+  distance: number;
+}
+
+const opening = 35; // degrees
+const flight_milliseconds = 650;
+
+/** The eye: turned, moved and brought nearer by pointer, fingers and keys. */
+export class Camera {
+  readonly lens = new PerspectiveCamera(opening, 1, 0.01, 100);
+  private readonly controls: OrbitControls;
+  private flight = 0;
+
+  /** `home` is where it starts; `on_move` is called whenever the picture has to be drawn again. */
+  constructor(
+    canvas: HTMLElement,
+    private readonly home: Sight,
+    private readonly on_move: () => void,
+  ) {
+    this.lens.up.copy(upright(home.direction));
+    this.controls = new OrbitControls(this.lens, canvas);
+    this.controls.zoomToCursor = true;
+    this.controls.minDistance = 1e-4;
+    this.controls.maxDistance = 50;
+    this.controls.addEventListener("start", () => this.end_flight());
+    this.controls.addEventListener("change", () => this.on_move());
+    this.look(home);
+  }
+
+  resize(width: number, height: number) {
+    this.lens.aspect = width / height;
+    // The smaller side of the picture shows as much as it would in a square one.
+    const half = Math.tan(MathUtils.degToRad(opening / 2));
+    this.lens.fov = 2 * MathUtils.radToDeg(Math.atan(half / Math.min(1, this.lens.aspect)));
+    this.lens.updateProjectionMatrix();
+  }
+
+  /** Near and far as close around the unit ball as they can be: depth is then resolved best. */
+  fit_depth() {
+    const distance = this.lens.position.length();
+    this.lens.near = Math.max(distance - 1.1, 2e-3 * Math.min(1, this.distance()));
+    this.lens.far = distance + 1.1;
+    this.lens.updateProjectionMatrix();
+  }
+
+  distance(): number {
+    return this.lens.position.distanceTo(this.controls.target);
+  }
+
+  sight(): Sight {
+    const direction = this.lens.position.clone().sub(this.controls.target);
+    return { target: this.controls.target.clone(), direction, distance: direction.length() };
+  }
+
+  /** Turns about the target by angles, in radians. */
+  turn(across: number, up: number) {
+    const { target, direction, distance } = this.sight();
+    const to_upright = new Vector3(0, 1, 0);
+    const axes = this.lens.quaternion.clone();
+    axes.setFromUnitVectors(this.lens.up, to_upright);
+    const angles = new Spherical().setFromVector3(direction.applyQuaternion(axes));
+    angles.theta -= across;
+    angles.phi -= up;
+    angles.makeSafe();
+    const turned = new Vector3().setFromSpherical(angles).applyQuaternion(axes.invert());
+    this.look({ target, direction: turned, distance });
+  }
+
+  /** Moves sideways by shares of what is seen. */
+  pan(across: number, up: number) {
+    const { target, direction, distance } = this.sight();
+    const right = new Vector3().setFromMatrixColumn(this.lens.matrix, 0).multiplyScalar(across);
+    const above = new Vector3().setFromMatrixColumn(this.lens.matrix, 1).multiplyScalar(up);
+    this.look({
+      target: target.add(right.add(above).multiplyScalar(distance)),
+      direction,
+      distance,
+    });
+  }
+
+  zoom(factor: number) {
+    const sight = this.sight();
+    this.look({ ...sight, distance: sight.distance * factor });
+  }
+
+  go_home() {
+    this.fly(this.home);
+  }
+
+  look_along(direction: Vector3) {
+    this.fly({ ...this.home, direction });
+  }
+
+  /** Goes there within a moment, or at once where things shall not move. */
+  fly(goal: Sight) {
+    this.end_flight();
+    if (prefers_stillness()) {
+      this.look(goal);
+      return;
+    }
+    const from = this.sight();
+    const start = performance.now();
+    const step = (now: number) => {
+      const t = Math.min(1, (now - start) / flight_milliseconds);
+      this.look(between(from, goal, t * t * (3 - 2 * t)));
+      this.flight = t < 1 ? requestAnimationFrame(step) : 0;
+    };
+    this.flight = requestAnimationFrame(step);
+  }
+
+  private look({ target, direction, distance }: Sight) {
+    this.controls.target.copy(target);
+    this.lens.position.copy(direction).setLength(distance).add(target);
+    this.controls.update();
+    this.on_move();
+  }
+
+  private end_flight() {
+    cancelAnimationFrame(this.flight);
+    this.flight = 0;
+  }
+}
+
+/** The axis that is drawn upwards: y, or z for a view along y. */
+function upright(direction: Vector3): Vector3 {
+  const along_y = Math.abs(direction.y) > 0.8 * direction.length();
+  return along_y ? new Vector3(0, 0, 1) : new Vector3(0, 1, 0);
+}
+
+/** Distances are passed through evenly by ratio: near things come as steadily as far ones. */
+function between(a: Sight, b: Sight, t: number): Sight {
+  return {
+    target: a.target.clone().lerp(b.target, t),
+    direction: a.direction.clone().normalize().lerp(b.direction.clone().normalize(), t),
+    distance: a.distance ** (1 - t) * b.distance ** t,
+  };
+}
+
+/** From where a mesh of this extent is seen best: across its two largest sides, a little from above. */
+export function home_of(extent: Vector3, radius: number): Sight {
+  const sides = extent.toArray();
+  const least = sides.indexOf(Math.min(...sides));
+  const tilts = [new Vector3(1, 0.25, 0.35), new Vector3(0.3, 1, 0.35), new Vector3(0.35, 0.25, 1)];
+  const distance = (1.04 * radius) / Math.sin(MathUtils.degToRad(opening / 2));
+  return { target: new Vector3(), direction: tilts[least]!, distance: distance || 3 };
+}

@@ -1,0 +1,106 @@
+import { element } from "./dom";
+import type { Report, Scene } from "./payload";
+import { change_text, number_text, title_of } from "./text";
+
+/** What is known of a figure of the mesh; others are shown under the name they have. */
+interface Known {
+  key: string;
+  title: string;
+  unit: string;
+  hint: string;
+}
+
+const known: Known[] = [
+  { key: "vertices", title: "Vertices", unit: "", hint: "" },
+  { key: "triangles", title: "Triangles", unit: "", hint: "" },
+  {
+    key: "energy",
+    title: "Bending energy",
+    unit: "",
+    hint: "8\u03c0 \u2248 25.1 for a round sphere",
+  },
+  { key: "area", title: "Area", unit: "length\u00b2", hint: "" },
+  { key: "volume", title: "Volume", unit: "length\u00b3", hint: "of an open mesh: with a cone" },
+  { key: "smallest_angle_degrees", title: "Smallest angle", unit: "\u00b0", hint: "" },
+  { key: "folded_hinges", title: "Folded edges", unit: "", hint: "triangles laid back on another" },
+];
+
+export interface FigureRow {
+  title: string;
+  unit: string;
+  hint: string;
+  before: unknown;
+  after: unknown;
+}
+
+/** Figures of the mesh before and after, in the order in which they are read. */
+export function figure_rows(report: Report, scene: Scene | null): FigureRow[] {
+  const before = { ...counts_of(report, scene, 0), ...report.before };
+  const after = { ...counts_of(report, scene, 1), ...report.after };
+  const keys = [...new Set([...Object.keys(before), ...Object.keys(after)])];
+  const place = (key: string) => {
+    const found = known.findIndex((k) => k.key === key);
+    return found < 0 ? known.length : found;
+  };
+  return keys
+    .sort((a, b) => place(a) - place(b))
+    .map((key) => {
+      const about = known.find((k) => k.key === key) ?? {
+        title: title_of(key),
+        unit: "",
+        hint: "",
+      };
+      return { ...about, before: before[key], after: after[key] };
+    });
+}
+
+function counts_of(report: Report, scene: Scene | null, state: number): Record<string, unknown> {
+  const added = state === 1;
+  if (report.mesh) {
+    const { vertices, triangles } = report.mesh as { vertices?: number; triangles?: number };
+    return {
+      ...(vertices !== undefined && {
+        vertices: vertices + (added ? (report.new_vertices ?? 0) : 0),
+      }),
+      ...(triangles !== undefined && {
+        triangles: triangles + (added ? (report.new_triangles ?? 0) : 0),
+      }),
+    };
+  }
+  // A scene that was decimated has other counts than the mesh.
+  if (!scene || scene.shown || scene.states.length < 2) return {};
+  return {
+    vertices: scene.state_vertices?.[state] ?? scene.vertices,
+    triangles: scene.triangles[state],
+  };
+}
+
+export function figures_table(rows: FigureRow[]): HTMLElement {
+  const head = ["", "Before", "After", "Change"].map((title, i) =>
+    element("th", { scope: "col", class: i > 0 ? "number" : "" }, title),
+  );
+  const body = rows.map((row) => {
+    const title = element("th", { scope: "row" }, row.title);
+    if (row.unit) title.append(" ", element("span", { class: "unit" }, row.unit));
+    if (row.hint) title.title = row.hint;
+    return element(
+      "tr",
+      {},
+      title,
+      element("td", { class: "number" }, number_text(row.before, 5)),
+      element("td", { class: "number" }, number_text(row.after, 5)),
+      element("td", { class: "number change" }, change_text(row.before, row.after)),
+    );
+  });
+  return element(
+    "div",
+    { class: "scroll" },
+    element(
+      "table",
+      { class: "figures" },
+      element("caption", { class: "visually-hidden" }, "Figures of the mesh before and after"),
+      element("thead", {}, element("tr", {}, ...head)),
+      element("tbody", {}, ...body),
+    ),
+  );
+}

@@ -1,0 +1,53 @@
+import { css_gradient, diverging, sequential } from "./colour_maps";
+import { element } from "./dom";
+import type { Field } from "./payload";
+import { range_of } from "./surface";
+import { number_text, printable, tick_text } from "./text";
+import { round_ticks } from "./ticks";
+
+/** What the colours of the picture mean, with a pointer to the value under the pointer. */
+export class Legend {
+  readonly element = element("div", { class: "legend" });
+  private readonly pointer = element("div", { class: "legend-pointer", hidden: "" });
+  private field: Field | undefined;
+
+  show(field: Field | undefined) {
+    this.field = field;
+    this.element.hidden = field === undefined;
+    if (!field) return;
+    const [low, high] = range_of(field);
+    const map = field.diverging ? diverging : sequential;
+    const unit = field.unit ? printable(field.unit) : "";
+    const bar = element("div", { class: "legend-bar" }, this.pointer);
+    bar.style.backgroundImage = css_gradient(map);
+    const ticks = element("div", { class: "legend-ticks" });
+    for (const value of round_ticks(low, high, 5).values) {
+      const tick = element("span", {}, tick_text(value));
+      tick.style.left = `${100 * this.share_of(value)}%`;
+      ticks.append(tick);
+    }
+    const title = printable(field.title);
+    this.element.replaceChildren(
+      element("div", { class: "legend-title" }, title, element("span", { class: "unit" }, unit)),
+      bar,
+      ticks,
+    );
+    this.element.setAttribute("role", "img");
+    this.element.setAttribute(
+      "aria-label",
+      `${title} from ${number_text(low)} to ${number_text(high)} ${unit}, coloured ${map.name}; ` +
+        "values beyond have the colour of the end",
+    );
+    this.point_at(null);
+  }
+
+  point_at(value: number | null) {
+    this.pointer.hidden = value === null;
+    if (value !== null) this.pointer.style.left = `${100 * this.share_of(value)}%`;
+  }
+
+  private share_of(value: number): number {
+    const [low, high] = this.field ? range_of(this.field) : [0, 1];
+    return high > low ? Math.min(1, Math.max(0, (value - low) / (high - low))) : 0.5;
+  }
+}

@@ -1,0 +1,60 @@
+import type { Vector3 } from "three";
+import { triangle_normal, type SurfaceState } from "./surface";
+
+export interface Hit {
+  corner: number; // the first of the triangle
+  distance: number;
+  weights: [number, number, number]; // of its corners
+}
+
+/** The first triangle that a ray meets (Moeller and Trumbore 1997), through those up to `triangles`. */
+export function pick(surface: SurfaceState, origin: Vector3, direction: Vector3): Hit | null {
+  const X = surface.positions;
+  const { x: ox, y: oy, z: oz } = origin;
+  const { x: dx, y: dy, z: dz } = direction;
+  let best: Hit | null = null;
+  for (let c = 0; c < 3 * surface.triangles; c += 3) {
+    const i = 3 * c;
+    const ax = X[i + 3]! - X[i]!;
+    const ay = X[i + 4]! - X[i + 1]!;
+    const az = X[i + 5]! - X[i + 2]!;
+    const bx = X[i + 6]! - X[i]!;
+    const by = X[i + 7]! - X[i + 1]!;
+    const bz = X[i + 8]! - X[i + 2]!;
+    const px = dy * bz - dz * by;
+    const py = dz * bx - dx * bz;
+    const pz = dx * by - dy * bx;
+    const inverse = 1 / (ax * px + ay * py + az * pz);
+    const tx = ox - X[i]!;
+    const ty = oy - X[i + 1]!;
+    const tz = oz - X[i + 2]!;
+    const u = (tx * px + ty * py + tz * pz) * inverse;
+    if (!(u >= 0 && u <= 1)) continue;
+    const qx = ty * az - tz * ay;
+    const qy = tz * ax - tx * az;
+    const qz = tx * ay - ty * ax;
+    const v = (dx * qx + dy * qy + dz * qz) * inverse;
+    if (!(v >= 0 && u + v <= 1)) continue;
+    const distance = (bx * qx + by * qy + bz * qz) * inverse;
+    if (distance > 0 && (!best || distance < best.distance)) {
+      best = { corner: c, distance, weights: [1 - u - v, u, v] };
+    }
+  }
+  return best;
+}
+
+/** The mean normal of the triangles around a point, or null where there is none. */
+export function normal_near(surface: SurfaceState, at: Vector3, radius: number): Vector3 | null {
+  const X = surface.positions;
+  const sum = at.clone().set(0, 0, 0);
+  for (let c = 0; c < 3 * surface.triangles; c += 3) {
+    const i = 3 * c;
+    if (Math.hypot(X[i]! - at.x, X[i + 1]! - at.y, X[i + 2]! - at.z) <= radius) {
+      const [x, y, z] = triangle_normal(X, c);
+      sum.x += x;
+      sum.y += y;
+      sum.z += z;
+    }
+  }
+  return sum.lengthSq() > 0 ? sum.normalize() : null;
+}

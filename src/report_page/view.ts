@@ -1,0 +1,252 @@
+import {
+  BufferAttribute,
+  BufferGeometry,
+  Color,
+  DataTexture,
+  LinearFilter,
+  LinearSRGBColorSpace,
+  Mesh,
+  Scene as Stage,
+  Vector2,
+  Vector3,
+  WebGLRenderer,
+} from "three";
+import { Camera, home_of } from "./camera";
+import { diverging, entries, sequential } from "./colour_maps";
+import { element } from "./dom";
+import { Lines } from "./lines";
+import type { Field, Scene } from "./payload";
+import { normal_near, pick, type Hit } from "./pick";
+import type { Store } from "./state";
+import { build_surface, field_values, no_value, range_of, type Surface } from "./surface";
+import { surface_material } from "./surface_material";
+import { on_theme, theme_rgb } from "./theme";
+import { round_ticks } from "./ticks";
+
+/** What is under the pointer. */
+export interface Probe {
+  state: number;
+  hit: Hit;
+  at: Vector3; // in the scene's units, relative to its centre
+}
+
+/** The picture of the mesh. It is drawn when something has changed, and not otherwise. */
+export class View {
+  readonly canvas = element("canvas", { tabindex: "0", role: "img" });
+  readonly camera: Camera;
+  readonly lines: Lines;
+  /** Called after each drawing, for what lies over the picture. */
+  after_drawing: () => void = () => {};
+  private readonly renderer: WebGLRenderer;
+  private readonly surface: Surface;
+  private readonly stage = new Stage();
+  private readonly meshes: Mesh[];
+  private readonly map = new DataTexture(new Uint8Array(4 * entries), entries, 1);
+  private readonly material = surface_material(this.map);
+  private field_shown = -2;
+  private frame = 0;
+  private frames = 0;
+
+  /** Throws where there is no WebGL 2, or where the data are damaged; the message says so. */
+  constructor(
+    readonly scene: Scene,
+    private readonly buffer: ArrayBuffer,
+    private readonly store: Store,
+  ) {
+    this.surface = build_surface(scene, buffer);
+    const context = this.canvas.getContext("webgl2", { antialias: true });
+    if (!context) {
+      throw new Error(
+        "This browser offers no WebGL 2, which drawing the mesh needs. Everything else on this page " +
+          "works without it.",
+      );
+    }
+    this.renderer = new WebGLRenderer({ canvas: this.canvas, context });
+    // Colours are computed as they are to be seen.
+    this.renderer.outputColorSpace = LinearSRGBColorSpace;
+    this.renderer.debug.checkShaderErrors = false;
+    this.map.minFilter = this.map.magFilter = LinearFilter;
+    this.meshes = this.surface.states.map((_, s) => this.mesh_of(s));
+    this.lines = new Lines(scene.lines ?? [], this.surface.scale, scene.states.length);
+    this.stage.add(...this.meshes, this.lines.group);
+    this.camera = new Camera(this.canvas, this.home(), () => this.request_drawing());
+    store.on_change(() => this.update());
+    on_theme(() => this.take_theme());
+    this.take_theme();
+    new ResizeObserver(() => this.resize()).observe(this.canvas);
+    this.canvas.addEventListener("webglcontextrestored", () => this.request_drawing());
+  }
+
+  /** The states of the mesh that can be seen at the moment, from left to right. */
+  visible_states(): number[] {
+    const { split, shown } = this.store.now;
+    const last = this.scene.states.length - 1;
+    return split && last > 0 ? [0, last] : [Math.min(shown, last)];
+  }
+
+  current_field(): Field | undefined {
+    return this.scene.fields?.[this.store.now.field];
+  }
+
+  request_drawing() {
+    this.frame ||= requestAnimationFrame(() => {
+      this.frame = 0;
+      this.draw();
+    });
+  }
+
+  /** Flies to a place, `radius` being that of what there is to see; both in the scene's units. */
+  fly_to(at: readonly number[], radius: number) {
+    const target = new Vector3().fromArray(at).multiplyScalar(this.surface.scale);
+    const size = Math.min(1, Math.max(radius * this.surface.scale, this.edge_length()));
+    const state = this.surface.states[this.visible_states().at(-1)!]!;
+    const direction = normal_near(state, target, 1.5 * size) ?? this.camera.sight().direction;
+    this.camera.fly({ target, direction, distance: 6 * size });
+  }
+
+  /** Where a point in the scene's units is in the picture, in its pixels; null if behind the eye. */
+  place_of(at: readonly number[]): { x: number; y: number } | null {
+    const point = new Vector3().fromArray(at).multiplyScalar(this.surface.scale);
+    point.project(this.camera.lens);
+    const { clientWidth: width, clientHeight: height } = this.canvas;
+    if (!(Math.abs(point.z) <= 1)) return null;
+    return { x: ((point.x + 1) / 2) * width, y: ((1 - point.y) / 2) * height };
+  }
+
+  /** What is at a point of the picture, in its pixels. */
+  probe(x: number, y: number): Probe | null {
+    const { clientWidth: width, clientHeight: height } = this.canvas;
+    const states = this.visible_states();
+    const right = states.length > 1 && x > this.store.now.split_at * width;
+    const state = right ? states[1]! : states[0]!;
+    const origin = this.camera.lens.position;
+    const aim = new Vector3((2 * x) / width - 1, 1 - (2 * y) / height, 0.5);
+    const ray = aim.unproject(this.camera.lens).sub(origin).normalize();
+    const hit = pick(this.surface.states[state]!, origin, ray);
+    if (!hit) return null;
+    const at = origin.clone().addScaledVector(ray, hit.distance);
+    return { state, hit, at: at.divideScalar(this.surface.scale) };
+  }
+
+  /** The value of the field shown at a probe, or null where it has none. */
+  value_at({ state, hit }: Probe): number | null {
+    const field = this.current_field();
+    if (!field) return null;
+    const shares = this.meshes[state]!.geometry.getAttribute("share").array;
+    const share = hit.weights.reduce((sum, w, k) => sum + w * shares[hit.corner + k]!, 0);
+    const [low, high] = range_of(field);
+    return share < -2.5 ? null : low + share * (high - low);
+  }
+
+  /** Turns about the point under the pointer from now on. */
+  centre_on(x: number, y: number) {
+    const target = this.probe(x, y)?.at.multiplyScalar(this.surface.scale);
+    if (!target) return;
+    const direction = this.camera.lens.position.clone().sub(target);
+    this.camera.fly({ target, direction, distance: direction.length() });
+  }
+
+  private edge_length(): number {
+    return (this.scene.mean_edge_length ?? 0) * this.surface.scale || 0.01;
+  }
+
+  private home() {
+    const low = new Vector3(Infinity, Infinity, Infinity);
+    const high = low.clone().negate();
+    let radius = 0;
+    const point = new Vector3();
+    for (const { positions } of this.surface.states) {
+      for (let i = 0; i < positions.length; i += 3) {
+        point.fromArray(positions, i);
+        low.min(point);
+        high.max(point);
+        radius = Math.max(radius, point.lengthSq());
+      }
+    }
+    return home_of(high.sub(low), Math.sqrt(radius));
+  }
+
+  private mesh_of(s: number): Mesh {
+    const { positions, normals } = this.surface.states[s]!;
+    const flags = this.surface.flags.subarray(0, positions.length / 3);
+    const geometry = new BufferGeometry();
+    geometry.setAttribute("position", new BufferAttribute(positions, 3));
+    geometry.setAttribute("normal", new BufferAttribute(normals, 4, true));
+    geometry.setAttribute("flags", new BufferAttribute(flags, 1));
+    const mesh = new Mesh(geometry, this.material);
+    mesh.frustumCulled = false;
+    return mesh;
+  }
+
+  private update() {
+    const { now } = this.store;
+    const { uniforms } = this.material;
+    if (now.field !== this.field_shown) this.show_field();
+    const field = this.current_field();
+    uniforms.flat_shading.value = now.flat;
+    uniforms.wireframe.value = now.wireframe;
+    uniforms.patches.value = now.patches;
+    uniforms.contours.value = now.contours && field?.on === "vertex";
+    this.request_drawing();
+  }
+
+  private show_field() {
+    this.field_shown = this.store.now.field;
+    const field = this.current_field();
+    this.material.uniforms.coloured.value = field !== undefined;
+    this.meshes.forEach((mesh, s) => {
+      const corners = 3 * this.surface.states[s]!.triangles;
+      const shares = field ? field_values(this.scene, this.buffer, field, s) : null;
+      const values = shares ?? new Float32Array(corners).fill(no_value);
+      mesh.geometry.setAttribute("share", new BufferAttribute(values, 1));
+    });
+    if (!field) return;
+    this.map.image.data!.set((field.diverging ? diverging : sequential).colours);
+    this.map.needsUpdate = true;
+    const [low, high] = range_of(field);
+    const { values, step } = round_ticks(low, high, 8);
+    const span = high - low || 1;
+    const first = ((values[0] ?? low) - low) / span;
+    this.material.uniforms.ticks.value = new Vector2(first, step / span || 10);
+  }
+
+  private take_theme() {
+    const { uniforms } = this.material;
+    uniforms.plain.value.fromArray(theme_rgb("--surface-plain"));
+    uniforms.inside.value.fromArray(theme_rgb("--surface-inside"));
+    uniforms.ink.value.fromArray(theme_rgb("--surface-ink"));
+    uniforms.accent.value.fromArray(theme_rgb("--surface-patch"));
+    this.renderer.setClearColor(new Color(...theme_rgb("--view")));
+    this.lines.recolour();
+    this.request_drawing();
+  }
+
+  private resize() {
+    const { clientWidth: width, clientHeight: height } = this.canvas;
+    if (width === 0 || height === 0) return;
+    this.renderer.setPixelRatio(Math.min(devicePixelRatio, 2));
+    this.renderer.setSize(width, height, false);
+    this.camera.resize(width, height);
+    this.draw(); // at once: a canvas is empty after its size has changed
+  }
+
+  private draw() {
+    const { clientWidth: width, clientHeight: height } = this.canvas;
+    if (width === 0 || height === 0) return;
+    this.camera.fit_depth();
+    const states = this.visible_states();
+    const parting = states.length > 1 ? this.store.now.split_at * width : width;
+    this.renderer.setScissorTest(true);
+    states.forEach((state, side) => {
+      const left = side === 0 ? 0 : parting;
+      this.renderer.setScissor(left, 0, side === 0 ? parting : width - parting, height);
+      this.meshes.forEach((mesh, s) => (mesh.visible = s === state));
+      this.lines.group.visible = this.store.now.lines;
+      this.lines.show_those_of(state);
+      this.renderer.render(this.stage, this.camera.lens);
+    });
+    this.canvas.dataset.frames = String(++this.frames);
+    if (this.frames === 1) performance.mark("first-frame");
+    this.after_drawing();
+  }
+}
