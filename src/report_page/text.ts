@@ -38,7 +38,9 @@ export function count_text(value: number): string {
 }
 
 function grouped(digits: string): string {
-  return digits.replace(/\d(?=(\d{3})+(\.|$))/g, "$&\u202f");
+  const [whole = "", decimals] = digits.split(".");
+  const parted = whole.replace(/\d(?=(\d{3})+$)/g, "$&\u202f");
+  return decimals === undefined ? parted : `${parted}.${decimals}`;
 }
 
 function exponential(value: number, digits: number): string {

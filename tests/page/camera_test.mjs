@@ -64,6 +64,7 @@ test("arrow keys scroll the page, not the mesh, where the picture has no focus",
 
 test("the pointer turns, moves and zooms", async () => {
   const { page, close } = await opened("pointer");
+  await page.locator(canvas).focus(); // its outline would come with the first key
   const box = await page.locator(canvas).boundingBox();
   const [x, y] = [box.x + 0.3 * box.width, box.y + 0.5 * box.height];
   const drag = async (button) => {
@@ -86,7 +87,7 @@ test("the pointer turns, moves and zooms", async () => {
     await page.waitForTimeout(100);
     assert.ok(difference(at_first, await picture(page)) > 0.01, `${name} changes the picture`);
     await page.keyboard.press("r");
-    assert.equal(difference(at_first, await picture(page)), 0);
+    assert.equal(difference(at_first, await picture(page)), 0, `r undoes ${name}`);
   }
   await close();
 });
@@ -139,7 +140,7 @@ test("a flight takes its time, unless things shall not move", async () => {
     await page.keyboard.press("n");
     await page.waitForTimeout(900);
     const drawn = (await frames()) - at_first;
-    assert.equal(drawn > 3, is_long, `${drawn} frames with ${motion}`);
+    assert.equal(drawn > 2, is_long, `${drawn} frames with ${motion}`);
     await close();
   }
 });

@@ -95,7 +95,10 @@ for (const [key, name] of [
   ["l", "lines"],
 ]) {
   test(`${key} switches ${name}, and back`, async () => {
-    const { page, close } = await opened(`switch-${name}`, fill_payload());
+    const payload = name === "flat" ? smooth_payload({ triangles: 600 }) : fill_payload();
+    const { page, close } = await opened(`switch-${name}`, payload);
+    await page.keyboard.press("x");
+    await page.keyboard.press("x");
     const button = page.locator(`[data-switch="${name}"]`);
     const pressed = await button.getAttribute("aria-pressed");
     const at_first = await picture(page);

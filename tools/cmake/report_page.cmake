@@ -58,10 +58,10 @@ function(build_page file)
     OUTPUT ${file}
     COMMAND ${CMAKE_COMMAND} -E rm -rf ${page_build}/sources
     COMMAND ${CMAKE_COMMAND} -E copy_directory ${page_sources} ${page_build}/sources
-    COMMAND ${NODE} ${page_build}/node_modules/vite/bin/vite.js build --logLevel warn
+    COMMAND ${NODE} ${page_build}/node_modules/vite/bin/vite.js build ${page_build}/sources
+            --config ${page_build}/sources/vite.config.ts --logLevel warn
             --outDir ${page_build}/bundle --emptyOutDir
     COMMAND ${CMAKE_COMMAND} -E copy ${page_build}/bundle/index.html ${file}
-    WORKING_DIRECTORY ${page_build}/sources
     DEPENDS ${sources}
     COMMENT "Bundling the report page"
     VERBATIM)

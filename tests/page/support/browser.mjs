@@ -34,7 +34,7 @@ export async function open(browser, name, payload, options = {}) {
   const file = join(results, `${name}.html`);
   writeFileSync(file, fill_template(template, payload));
   const context = await browser.newContext({
-    viewport: { width: 1440, height: 900 },
+    viewport: { width: 1200, height: 720 },
     reducedMotion: "reduce",
     ...options,
   });
@@ -63,12 +63,15 @@ export function settle(page) {
   );
 }
 
+const decoders = new Map();
+
 /** The pixels of an element as it is on the screen: width, height, and RGBA bytes. */
 export async function pixels_of(browser, page, selector) {
   await settle(page);
   const picture = await page.locator(selector).screenshot();
   // Decoded in a page that is allowed to.
-  const decoder = await browser.newPage();
+  if (!decoders.has(browser)) decoders.set(browser, await browser.newPage());
+  const decoder = decoders.get(browser);
   const { width, height, data } = await decoder.evaluate(async (base64) => {
     const bytes = Uint8Array.from(atob(base64), (c) => c.charCodeAt(0));
     const image = await createImageBitmap(new Blob([bytes]));
@@ -82,7 +85,6 @@ export async function pixels_of(browser, page, selector) {
     }
     return { width: image.width, height: image.height, data: btoa(text) };
   }, picture.toString("base64"));
-  await decoder.close();
   return { width, height, data: Buffer.from(data, "base64") };
 }
 
