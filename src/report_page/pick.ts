@@ -7,20 +7,22 @@ export interface Hit {
   weights: [number, number, number]; // of its corners
 }
 
-/** The first triangle that a ray meets (Moeller and Trumbore 1997), through those up to `triangles`. */
+/** The first triangle that a ray meets (Moeller and Trumbore 1997). */
 export function pick(surface: SurfaceState, origin: Vector3, direction: Vector3): Hit | null {
-  const X = surface.positions;
+  const { points: X, indices } = surface;
   const { x: ox, y: oy, z: oz } = origin;
   const { x: dx, y: dy, z: dz } = direction;
   let best: Hit | null = null;
   for (let c = 0; c < 3 * surface.triangles; c += 3) {
-    const i = 3 * c;
-    const ax = X[i + 3]! - X[i]!;
-    const ay = X[i + 4]! - X[i + 1]!;
-    const az = X[i + 5]! - X[i + 2]!;
-    const bx = X[i + 6]! - X[i]!;
-    const by = X[i + 7]! - X[i + 1]!;
-    const bz = X[i + 8]! - X[i + 2]!;
+    const i = 3 * indices[c]!;
+    const j = 3 * indices[c + 1]!;
+    const k = 3 * indices[c + 2]!;
+    const ax = X[j]! - X[i]!;
+    const ay = X[j + 1]! - X[i + 1]!;
+    const az = X[j + 2]! - X[i + 2]!;
+    const bx = X[k]! - X[i]!;
+    const by = X[k + 1]! - X[i + 1]!;
+    const bz = X[k + 2]! - X[i + 2]!;
     const px = dy * bz - dz * by;
     const py = dz * bx - dx * bz;
     const pz = dx * by - dy * bx;
@@ -45,12 +47,12 @@ export function pick(surface: SurfaceState, origin: Vector3, direction: Vector3)
 
 /** The mean normal of the triangles around a point, or null where there is none. */
 export function normal_near(surface: SurfaceState, at: Vector3, radius: number): Vector3 | null {
-  const X = surface.positions;
+  const { points: X, indices } = surface;
   const sum = at.clone().set(0, 0, 0);
   for (let c = 0; c < 3 * surface.triangles; c += 3) {
-    const i = 3 * c;
+    const i = 3 * indices[c]!;
     if (Math.hypot(X[i]! - at.x, X[i + 1]! - at.y, X[i + 2]! - at.z) <= radius) {
-      const [x, y, z] = triangle_normal(X, c);
+      const [x, y, z] = triangle_normal(X, indices, c);
       sum.x += x;
       sum.y += y;
       sum.z += z;

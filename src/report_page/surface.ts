@@ -1,23 +1,24 @@
 import { array_of, DamagedPage } from "./decode";
-import type { ArrayRef, Field, Scene } from "./payload";
+import type { Field, Scene } from "./payload";
 
 /**
- * The mesh as a graphics card wants it: three corners of its own for each triangle, so that a
- * number can belong to a triangle, and scaled to a ball of radius 1, so that no size of mesh leaves
- * the range of 32-bit numbers.
+ * The mesh as it is drawn: scaled to a ball of radius 1, so that no size of mesh leaves the range of
+ * 32-bit numbers.
  */
 export interface Surface {
   states: SurfaceState[];
-  flags: Uint8Array; // per corner: bit i: the edge opposite corner i is drawn; bit 3: of a patch
+  flags: Uint8Array; // per corner of a triangle: bit i: the edge opposite corner i is drawn; patch_bit
   scale: number; // of the scene's lengths to those here
 }
 
 export interface SurfaceState {
   triangles: number;
-  positions: Float32Array; // 3 per corner
-  normals: Int16Array; // 4 per corner, the last unused
+  indices: Uint32Array; // 3 vertices per triangle
+  points: Float32Array; // 3 per vertex
+  normals: Int16Array; // 4 per vertex, the last unused
 }
 
+/** The flag of corners that belong to a patch. */
 export const patch_bit = 8;
 
 export function build_surface(scene: Scene, buffer: ArrayBuffer): Surface {
@@ -64,22 +65,16 @@ function radius_of(points: Float32Array[]): number {
 }
 
 function build_state(P: Float32Array, indices: Uint32Array, scale: number): SurfaceState {
-  const positions = new Float32Array(3 * indices.length);
-  for (let c = 0; c < indices.length; ++c) {
-    const v = 3 * indices[c]!;
-    positions[3 * c] = P[v]! * scale;
-    positions[3 * c + 1] = P[v + 1]! * scale;
-    positions[3 * c + 2] = P[v + 2]! * scale;
-  }
-  const normals = vertex_normals(positions, indices, P.length / 3);
-  return { triangles: indices.length / 3, positions, normals };
+  const points = P.map((x) => x * scale);
+  const normals = vertex_normals(points, indices);
+  return { triangles: indices.length / 3, indices, points, normals };
 }
 
 /** The mean of the normals around each vertex, weighted by area. */
-function vertex_normals(X: Float32Array, indices: Uint32Array, vertices: number): Int16Array {
-  const sums = new Float64Array(3 * vertices);
+function vertex_normals(X: Float32Array, indices: Uint32Array): Int16Array {
+  const sums = new Float64Array(X.length);
   for (let c = 0; c < indices.length; c += 3) {
-    const [x, y, z] = triangle_normal(X, c);
+    const [x, y, z] = triangle_normal(X, indices, c);
     for (let k = c; k < c + 3; ++k) {
       const v = 3 * indices[k]!;
       sums[v]! += x;
@@ -87,20 +82,24 @@ function vertex_normals(X: Float32Array, indices: Uint32Array, vertices: number)
       sums[v + 2]! += z;
     }
   }
-  const normals = new Int16Array(4 * indices.length);
-  for (let c = 0; c < indices.length; ++c) {
-    const v = 3 * indices[c]!;
-    const length = length_of(sums[v]!, sums[v + 1]!, sums[v + 2]!) || 1;
-    for (let k = 0; k < 3; ++k) normals[4 * c + k] = Math.round((32767 * sums[v + k]!) / length);
+  const normals = new Int16Array((4 * X.length) / 3);
+  for (let v = 0; 3 * v < X.length; ++v) {
+    const i = 3 * v;
+    const length = length_of(sums[i]!, sums[i + 1]!, sums[i + 2]!) || 1;
+    for (let k = 0; k < 3; ++k) normals[4 * v + k] = Math.round((32767 * sums[i + k]!) / length);
   }
   return normals;
 }
 
 /** Normal of the triangle whose first corner is `c`, twice its area long. */
-export function triangle_normal(X: Float32Array, c: number): [number, number, number] {
-  const i = 3 * c;
-  const [ax, ay, az] = [X[i + 3]! - X[i]!, X[i + 4]! - X[i + 1]!, X[i + 5]! - X[i + 2]!];
-  const [bx, by, bz] = [X[i + 6]! - X[i]!, X[i + 7]! - X[i + 1]!, X[i + 8]! - X[i + 2]!];
+export function triangle_normal(
+  X: Float32Array,
+  indices: Uint32Array,
+  c: number,
+): [number, number, number] {
+  const [p, q, r] = [3 * indices[c]!, 3 * indices[c + 1]!, 3 * indices[c + 2]!];
+  const [ax, ay, az] = [X[q]! - X[p]!, X[q + 1]! - X[p + 1]!, X[q + 2]! - X[p + 2]!];
+  const [bx, by, bz] = [X[r]! - X[p]!, X[r + 1]! - X[p + 1]!, X[r + 2]! - X[p + 2]!];
   return [ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx];
 }
 
@@ -132,39 +131,22 @@ function mark_edges(edges: Uint32Array, indices: Uint32Array, scene: Scene, flag
   }
 }
 
-/** What the colour map is told of a corner without a value; see surface_material.ts. */
+/** What the colour map is told where there is no value; see surface_material.ts. */
 export const no_value = -100;
 
-/**
- * The values of a field per corner, 0 and 1 being the ends of its range; null where the state has
- * none.
- */
-export function field_values(
-  scene: Scene,
-  buffer: ArrayBuffer,
-  field: Field,
-  state: number,
-): Float32Array | null {
-  const ref: ArrayRef | null | undefined = field.values[state];
-  if (!ref) return null;
-  const corners = 3 * scene.triangles[state]!;
-  const indices = array_of(
-    buffer,
-    scene.arrays.triangles,
-    "uint32",
-    3 * Math.max(...scene.triangles),
-  );
-  const values = array_of(buffer, ref, "float32", ref.length);
+/** The values of a field, or null where the state has none. */
+export function values_of(buffer: ArrayBuffer, field: Field, state: number): Float32Array | null {
+  const ref = field.values[state];
+  return ref ? array_of(buffer, ref, "float32", ref.length) : null;
+}
+
+/** Values as shares of the field's range: 0 and 1 are its ends. */
+export function shares_of(field: Field, values: Float32Array): Float32Array {
   const [low, high] = range_of(field);
-  const shares = new Float32Array(corners);
-  for (let c = 0; c < corners; ++c) {
-    const value = values[field.on === "vertex" ? indices[c]! : Math.floor(c / 3)];
-    shares[c] =
-      value === undefined || !Number.isFinite(value)
-        ? no_value
-        : Math.min(3, Math.max(-2, high > low ? (value - low) / (high - low) : 0.5));
-  }
-  return shares;
+  return values.map((value) => {
+    if (!Number.isFinite(value)) return no_value;
+    return Math.min(3, Math.max(-2, high > low ? (value - low) / (high - low) : 0.5));
+  });
 }
 
 export function range_of(field: Field): [number, number] {

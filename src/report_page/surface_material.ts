@@ -28,6 +28,7 @@ void main() {
 const fragment_shader = /* glsl */ `
 uniform sampler2D map;
 uniform bool coloured, flat_shading, wireframe, contours, patches;
+uniform float fineness;  // pixels drawn along one of the page's
 uniform vec2 ticks;  // first and distance, as shares of the range
 uniform vec3 plain, inside, ink, accent;
 in vec3 v_position;
@@ -40,7 +41,8 @@ out vec4 colour;
 const vec3 light = normalize(vec3(0.35, 0.55, 1.0));
 
 float line(float distance, float width, float half_width) {
-  return 1.0 - smoothstep(half_width - 0.5, half_width + 0.5, distance / max(width, 1e-9));
+  float pixels = distance / max(width, 1e-9);
+  return 1.0 - smoothstep(half_width * fineness - 0.5, half_width * fineness + 0.5, pixels);
 }
 
 float edges() {
@@ -50,7 +52,7 @@ float edges() {
     if ((v_flags & (1 << i)) != 0) drawn = max(drawn, line(v_corner[i], width[i], 0.6));
   }
   // Triangles of a few pixels would be nothing but edges.
-  float largest = max(width.x, max(width.y, width.z));
+  float largest = max(width.x, max(width.y, width.z)) * fineness;
   return drawn * (1.0 - smoothstep(0.12, 0.45, largest));
 }
 
@@ -58,12 +60,13 @@ float contour() {
   float x = (v_share - ticks.x) / ticks.y;
   float width = fwidth(x);
   bool within = v_share > -0.01 && v_share < 1.01;
-  return within ? line(abs(fract(x + 0.5) - 0.5), width, 0.7) * (1.0 - smoothstep(0.1, 0.4, width)) : 0.0;
+  return within ? line(abs(fract(x + 0.5) - 0.5), width, 0.7) * (1.0 - smoothstep(0.1, 0.4, width * fineness)) : 0.0;
 }
 
 float hatching() {
-  float x = (gl_FragCoord.x + gl_FragCoord.y) / 9.0;
-  return line(abs(fract(x) - 0.5), 1.0 / 9.0, 0.8);
+  float period = 9.0 * fineness;
+  float x = (gl_FragCoord.x + gl_FragCoord.y) / period;
+  return line(abs(fract(x) - 0.5), 1.0 / period, 0.8);
 }
 
 void main() {
@@ -97,6 +100,7 @@ export function surface_material(map: Texture) {
     wireframe: { value: false },
     contours: { value: false },
     patches: { value: true },
+    fineness: { value: 1 },
     ticks: { value: new Vector2(0, 1) },
     plain: { value: new Vector3() },
     inside: { value: new Vector3() },

@@ -1,24 +1,23 @@
 import {
-  BufferAttribute,
-  BufferGeometry,
   Color,
   DataTexture,
   LinearFilter,
   LinearSRGBColorSpace,
-  Mesh,
   Scene as Stage,
   Vector2,
   Vector3,
   WebGLRenderer,
 } from "three";
 import { Camera, home_of } from "./camera";
+import { fineness_for, open_context } from "./context";
 import { diverging, entries, sequential } from "./colour_maps";
 import { element } from "./dom";
+import { DrawnSurface } from "./drawn_surface";
 import { Lines } from "./lines";
 import type { Field, Scene } from "./payload";
 import { normal_near, pick, type Hit } from "./pick";
 import type { Store } from "./state";
-import { build_surface, field_values, no_value, range_of, type Surface } from "./surface";
+import { build_surface, range_of, values_of, type Surface } from "./surface";
 import { surface_material } from "./surface_material";
 import { on_theme, theme_rgb } from "./theme";
 import { round_ticks } from "./ticks";
@@ -40,9 +39,10 @@ export class View {
   private readonly renderer: WebGLRenderer;
   private readonly surface: Surface;
   private readonly stage = new Stage();
-  private readonly meshes: Mesh[];
+  private readonly drawn: DrawnSurface[];
   private readonly map = new DataTexture(new Uint8Array(4 * entries), entries, 1);
   private readonly material = surface_material(this.map);
+  private readonly fineness: number; // pixels drawn along one of the page's
   private field_shown = -2;
   private frame = 0;
   private frames = 0;
@@ -54,21 +54,19 @@ export class View {
     private readonly store: Store,
   ) {
     this.surface = build_surface(scene, buffer);
-    const context = this.canvas.getContext("webgl2", { antialias: true });
-    if (!context) {
-      throw new Error(
-        "This browser offers no WebGL 2, which drawing the mesh needs. Everything else on this page " +
-          "works without it.",
-      );
-    }
+    const context = open_context(this.canvas);
+    this.fineness = fineness_for(context);
     this.renderer = new WebGLRenderer({ canvas: this.canvas, context });
     // Colours are computed as they are to be seen.
     this.renderer.outputColorSpace = LinearSRGBColorSpace;
     this.renderer.debug.checkShaderErrors = false;
     this.map.minFilter = this.map.magFilter = LinearFilter;
-    this.meshes = this.surface.states.map((_, s) => this.mesh_of(s));
+    this.drawn = this.surface.states.map((state) => {
+      const flags = this.surface.flags.subarray(0, 3 * state.triangles);
+      return new DrawnSurface(state, flags, this.material);
+    });
     this.lines = new Lines(scene.lines ?? [], this.surface.scale, scene.states.length);
-    this.stage.add(...this.meshes, this.lines.group);
+    this.stage.add(...this.drawn.map((d) => d.group), this.lines.group);
     this.camera = new Camera(this.canvas, this.home(), () => this.request_drawing());
     store.on_change(() => this.update());
     on_theme(() => this.take_theme());
@@ -132,10 +130,14 @@ export class View {
   value_at({ state, hit }: Probe): number | null {
     const field = this.current_field();
     if (!field) return null;
-    const shares = this.meshes[state]!.geometry.getAttribute("share").array;
-    const share = hit.weights.reduce((sum, w, k) => sum + w * shares[hit.corner + k]!, 0);
-    const [low, high] = range_of(field);
-    return share < -2.5 ? null : low + share * (high - low);
+    const values = values_of(this.buffer, field, state);
+    if (!values) return null;
+    const { indices } = this.surface.states[state]!;
+    const value =
+      field.on === "triangle"
+        ? values[hit.corner / 3]
+        : hit.weights.reduce((sum, w, k) => sum + w * values[indices[hit.corner + k]!]!, 0);
+    return value !== undefined && Number.isFinite(value) ? value : null;
   }
 
   /** Turns about the point under the pointer from now on. */
@@ -155,27 +157,15 @@ export class View {
     const high = low.clone().negate();
     let radius = 0;
     const point = new Vector3();
-    for (const { positions } of this.surface.states) {
-      for (let i = 0; i < positions.length; i += 3) {
-        point.fromArray(positions, i);
+    for (const { points, indices } of this.surface.states) {
+      for (const v of indices) {
+        point.fromArray(points, 3 * v);
         low.min(point);
         high.max(point);
         radius = Math.max(radius, point.lengthSq());
       }
     }
     return home_of(high.sub(low), Math.sqrt(radius));
-  }
-
-  private mesh_of(s: number): Mesh {
-    const { positions, normals } = this.surface.states[s]!;
-    const flags = this.surface.flags.subarray(0, positions.length / 3);
-    const geometry = new BufferGeometry();
-    geometry.setAttribute("position", new BufferAttribute(positions, 3));
-    geometry.setAttribute("normal", new BufferAttribute(normals, 4, true));
-    geometry.setAttribute("flags", new BufferAttribute(flags, 1));
-    const mesh = new Mesh(geometry, this.material);
-    mesh.frustumCulled = false;
-    return mesh;
   }
 
   private update() {
@@ -187,6 +177,8 @@ export class View {
     uniforms.wireframe.value = now.wireframe;
     uniforms.patches.value = now.patches;
     uniforms.contours.value = now.contours && field?.on === "vertex";
+    const with_triangles = now.wireframe || (now.patches && !!this.scene.arrays.patch);
+    for (const drawn of this.drawn) drawn.show(with_triangles);
     this.request_drawing();
   }
 
@@ -194,11 +186,8 @@ export class View {
     this.field_shown = this.store.now.field;
     const field = this.current_field();
     this.material.uniforms.coloured.value = field !== undefined;
-    this.meshes.forEach((mesh, s) => {
-      const corners = 3 * this.surface.states[s]!.triangles;
-      const shares = field ? field_values(this.scene, this.buffer, field, s) : null;
-      const values = shares ?? new Float32Array(corners).fill(no_value);
-      mesh.geometry.setAttribute("share", new BufferAttribute(values, 1));
+    this.drawn.forEach((drawn, s) => {
+      drawn.colour(field, field ? values_of(this.buffer, field, s) : null);
     });
     if (!field) return;
     this.map.image.data!.set((field.diverging ? diverging : sequential).colours);
@@ -224,7 +213,8 @@ export class View {
   private resize() {
     const { clientWidth: width, clientHeight: height } = this.canvas;
     if (width === 0 || height === 0) return;
-    this.renderer.setPixelRatio(Math.min(devicePixelRatio, 2));
+    this.renderer.setPixelRatio(this.fineness);
+    this.material.uniforms.fineness.value = this.fineness;
     this.renderer.setSize(width, height, false);
     this.camera.resize(width, height);
     this.draw(); // at once: a canvas is empty after its size has changed
@@ -240,7 +230,7 @@ export class View {
     states.forEach((state, side) => {
       const left = side === 0 ? 0 : parting;
       this.renderer.setScissor(left, 0, side === 0 ? parting : width - parting, height);
-      this.meshes.forEach((mesh, s) => (mesh.visible = s === state));
+      this.drawn.forEach(({ group }, s) => (group.visible = s === state));
       this.lines.group.visible = this.store.now.lines;
       this.lines.show_those_of(state);
       this.renderer.render(this.stage, this.camera.lens);
