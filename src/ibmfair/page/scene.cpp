@@ -13,7 +13,6 @@ namespace {
 /// Points of a line that are drawn at most; loops of more are thinned out.
 constexpr Eigen::Index most_line_points = 4000;
 
-
 struct SceneBox {
   Eigen::RowVector3d low, high;
   Vec3 centre() const { return (low + high).transpose() / 2; }
