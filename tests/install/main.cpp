@@ -10,6 +10,6 @@ int main() {
   const ibmfair::TriangleMesh sphere = ibmfair::make_icosphere({.levels = 4});
   const ibmfair::Topology topology = ibmfair::build_topology(sphere.X, sphere.F);
   std::cout << "energy " << ibmfair::bending_energy(sphere.X, topology) << '\n';
-  const auto picture = ibmfair::render(sphere.X, sphere.F, {.width = 64, .height = 64});
+  const auto picture = ibmfair::render({sphere.X, sphere.F}, {.width = 64, .height = 64});
   return ibmfair::encode_png(picture).empty() ? 1 : 0;
 }

@@ -12,12 +12,17 @@ endfunction()
 
 file(REMOVE_RECURSE ${WORK})
 run(${CMAKE_COMMAND} --install ${BUILD} --prefix ${WORK}/installed)
-run(${CMAKE_COMMAND} -S ${CMAKE_CURRENT_LIST_DIR} -B ${WORK}/build
-    -D CMAKE_PREFIX_PATH=${WORK}/installed -D CMAKE_BUILD_TYPE=Release
-    -D CMAKE_CXX_COMPILER=${CXX} -D CMAKE_CXX_FLAGS=${CXX_FLAGS}
-    -D CMAKE_FIND_USE_PACKAGE_REGISTRY=OFF)
-run(${CMAKE_COMMAND} --build ${WORK}/build)
 
+# build_project SOURCE BUILD: with nothing but what is installed.
+function(build_project source build)
+  run(${CMAKE_COMMAND} -S ${source} -B ${build}
+      -D CMAKE_PREFIX_PATH=${WORK}/installed -D CMAKE_BUILD_TYPE=Release
+      -D CMAKE_CXX_COMPILER=${CXX} -D CMAKE_CXX_FLAGS=${CXX_FLAGS}
+      -D CMAKE_FIND_USE_PACKAGE_REGISTRY=OFF)
+  run(${CMAKE_COMMAND} --build ${build})
+endfunction()
+
+build_project(${CMAKE_CURRENT_LIST_DIR} ${WORK}/build)
 run(${WORK}/build/uses_ibmfair)
 if(NOT output MATCHES "energy 25\\.1")
   message(FATAL_ERROR "8 pi expected, not\n${output}")
@@ -43,3 +48,18 @@ endsolid one
 ")
 # A file that only assimp reads: the installed program must find its helper.
 run(${WORK}/installed/bin/ibmfair smooth ${WORK}/one.stl ${WORK}/one.obj --steps 0)
+
+# The README's program, as it stands there.
+file(READ ${CMAKE_CURRENT_LIST_DIR}/../../README.md readme)
+foreach(block "cmake;CMakeLists.txt" "cpp;main.cpp")
+  list(GET block 0 language)
+  list(GET block 1 name)
+  string(REGEX MATCH "```${language}\n([^`]*)```" found "${readme}")
+  file(WRITE ${WORK}/readme/${name} "${CMAKE_MATCH_1}")
+endforeach()
+build_project(${WORK}/readme ${WORK}/readme-build)
+run(${WORK}/readme-build/mine ${CMAKE_CURRENT_LIST_DIR}/../../data/femur.off ${WORK}/fair.off)
+run(${WORK}/installed/bin/ibmfair compare ${CMAKE_CURRENT_LIST_DIR}/../../data/femur.off ${WORK}/fair.off)
+if(NOT output MATCHES "RMS")
+  message(FATAL_ERROR "a comparison expected, not\n${output}")
+endif()

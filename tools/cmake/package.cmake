@@ -22,7 +22,7 @@ set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME libibmfair-dev)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SHLIBDEPS OFF)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS
-    "libeigen3-dev, libsuitesparse-dev, libopenblas-dev, libtbb-dev, libfmt-dev, libpng-dev, libgmp-dev, libmpfr-dev")
+    "libeigen3-dev, libsuitesparse-dev, libopenblas-dev, libtbb-dev, libfmt-dev, libpng-dev, zlib1g-dev, libmeshoptimizer-dev, libgmp-dev, libmpfr-dev")
 set(CPACK_COMPONENT_PROGRAM_DESCRIPTION
     "Removes noise and ripples from scans and CAD meshes without shrinking the shape,
 and closes holes with patches that continue the surface. Reads and writes OBJ,
