@@ -32,10 +32,20 @@ const char* name_of(FlowStatus status) {
   return "unknown";
 }
 
+/// In per cent, or as a factor where that is large.
+std::string change_text(double before, double after) {
+  constexpr double most_percent = 1000;
+  if (before == 0) {
+    return "-";
+  }
+  const double percent = 100 * (after / before - 1);
+  return std::abs(percent) < most_percent ? fmt::format("{:+.3g} %", percent)
+                                          : fmt::format("x {:.3g}", after / before);
+}
+
 std::string row(const char* name, const char* unit, double before, double after) {
-  const std::string change =
-      before != 0 ? fmt::format("{:+.3g} %", 100 * (after / before - 1)) : std::string("-");
-  return fmt::format("  {:<16}{:<10}{:>12.5g}{:>12.5g}{:>13}\n", name, unit, before, after, change);
+  return fmt::format("  {:<16}{:<10}{:>12.5g}{:>12.5g}{:>13}\n", name, unit, before, after,
+                     change_text(before, after));
 }
 
 /// A length in the mesh's units and in mean edge lengths.
@@ -91,7 +101,7 @@ std::string curve(const FlowReport& flow) {
              ? std::string()
              : fmt::format("  {:<16}{} {:.4g} to {:.4g}{}\n", "energy by step",
                            sparkline(energies, columns, locale_is_utf8()), energies.front(),
-                           energies.back(), spans_decades(energies) ? ", logarithmic" : "");
+                           energies.back(), drawn_logarithmically(energies) ? ", logarithmic" : "");
 }
 
 /// What the linear systems took.

@@ -10,7 +10,7 @@ namespace ibmfair::commands {
 
 namespace {
 
-constexpr double most_linear_ratio = 10;
+constexpr double most_linear_ratio = 5;
 
 constexpr std::array<std::string_view, 8> blocks{"▁", "▂", "▃", "▄", "▅", "▆", "▇", "█"};
 constexpr std::array<std::string_view, 10> digits{"0", "1", "2", "3", "4", "5", "6", "7", "8", "9"};
@@ -29,7 +29,7 @@ std::string drawn(const std::vector<double>& values, const std::array<std::strin
 
 }  // namespace
 
-bool spans_decades(const std::vector<double>& values) {
+bool drawn_logarithmically(const std::vector<double>& values) {
   if (values.empty()) {
     return false;
   }
@@ -41,7 +41,7 @@ std::string sparkline(const std::vector<double>& values, std::size_t columns, bo
   if (values.empty() || columns == 0) {
     return "";
   }
-  const bool logarithmic = spans_decades(values);
+  const bool logarithmic = drawn_logarithmically(values);
   const std::size_t count = std::min(columns, values.size());
   std::vector<double> heights;
   for (std::size_t i = 0; i < count; ++i) {
