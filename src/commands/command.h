@@ -24,7 +24,9 @@ struct Command {
   std::string_view summary;  ///< one line for the list of commands
 
   /// Declares the command's arguments and options; they are stored in an object that the returned
-  /// runner shares. Options that every command has (--quiet, -v, --threads) are not declared here.
+  /// runner shares, and documents them with examples (commands/documentation.h): everything that
+  /// lists options is made from that. Options that every command has (--quiet, -v, --threads) are
+  /// not declared here.
   Runner (*declare)(CLI::App& app);
 };
 

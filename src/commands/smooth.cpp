@@ -171,7 +171,7 @@ void run_flow(const SmoothArguments& arguments, FlowOptions options, Smoothing& 
   if (!arguments.checkpoint.empty()) {
     postponed.emplace();
   }
-  progress.begin_work("flow");
+  progress.begin_work("prepare");
   options.on_stage = [&progress](FlowStage stage) { progress.enter(stage); };
   s.figures.flow = willmore_flow(s.X, s.topology, s.held, options, [&](const StepRecord& step) {
     progress.advance(step, options.steps, options.total_time);

@@ -22,6 +22,7 @@ constexpr auto blanks = [] {
 }();
 
 std::mutex drawing;
+std::string shown_text;  // by the last call, perhaps cleared since
 std::atomic<std::size_t> shown_columns{0};
 std::atomic<bool> shows_no_more{false};
 static_assert(std::atomic<std::size_t>::is_always_lock_free);
@@ -48,9 +49,10 @@ std::size_t error_terminal_columns() {
 
 void show_terminal_line(std::string_view text) {
   const std::unique_lock lock(drawing);
-  if (shows_no_more) {
+  if (shows_no_more || (shown_columns == text.size() && shown_text == text)) {
     return;
   }
+  shown_text = text;
   std::string line = "\r";
   line += text;
   const std::size_t before = shown_columns.exchange(text.size());
