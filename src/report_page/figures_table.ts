@@ -36,7 +36,8 @@ export interface FigureRow {
 /** Figures of the mesh before and after, in the order in which they are read. */
 export function figure_rows(report: Report, scene: Scene | null): FigureRow[] {
   const before = { ...counts_of(report, scene, 0), ...report.before };
-  const after = { ...counts_of(report, scene, 1), ...report.after };
+  const is_single = report.after === undefined && scene?.states.length === 1;
+  const after = is_single ? {} : { ...counts_of(report, scene, 1), ...report.after };
   const keys = [...new Set([...Object.keys(before), ...Object.keys(after)])];
   const place = (key: string) => {
     const found = known.findIndex((k) => k.key === key);
@@ -52,6 +53,10 @@ export function figure_rows(report: Report, scene: Scene | null): FigureRow[] {
       };
       return { ...about, before: before[key], after: after[key] };
     });
+}
+
+export function has_two_states(rows: FigureRow[]): boolean {
+  return rows.some((row) => row.after !== undefined);
 }
 
 function counts_of(report: Report, scene: Scene | null, state: number): Record<string, unknown> {
@@ -75,22 +80,23 @@ function counts_of(report: Report, scene: Scene | null, state: number): Record<s
   };
 }
 
-export function figures_table(rows: FigureRow[]): HTMLElement {
-  const head = ["", "Before", "After", "Change"].map((title, i) =>
-    element("th", { scope: "col", class: i > 0 ? "number" : "" }, title),
+/** Before, after and change; of a single mesh, one column. */
+export function figures_table(rows: FigureRow[], title: string): HTMLElement {
+  const two = has_two_states(rows);
+  const head = (two ? ["", "Before", "After", "Change"] : ["", "Value"]).map((name, i) =>
+    element("th", { scope: "col", class: i > 0 ? "number" : "" }, name),
   );
+  const number = (text: string, further = "") =>
+    element("td", { class: `number ${further}` }, text);
   const body = rows.map((row) => {
-    const title = element("th", { scope: "row" }, row.title);
-    if (row.unit) title.append(" ", element("span", { class: "unit" }, row.unit));
-    if (row.hint) title.title = row.hint;
-    return element(
-      "tr",
-      {},
-      title,
-      element("td", { class: "number" }, number_text(row.before, 5)),
-      element("td", { class: "number" }, number_text(row.after, 5)),
-      element("td", { class: "number change" }, change_text(row.before, row.after)),
-    );
+    const name = element("th", { scope: "row" }, row.title);
+    if (row.unit) name.append(" ", element("span", { class: "unit" }, row.unit));
+    if (row.hint) name.title = row.hint;
+    const after = [
+      number(number_text(row.after, 5)),
+      number(change_text(row.before, row.after), "change"),
+    ];
+    return element("tr", {}, name, number(number_text(row.before, 5)), ...(two ? after : []));
   });
   return element(
     "div",
@@ -98,7 +104,7 @@ export function figures_table(rows: FigureRow[]): HTMLElement {
     element(
       "table",
       { class: "figures" },
-      element("caption", { class: "visually-hidden" }, "Figures of the mesh before and after"),
+      element("caption", { class: "visually-hidden" }, title),
       element("thead", {}, element("tr", {}, ...head)),
       element("tbody", {}, ...body),
     ),

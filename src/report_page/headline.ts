@@ -1,17 +1,32 @@
 import { element } from "./dom";
 import { batch_headline } from "./batch_table";
-import { figure_rows } from "./figures_table";
+import { figure_rows, has_two_states } from "./figures_table";
 import { holes_summary } from "./holes_table";
 import type { Report, Scene } from "./payload";
 import { change_text, count_text, file_name, number_text, printable, seconds_text } from "./text";
 import { status_chip } from "./status";
 import { theme_button } from "./theme";
 
+const figures_of_one = [
+  "Vertices",
+  "Triangles",
+  "Bending energy",
+  "Smallest angle",
+  "Folded edges",
+];
+
 /** The few numbers by which most readers will judge the run. */
 function key_figures(report: Report, scene: Scene | null): [string, string][] {
   if (report.items) return batch_headline(report);
   const figures: [string, string][] = [];
-  for (const { title, before, after } of figure_rows(report, scene)) {
+  const rows = figure_rows(report, scene);
+  if (!has_two_states(rows)) {
+    for (const { title, before } of rows) {
+      if (figures_of_one.includes(title)) figures.push([title, number_text(before)]);
+    }
+    return figures;
+  }
+  for (const { title, before, after } of rows) {
     const change = change_text(before, after);
     if (["Bending energy", "Volume"].includes(title) && change !== "")
       figures.push([title, change]);
@@ -26,7 +41,7 @@ function key_figures(report: Report, scene: Scene | null): [string, string][] {
       `${number_text(report.largest_move / edge, 3)} mean edge lengths`,
     ]);
   }
-  if (report.holes) figures.push(["Holes filled", holes_summary(report.holes)]);
+  if (report.holes?.length) figures.push(["Holes filled", holes_summary(report.holes)]);
   if (typeof report.new_triangles === "number") {
     figures.push(["New triangles", number_text(report.new_triangles)]);
   }

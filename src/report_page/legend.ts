@@ -1,9 +1,8 @@
 import { css_gradient, diverging, sequential } from "./colour_maps";
 import { element } from "./dom";
+import { scale_of } from "./field_scale";
 import type { Field } from "./payload";
-import { range_of } from "./surface";
 import { number_text, printable, tick_text } from "./text";
-import { round_ticks } from "./ticks";
 
 /** What the colours of the picture mean, with a pointer to the value under the pointer. */
 export class Legend {
@@ -15,13 +14,16 @@ export class Legend {
     this.field = field;
     this.element.hidden = field === undefined;
     if (!field) return;
-    const [low, high] = range_of(field);
+    const [low, high] = field.range;
+    const scale = scale_of(field);
     const map = field.diverging ? diverging : sequential;
-    const unit = field.unit ? printable(field.unit) : "";
+    const unit = [printable(field.unit ?? ""), scale.is_log ? "logarithmic" : ""]
+      .filter((part) => part !== "")
+      .join(", ");
     const bar = element("div", { class: "legend-bar" }, this.pointer);
     bar.style.backgroundImage = css_gradient(map);
     const ticks = element("div", { class: "legend-ticks" });
-    for (const value of round_ticks(low, high, 5).values) {
+    for (const value of scale.ticks(5)) {
       const tick = element("span", {}, tick_text(value));
       tick.style.left = `${100 * this.share_of(value)}%`;
       ticks.append(tick);
@@ -47,7 +49,7 @@ export class Legend {
   }
 
   private share_of(value: number): number {
-    const [low, high] = this.field ? range_of(this.field) : [0, 1];
-    return high > low ? Math.min(1, Math.max(0, (value - low) / (high - low))) : 0.5;
+    const share = this.field ? scale_of(this.field).share(value) : 0.5;
+    return Math.min(1, Math.max(0, share));
   }
 }

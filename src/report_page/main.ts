@@ -3,7 +3,7 @@ import { BatchTable } from "./batch_table";
 import { DamagedPage, read_bytes, read_report, read_scene } from "./decode";
 import { components_section, further_section, options_section, seconds_section } from "./details";
 import { element, section } from "./dom";
-import { figure_rows, figures_table } from "./figures_table";
+import { figure_rows, figures_table, has_two_states } from "./figures_table";
 import { header, page_title } from "./headline";
 import { holes_table } from "./holes_table";
 import { help_dialogue, listen, type Key } from "./keys";
@@ -57,8 +57,9 @@ async function open_viewer(scene: Scene): Promise<Viewer> {
 /** Everything below and beside the picture. */
 function sections(report: Report, scene: Scene | null, places: Places, viewer: Viewer | null) {
   const rows = figure_rows(report, scene);
+  const title = has_two_states(rows) ? "Before and after" : "Figures";
   const beside: (HTMLElement | null)[] = [
-    rows.length > 0 ? section("Before and after", figures_table(rows)) : null,
+    rows.length > 0 ? section(title, figures_table(rows, title)) : null,
     places.list ? section("Worth a look", places.list) : null,
     seconds_section(report.seconds),
   ];

@@ -1,4 +1,5 @@
 import { array_of, DamagedPage } from "./decode";
+import { scale_of } from "./field_scale";
 import type { Field, Scene } from "./payload";
 
 /**
@@ -142,14 +143,10 @@ export function values_of(buffer: ArrayBuffer, field: Field, state: number): Flo
 
 /** Values as shares of the field's range: 0 and 1 are its ends. */
 export function shares_of(field: Field, values: Float32Array): Float32Array {
-  const [low, high] = range_of(field);
+  const scale = scale_of(field);
   return values.map((value) => {
-    if (!Number.isFinite(value)) return no_value;
-    return Math.min(3, Math.max(-2, high > low ? (value - low) / (high - low) : 0.5));
+    const share = Number.isFinite(value) ? scale.share(value) : NaN;
+    // A logarithm of nothing is at the lower end, or it has none.
+    return Number.isNaN(share) ? no_value : Math.min(3, Math.max(-2, share));
   });
-}
-
-export function range_of(field: Field): [number, number] {
-  const [low, high] = field.range;
-  return [low ?? 0, high ?? 0];
 }

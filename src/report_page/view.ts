@@ -13,14 +13,14 @@ import { fineness_for, open_context } from "./context";
 import { diverging, entries, sequential } from "./colour_maps";
 import { element } from "./dom";
 import { DrawnSurface } from "./drawn_surface";
+import { scale_of } from "./field_scale";
 import { Lines } from "./lines";
 import type { Field, Scene } from "./payload";
 import { normal_near, pick, type Hit } from "./pick";
 import type { Store } from "./state";
-import { build_surface, range_of, values_of, type Surface } from "./surface";
+import { build_surface, values_of, type Surface } from "./surface";
 import { surface_material } from "./surface_material";
 import { on_theme, theme_rgb } from "./theme";
-import { round_ticks } from "./ticks";
 
 /** What is under the pointer. */
 export interface Probe {
@@ -192,11 +192,8 @@ export class View {
     if (!field) return;
     this.map.image.data!.set((field.diverging ? diverging : sequential).colours);
     this.map.needsUpdate = true;
-    const [low, high] = range_of(field);
-    const { values, step } = round_ticks(low, high, 8);
-    const span = high - low || 1;
-    const first = ((values[0] ?? low) - low) / span;
-    this.material.uniforms.ticks.value = new Vector2(first, step / span || 10);
+    const { first, step } = scale_of(field).contours;
+    this.material.uniforms.ticks.value = new Vector2(first, step);
   }
 
   private take_theme() {
