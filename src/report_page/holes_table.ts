@@ -23,7 +23,7 @@ const columns: Column<HoleReport>[] = [
     title: "Status",
     value: (hole) => hole.status ?? "",
     show: (hole) => {
-      const cell = element("div", {}, status_chip(hole.status ?? "unknown"));
+      const cell = element("div", { class: "status" }, status_chip(hole.status ?? "unknown"));
       if (hole.reason) cell.append(element("div", { class: "reason" }, printable(hole.reason)));
       return cell;
     },

@@ -2,7 +2,7 @@ import { css_gradient, diverging, sequential } from "./colour_maps";
 import { element } from "./dom";
 import { scale_of } from "./field_scale";
 import type { Field } from "./payload";
-import { number_text, printable, tick_text } from "./text";
+import { number_text, printable, tick_text, unit_text } from "./text";
 
 /** What the colours of the picture mean, with a pointer to the value under the pointer. */
 export class Legend {
@@ -17,7 +17,7 @@ export class Legend {
     const [low, high] = field.range;
     const scale = scale_of(field);
     const map = field.diverging ? diverging : sequential;
-    const unit = [printable(field.unit ?? ""), scale.is_log ? "logarithmic" : ""]
+    const unit = [unit_text(field.unit ?? ""), scale.is_log ? "logarithmic" : ""]
       .filter((part) => part !== "")
       .join(", ");
     const bar = element("div", { class: "legend-bar" }, this.pointer);

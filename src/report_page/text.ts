@@ -47,9 +47,13 @@ function exponential(value: number, digits: number): string {
   const [mantissa = "", exponent = ""] = Math.abs(value)
     .toExponential(digits - 1)
     .split("e");
-  const power = [...String(Number(exponent))].map((c) => superscripts[c]).join("");
+  const power = raised(String(Number(exponent)));
   const short = without_zeros(mantissa);
   return signed(value, short === "1" ? `10${power}` : `${short}\u00b710${power}`);
+}
+
+function raised(digits: string): string {
+  return [...digits].map((c) => superscripts[c] ?? c).join("");
 }
 
 function without_zeros(digits: string): string {
@@ -100,6 +104,11 @@ export function value_text(value: unknown): string {
   if (Array.isArray(value))
     return value.length === 0 ? "none" : value.map((v) => value_text(v)).join(", ");
   return printable(JSON.stringify(value));
+}
+
+/** "1/length^2" with its exponents raised. */
+export function unit_text(unit: string): string {
+  return printable(unit).replace(/\^(-?\d+)/g, (_, exponent: string) => raised(exponent));
 }
 
 /** The last part of a path. */

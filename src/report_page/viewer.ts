@@ -6,7 +6,7 @@ import { Overlay } from "./overlay";
 import type { Line, Scene } from "./payload";
 import type { Sight } from "./places";
 import { Store } from "./state";
-import { count_text, file_name, number_text, printable } from "./text";
+import { count_text, file_name, number_text, printable, unit_text } from "./text";
 import { switches_of, toolbar } from "./toolbar";
 import { View, type Probe } from "./view";
 
@@ -193,7 +193,7 @@ export class Viewer {
     const at = probe.at.toArray().map((x, k) => number_text(x + this.scene.centre[k]!, 5));
     const field = this.view.current_field();
     const words = field
-      ? `${printable(field.title)} ${number_text(value)} ${value === null ? "" : printable(field.unit ?? "")} at `
+      ? `${printable(field.title)} ${number_text(value)} ${value === null ? "" : unit_text(field.unit ?? "")} at `
       : "";
     this.reading.textContent = `${words}(${at.join(", ")})`;
   }
