@@ -11,6 +11,8 @@ export interface Sight {
 
 const opening = 35; // degrees
 const flight_milliseconds = 650;
+/** From here the unit ball is seen as a whole. */
+const whole = 1.04 / Math.sin(MathUtils.degToRad(opening / 2));
 
 /** The eye: turned, moved and brought nearer by pointer, fingers and keys. */
 export class Camera {
@@ -95,7 +97,7 @@ export class Camera {
   }
 
   look_along(direction: Vector3) {
-    this.fly({ ...this.home, direction });
+    this.fly({ ...this.home, direction, distance: whole });
   }
 
   /** Goes there within a moment, or at once where things shall not move. */
@@ -143,11 +145,38 @@ function between(a: Sight, b: Sight, t: number): Sight {
   };
 }
 
-/** From where a mesh of this extent is seen best: across its two largest sides, a little from above. */
-export function home_of(extent: Vector3, radius: number): Sight {
-  const sides = extent.toArray();
-  const least = sides.indexOf(Math.min(...sides));
+/** From where points are seen best: across their two largest extents, a little from above. */
+export function home_of(points: Float32Array): Sight {
+  const extent = extent_of(points).toArray();
+  const least = extent.indexOf(Math.min(...extent));
   const tilts = [new Vector3(1, 0.25, 0.35), new Vector3(0.3, 1, 0.35), new Vector3(0.35, 0.25, 1)];
-  const distance = (1.04 * radius) / Math.sin(MathUtils.degToRad(opening / 2));
-  return { target: new Vector3(), direction: tilts[least]!, distance: distance || 3 };
+  const direction = tilts[least]!.normalize();
+  return { target: new Vector3(), direction, distance: distance_of(points, direction) };
+}
+
+function extent_of(points: Float32Array): Vector3 {
+  const low = new Vector3(Infinity, Infinity, Infinity);
+  const high = low.clone().negate();
+  const point = new Vector3();
+  for (let i = 0; i < points.length; i += 3) {
+    point.fromArray(points, i);
+    low.min(point);
+    high.max(point);
+  }
+  return high.sub(low);
+}
+
+/** The least distance from which all points are within a square picture, and a little more. */
+function distance_of(points: Float32Array, direction: Vector3): number {
+  const right = new Vector3().crossVectors(upright(direction), direction).normalize();
+  const up = new Vector3().crossVectors(direction, right);
+  const slope = Math.tan(MathUtils.degToRad(opening / 2));
+  const point = new Vector3();
+  let distance = 0;
+  for (let i = 0; i < points.length; i += 3) {
+    point.fromArray(points, i);
+    const aside = Math.max(Math.abs(point.dot(right)), Math.abs(point.dot(up)));
+    distance = Math.max(distance, aside / slope + point.dot(direction));
+  }
+  return 1.06 * distance || whole;
 }

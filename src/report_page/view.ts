@@ -67,7 +67,8 @@ export class View {
     });
     this.lines = new Lines(scene.lines ?? [], this.surface.scale, scene.states.length);
     this.stage.add(...this.drawn.map((d) => d.group), this.lines.group);
-    this.camera = new Camera(this.canvas, this.home(), () => this.request_drawing());
+    const home = home_of(this.surface.states.at(-1)!.points);
+    this.camera = new Camera(this.canvas, home, () => this.request_drawing());
     store.on_change(() => this.update());
     on_theme(() => this.take_theme());
     this.take_theme();
@@ -150,22 +151,6 @@ export class View {
 
   private edge_length(): number {
     return (this.scene.mean_edge_length ?? 0) * this.surface.scale || 0.01;
-  }
-
-  private home() {
-    const low = new Vector3(Infinity, Infinity, Infinity);
-    const high = low.clone().negate();
-    let radius = 0;
-    const point = new Vector3();
-    for (const { points, indices } of this.surface.states) {
-      for (const v of indices) {
-        point.fromArray(points, 3 * v);
-        low.min(point);
-        high.max(point);
-        radius = Math.max(radius, point.lengthSq());
-      }
-    }
-    return home_of(high.sub(low), Math.sqrt(radius));
   }
 
   private update() {
