@@ -139,7 +139,8 @@ export interface Field {
   diverging?: boolean; // signed: the middle of the colour map is the middle of the range
   on: "vertex" | "triangle";
   values: Maybe<ArrayRef>[]; // per state, float32; null where a state has none
-  range: [Maybe<number>, Maybe<number>]; // what the colour map spans, the same for all states
+  /** What the colour map spans, the same for all states; evenly by logarithm from 1 : 1000 on. */
+  range: [Maybe<number>, Maybe<number>];
 }
 
 export type LineKind = "seam" | "hole" | "boundary" | "held" | "defect";

@@ -146,6 +146,18 @@ test("signed values are blue below and red above, the same before and after", as
   await close();
 });
 
+test("a field that spans decades is coloured by its logarithm", async () => {
+  const payload = smooth_payload();
+  payload.scene.fields[0] = { ...payload.scene.fields[0], diverging: false, range: [1e-2, 1e4] };
+  const { page, close } = await opened("decades", payload);
+  assert.match(await page.locator(".legend-title").innerText(), /1\/length, logarithmic/);
+  const ticks = page.locator(".legend-ticks span");
+  assert.deepEqual(await ticks.allInnerTexts(), ["0.01", "1", "100", "10\u202f000"]);
+  const places = await ticks.evaluateAll((all) => all.map((tick) => tick.style.left));
+  assert.deepEqual(places.map(parseFloat).map(Math.round), [0, 33, 67, 100]);
+  await close();
+});
+
 test("the value and the place under the pointer are told", async () => {
   const payload = smooth_payload({ triangles: 20000, centre: [100, 200, 300] });
   const { page, close } = await opened("probe", payload);

@@ -1,7 +1,7 @@
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
 import { keep_screenshot, launch, open, share_of, pixels_of } from "./support/browser.mjs";
-import { batch_payload, fill_payload, smooth_payload } from "./support/payloads.mjs";
+import { batch_payload, fill_payload, smooth_payload, view_payload } from "./support/payloads.mjs";
 
 let browser;
 before(async () => (browser = await launch()));
@@ -18,6 +18,20 @@ test("figures stand before, after and with their change", async () => {
   assert.deepEqual(row("Volume").slice(1), ["3.158", "3.1581", "+0.003 %"]);
   assert.deepEqual(row("Folded edges").slice(1), ["3", "0", "\u2212100 %"]);
   assert.match(await page.title(), /^torus\.off \u2013 ibmfair smooth$/);
+  await close();
+});
+
+test("a single mesh has its figures in one column", async () => {
+  const { report, scene, bytes } = view_payload();
+  const figures = { energy: 80.1, area: 15.9, folded_hinges: 2 };
+  const payload = { report: { ...report, before: figures }, scene, bytes };
+  const { page, close } = await open(browser, "tables-one", payload);
+  const rows = await section(page, "Figures").locator("tr").allInnerTexts();
+  assert.deepEqual(
+    rows.map((text) => text.trim().split(/\t/).at(-1)),
+    ["Value", "80.1", "15.9", "2"],
+  );
+  assert.match(await page.locator(".key-figures").innerText(), /Folded edges\s*2$/);
   await close();
 });
 
