@@ -9,6 +9,7 @@
 #include "commands/argument_roles.h"
 #include "commands/command.h"
 #include "commands/defect_warnings.h"
+#include "commands/documentation.h"
 #include "commands/hole_json.h"
 #include "commands/page/mesh_scene.h"
 #include "commands/report/report_formats.h"
@@ -121,14 +122,19 @@ ExitCode run_view(const ViewArguments& arguments, const CLI::App& app, Console& 
 
 Runner declare_view(CLI::App& app) {
   auto arguments = std::make_shared<ViewArguments>();
-  app.add_option("IN", arguments->input, "mesh file to read; - is standard input")->required();
-  app.add_option("OUT", arguments->page, "page to write, a file that ends in .html")
-      ->type_name(file_to_write)
-      ->required();
-  app.add_option("--with", arguments->with,
-                 "show IN as it was before, and this mesh, which has the same faces, as it is "
-                 "after")
-      ->type_name(file_to_read);
+  add_input_argument(app, arguments->input);
+  CLI::Option* page =
+      app.add_option("OUT", arguments->page, "page to write, a file that ends in .html")
+          ->type_name(file_to_write)
+          ->required();
+  note_of(app, *page).extensions = {"html"};
+  begin_group(app, "What is shown");
+  CLI::Option* with =
+      app.add_option("--with", arguments->with,
+                     "show IN as it was before, and this mesh, which has the same faces, as it is "
+                     "after")
+          ->type_name(file_to_read);
+  offer_meshes_to_read(app, *with);
   std::vector<std::string> names;
   for (const BendingModel& model : bending_models()) {
     names.emplace_back(model.name);
@@ -139,6 +145,12 @@ Runner declare_view(CLI::App& app) {
   add_input_options(app, arguments->reading);
   add_report_options(app, arguments->report);
   add_overwrite_option(app, arguments->overwrite);
+  documentation_of(app).examples = {
+      {"ibmfair view scan.ply scan.html",
+       "makes a page of the mesh: its curvature, quality, holes and defects"},
+      {"ibmfair view scan.ply both.html --with fair.ply",
+       "shows two meshes with the same faces as before and after"},
+  };
   return [arguments, &app](Console& console) { return run_view(*arguments, app, console); };
 }
 

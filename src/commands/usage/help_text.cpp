@@ -37,11 +37,25 @@ std::string wrapped(const std::string& text, std::size_t start, std::size_t inde
   return result;
 }
 
+/// A list of choices, `a|b|c`, goes on in the next line where it does not fit.
+std::string broken_at_bars(std::string line, std::size_t width) {
+  std::string result;
+  while (line.size() > width) {
+    const std::size_t bar = line.rfind('|', width - 1);
+    if (bar == std::string::npos) {
+      break;
+    }
+    result += line.substr(0, bar + 1) + "\n";
+    line = std::string(6, ' ') + line.substr(bar + 1);
+  }
+  return result + line;
+}
+
 /// `  heading   text`, the text in a column of its own.
 std::string entry(const std::string& heading, const std::string& text, std::size_t width) {
   std::string line = fmt::format("  {}", heading);
   if (line.size() + 2 > left_column) {
-    line += "\n" + std::string(left_column, ' ');
+    line = broken_at_bars(line, width) + "\n" + std::string(left_column, ' ');
   } else {
     line.resize(left_column, ' ');
   }
