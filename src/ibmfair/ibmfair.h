@@ -1,5 +1,5 @@
-// The library's usual path, from a file to a fairer file: read, connect, smooth or fill, write. What
-// else there is has headers of its own.
+// The library's usual path, from a file to a fairer file: read, connect, smooth or fill, write.
+// What else there is has headers of its own.
 #pragma once
 
 #include "ibmfair/energy/bending_energy.h"  // IWYU pragma: export
