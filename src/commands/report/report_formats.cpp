@@ -26,7 +26,7 @@ std::string page_report(const Report& report, const std::string& path) {
   return page_text(complete_figures(report, path), report.scene ? report.scene() : std::nullopt);
 }
 
-constexpr std::array formats{
+constexpr std::array format_rows{
     ReportFormat{".json", "all figures", nullptr, json_report},
     ReportFormat{".csv", "a table, one line for each step, hole or file", nullptr, csv_report},
     ReportFormat{".html", "a page that shows the mesh and the figures", require_page, page_report},
@@ -35,18 +35,18 @@ constexpr std::array formats{
 }  // namespace
 
 std::span<const ReportFormat> report_formats() {
-  return formats;
+  return format_rows;
 }
 
 const ReportFormat& report_format(const std::string& path, const std::string& option) {
   const std::string extension =
       CLI::detail::to_lower(std::filesystem::path(path).extension().string());
-  const auto* const row = std::find_if(formats.begin(), formats.end(), [&](const auto& format) {
-    return extension.empty() || format.extension == extension;
-  });
-  if (row == formats.end()) {
+  const auto* const row = std::find_if(
+      format_rows.begin(), format_rows.end(),
+      [&](const auto& format) { return extension.empty() || format.extension == extension; });
+  if (row == format_rows.end()) {
     std::vector<std::string_view> names;
-    for (const ReportFormat& format : formats) {
+    for (const ReportFormat& format : format_rows) {
       names.push_back(format.extension);
     }
     throw BadOption(
