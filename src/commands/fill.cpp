@@ -200,10 +200,9 @@ void deliver(const FillArguments& arguments, const Input& input, const Filling& 
 void deliver_region(const FillArguments& arguments, const Input& input, const Points& X,
                     const std::vector<std::uint8_t>& region, Report& report,
                     const Console& console) {
-  std::vector<std::uint8_t> held;
-  for (const std::uint8_t chosen : region) {
-    held.push_back(chosen ? 0 : 1);
-  }
+  std::vector<std::uint8_t> held(region.size());
+  std::transform(region.begin(), region.end(), held.begin(),
+                 [](std::uint8_t chosen) { return chosen ? 0 : 1; });
   SceneSource marks;
   marks.lines = held_lines(X, input.topology, held);
   deliver(arguments, input, {"after", &X, &input.topology}, marks, report, console);

@@ -46,6 +46,7 @@ const ReportFormat& report_format(const std::string& path, const std::string& op
       [&](const auto& format) { return extension.empty() || format.extension == extension; });
   if (row == format_rows.end()) {
     std::vector<std::string_view> names;
+    names.reserve(format_rows.size());
     for (const ReportFormat& format : format_rows) {
       names.push_back(format.extension);
     }

@@ -76,8 +76,8 @@ std::string sentence(std::string text) {
 
 /// `--cutoff LENGTH`, the names bold and the value in italics.
 std::string roff_heading(const OptionUsage& option) {
-  std::string text = option.letter.empty() ? fmt::format("\\fB{}\\fR", roff(option.name))
-                                           : fmt::format("\\fB{}\\fR, \\fB{}\\fR",
+  std::string text = option.letter.empty() ? fmt::format(R"(\fB{}\fR)", roff(option.name))
+                                           : fmt::format(R"(\fB{}\fR, \fB{}\fR)",
                                                          roff(option.letter), roff(option.name));
   if (!option.value.empty() && option.name.starts_with('-')) {
     text += fmt::format(" \\fI{}\\fR", roff(option.value));

@@ -60,6 +60,7 @@ std::string value_of(const CLI::Option& option, const OptionUsage& usage) {
 
 std::vector<std::string> names_of(const std::set<CLI::Option*>& options) {
   std::vector<std::string> names;
+  names.reserve(options.size());
   for (const CLI::Option* option : options) {
     names.push_back(option->get_name());
   }
