@@ -61,7 +61,7 @@ TEST(MalformedOutcomes, AreThoseOfTheTable) {
     const std::filesystem::path full(path);
     const std::string name = full.parent_path().filename() / full.filename();
     for (const std::string& command : outcome_commands()) {
-      SCOPED_TRACE(command + " " + name);
+      SCOPED_TRACE(testing::Message() << command << " " << name);
       found[name][command] = outcome_of(command, path);
     }
   }
@@ -72,7 +72,7 @@ TEST(MalformedOutcomes, AreThoseOfTheTable) {
   EXPECT_EQ(found.size(), expected.size());
   for (const auto& [name, by_command] : found) {
     for (const auto& [command, outcome] : by_command) {
-      SCOPED_TRACE(command + " " + name);
+      SCOPED_TRACE(testing::Message() << command << " " << name);
       const auto row = expected.find(name);
       ASSERT_NE(row, expected.end());
       EXPECT_EQ(outcome.exit_code, row->second.at(command).exit_code) << outcome.message;
