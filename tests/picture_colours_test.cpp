@@ -55,7 +55,8 @@ TEST(ColourMap, MoreIsLighterInEvenSteps) {
 }
 
 TEST(ColourMap, SignsDarkenAlikeAndDifferInHue) {
-  for (double t = 0; t < 0.5; t += 1.0 / 64) {
+  for (int i = 0; i < 32; ++i) {
+    const double t = i / 64.0;
     const Rgb below = diverging_colour(t), above = diverging_colour(1 - t);
     EXPECT_NEAR(lightness(below), lightness(above), 1.5) << t;
     EXPECT_GT(below.blue, below.red) << t;
