@@ -123,7 +123,6 @@ Eigen::VectorXd shown_values(const Eigen::VectorXd& values, SurfaceField::Place 
 void add_field(const SurfaceField& field, const SceneSource& source, const ShownTriangles& shown,
                Scene& scene) {
   SceneField added{&field, {}, {}};
-  bool known = false;
   for (std::size_t s = 0; s < source.states.size(); ++s) {
     const SceneState& state = source.states[s];
     added.values.emplace_back();
@@ -135,11 +134,10 @@ void add_field(const SurfaceField& field, const SceneSource& source, const Shown
     const Eigen::VectorXd values = field.values(at);
     added.values[s] = scene.arrays.add_rounded(
         shown_values(values, field.place, *state.topology, shown, scene.states[s]));
-    added.range = robust_range(field, values, at);
-    known = true;
-  }
-  if (known) {
-    scene.fields.push_back(std::move(added));
+    if (s + 1 == source.states.size()) {
+      added.range = robust_range(field, values, at);
+      scene.fields.push_back(added);
+    }
   }
 }
 
