@@ -22,11 +22,8 @@ namespace {
 
 /// The mesh with its filling behind it.
 Mesh closed_up(const State& state, const Filling& filling) {
-  Points X(filling.X.rows() + filling.new_X.rows(), 3);
-  X << filling.X, filling.new_X;
-  Triangles F(state.topology.F.rows() + filling.new_F.rows(), 3);
-  F << state.topology.F, filling.new_F;
-  return mesh_from_triangles(std::move(X), F);
+  FilledMesh filled = filled_mesh(state.topology, filling);
+  return mesh_from_triangles(std::move(filled.X), filled.F);
 }
 
 Filling fill_all(const State& state, const FillOptions& options = {}) {

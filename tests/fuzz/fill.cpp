@@ -67,12 +67,9 @@ void require_extension(const Filling& filling) {
 }
 
 /// No edge along a filled hole has a triangle on one side only.
-void require_closed(const Filling& filling, const Mesh& mesh, const Topology& topology) {
-  Points X(mesh.X.rows() + filling.new_X.rows(), 3);
-  X << filling.X, filling.new_X;
-  Triangles F(topology.F.rows() + filling.new_F.rows(), 3);
-  F << topology.F, filling.new_F;
-  const Topology after = build_topology(X, F);
+void require_closed(const Filling& filling, const Topology& topology) {
+  FilledMesh filled = filled_mesh(topology, filling);
+  const Topology after = build_topology(filled.X, std::move(filled.F));
   std::set<std::array<Index, 2>> open;
   for (Index e = 0; e < after.E.rows(); ++e) {
     if (after.edge_triangles[e].size() == 1) open.insert({after.E(e, 0), after.E(e, 1)});
@@ -116,7 +113,7 @@ void fill(std::string_view input) {
   require_fit(filling, mesh, topology);
   law(options.rim_smooth > 0 || filling.X == mesh.X, "the mesh stays as it is");
   require_extension(filling);
-  require_closed(filling, mesh, topology);
+  require_closed(filling, topology);
   law(same(filling, fill_holes(mesh.X, topology, choice, options)), "the same comes out again");
 }
 

@@ -335,12 +335,9 @@ std::vector<GroupResult> fill_groups(const HoleFiller& filler,
 }
 
 void count_intersections(const Topology& topology, Filling& filling) {
-  Points X(filling.X.rows() + filling.new_X.rows(), 3);
-  X << filling.X, filling.new_X;
-  Triangles F(topology.F.rows() + filling.new_F.rows(), 3);
-  F << topology.F, filling.new_F;
+  const FilledMesh filled = filled_mesh(topology, filling);
   const auto first = static_cast<Index>(topology.F.rows());
-  for (const auto& [t, u] : patch_intersections(X, F, first)) {
+  for (const auto& [t, u] : patch_intersections(filled.X, filled.F, first)) {
     const Index hole = filling.hole_of_triangle[u - first];
     ++filling.holes[hole].intersections;
     if (t >= first && filling.hole_of_triangle[t - first] != hole) {
@@ -365,6 +362,14 @@ std::string_view name_of(HoleStatus status) {
       return "skipped";
   }
   return "unknown";
+}
+
+FilledMesh filled_mesh(const Topology& topology, const Filling& filling) {
+  FilledMesh filled{Points(filling.X.rows() + filling.new_X.rows(), 3),
+                    Triangles(topology.F.rows() + filling.new_F.rows(), 3)};
+  filled.X << filling.X, filling.new_X;
+  filled.F << topology.F, filling.new_F;
+  return filled;
 }
 
 Filling fill_holes(const Points& X, const Topology& topology, const HoleChoice& choice,

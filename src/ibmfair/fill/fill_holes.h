@@ -70,6 +70,13 @@ struct Filling {
   std::vector<Index> rim() const;
 };
 
+/// The mesh with its patches: `filling.X` and the triangles of `topology` first.
+struct FilledMesh {
+  Points X;
+  Triangles F;
+};
+FilledMesh filled_mesh(const Topology& topology, const Filling& filling);
+
 /// Fills the holes that `choice` lets pass. Each is triangulated, refined and faired on its own,
 /// those that touch together, in parallel; the result does not depend on the number of threads. A
 /// hole that cannot be filled is left as it is, with the reason. Throws BadOption for options that
