@@ -9,6 +9,7 @@
 #include <vector>
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include "commands/terminal_line.h"
 
@@ -21,6 +22,7 @@ using namespace std::chrono_literals;
 constexpr auto pause_between_frames = 100ms;
 constexpr double seconds_to_mention = 2;  // a stage that is over sooner needs no clock
 constexpr int bar_width = 24;
+constexpr std::size_t usual_columns = 80;  // of a terminal that does not say
 
 std::string bar(double share) {
   const int filled = static_cast<int>(std::clamp(share, 0.0, 1.0) * bar_width);
@@ -175,7 +177,8 @@ void Progress::draw_frames() {
       state.seconds = std::chrono::duration<double>(Clock::now() - start_).count();
       lock.unlock();
       // What a terminal echoes of Ctrl-C stays within the line, too.
-      const std::size_t columns = error_terminal_columns();
+      const std::size_t known = terminal_columns(STDERR_FILENO);
+      const std::size_t columns = known > 0 ? known : usual_columns;
       show_terminal_line(progress_line(state, columns > 3 ? columns - 3 : 0));
       lock.lock();
       changed_.wait_for(lock, pause_between_frames, [this] { return ended_; });

@@ -42,9 +42,9 @@ void clear_columns(std::size_t count) {
 
 }  // namespace
 
-std::size_t error_terminal_columns() {
+std::size_t terminal_columns(int descriptor) {
   winsize size{};
-  return ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0 ? size.ws_col : 80;
+  return ioctl(descriptor, TIOCGWINSZ, &size) == 0 ? size.ws_col : 0;
 }
 
 void show_terminal_line(std::string_view text) {

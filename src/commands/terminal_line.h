@@ -7,8 +7,8 @@
 
 namespace ibmfair::commands {
 
-/// The columns of the terminal that standard error is; 80 where it does not say.
-std::size_t error_terminal_columns();
+/// The columns of the terminal that a file descriptor is; 0 where it is none, or does not say.
+std::size_t terminal_columns(int descriptor);
 
 /// Shows the text, which has to fit, in the line of the cursor, in place of what was shown before.
 /// It takes no escape codes, only blanks and carriage returns.

@@ -39,14 +39,22 @@ std::string quoted(const std::string& word) {
   if (printable(word) != word) {
     return escaped(word);
   }
-  std::string text = "'";
-  for (const char c : word) {
-    text += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  }
-  return text + "'";
+  return in_single_quotes(word);
 }
 
 }  // namespace
+
+std::string in_single_quotes(const std::string& text) {
+  std::string quoted = "'";
+  for (const char c : text) {
+    if (c == '\'') {
+      quoted += "'\\''";
+    } else {
+      quoted += c;
+    }
+  }
+  return quoted + "'";
+}
 
 std::string shell_words(const std::vector<std::string>& words) {
   std::string text;

@@ -72,7 +72,7 @@ complete -F _ibmfair ibmfair
 
 /// What offers the values of an option or argument.
 std::string bash_action(const OptionUsage& option) {
-  const std::vector<std::string>& words = option.choices.empty() ? option.offers : option.choices;
+  const std::vector<std::string>& words = offered_words(option);
   if (!words.empty()) {
     return fmt::format("_ibmfair_words '{}'", fmt::join(words, " "));
   }

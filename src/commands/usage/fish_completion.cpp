@@ -43,7 +43,7 @@ std::string fish_text(const std::string& text) {
 
 /// What offers the values of an option or argument; files with the extensions come first.
 std::string fish_action(const OptionUsage& option) {
-  const std::vector<std::string>& words = option.choices.empty() ? option.offers : option.choices;
+  const std::vector<std::string>& words = offered_words(option);
   if (!words.empty()) {
     return fmt::format(" -xa '{}'", fmt::join(words, " "));
   }

@@ -22,24 +22,16 @@ std::vector<std::string> generator_names() {
   return names;
 }
 
+const std::vector<std::string>& offered_words(const OptionUsage& option) {
+  return option.choices.empty() ? option.offers : option.choices;
+}
+
 std::string short_help_of(const OptionUsage& option) {
   std::size_t end = option.help.size();
   for (const char* mark : {"; ", ": ", " (", ", as ", ", and "}) {
     end = std::min(end, option.help.find(mark));
   }
   return option.help.substr(0, end);
-}
-
-std::string in_single_quotes(const std::string& text) {
-  std::string quoted = "'";
-  for (const char c : text) {
-    if (c == '\'') {
-      quoted += "'\\''";
-    } else {
-      quoted += c;
-    }
-  }
-  return quoted + "'";
 }
 
 }  // namespace ibmfair::commands

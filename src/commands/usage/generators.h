@@ -31,10 +31,10 @@ std::string fish_completion(const ProgramUsage& program, const CommandUsage* com
 /// Tables of the options in Markdown, as the README holds them; the same for any command.
 std::string option_tables(const ProgramUsage& program, const CommandUsage* command);
 
+/// The values that a shell offers: all choices where there are some.
+const std::vector<std::string>& offered_words(const OptionUsage& option);
+
 /// The help as far as its first remark, for a list in which each option has one line.
 std::string short_help_of(const OptionUsage& option);
-
-/// The text between single quotes, as shells read it.
-std::string in_single_quotes(const std::string& text);
 
 }  // namespace ibmfair::commands

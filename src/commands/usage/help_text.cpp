@@ -5,8 +5,9 @@
 #include <sstream>
 
 #include <fmt/format.h>
-#include <sys/ioctl.h>
 #include <unistd.h>
+
+#include "commands/terminal_line.h"
 
 namespace ibmfair::commands {
 
@@ -84,13 +85,8 @@ std::string example_list(const std::vector<Example>& examples, std::size_t width
 }
 
 std::size_t terminal_width() {
-  for (const int descriptor : {STDOUT_FILENO, STDERR_FILENO}) {
-    winsize size{};
-    if (ioctl(descriptor, TIOCGWINSZ, &size) == 0 && size.ws_col > 0) {
-      return size.ws_col;
-    }
-  }
-  return 0;
+  const std::size_t columns = terminal_columns(STDOUT_FILENO);
+  return columns > 0 ? columns : terminal_columns(STDERR_FILENO);
 }
 
 }  // namespace

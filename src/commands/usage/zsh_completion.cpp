@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include "commands/batch/shell_words.h"
 #include "commands/usage/generators.h"
 
 namespace ibmfair::commands {
@@ -29,7 +30,7 @@ std::string zsh_text(const std::string& text) {
 /// What offers the values of an option or argument. Where no file has one of the extensions,
 /// _files offers all.
 std::string zsh_action(const OptionUsage& option) {
-  const std::vector<std::string>& words = option.choices.empty() ? option.offers : option.choices;
+  const std::vector<std::string>& words = offered_words(option);
   if (!words.empty()) {
     return fmt::format("({})", fmt::join(words, " "));
   }
