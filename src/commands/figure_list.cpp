@@ -1,6 +1,7 @@
 #include "commands/figure_list.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include <fmt/format.h>
 
@@ -30,6 +31,16 @@ std::string FigureList::text() const {
 
 std::string figure(double value) {
   return fmt::format("{:.8g}", value);
+}
+
+std::string change_text(double before, double after) {
+  constexpr double most_percent = 1000;
+  if (before == 0) {
+    return "-";
+  }
+  const double percent = 100 * (after / before - 1);
+  return std::abs(percent) < most_percent ? fmt::format("{:+.3g} %", percent)
+                                          : fmt::format("x {:.3g}", after / before);
 }
 
 std::string counted(long long count, const std::string& singular, const std::string& plural) {

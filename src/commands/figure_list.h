@@ -24,6 +24,9 @@ class FigureList {
 /// Eight significant digits.
 std::string figure(double value);
 
+/// From `before` to `after`, in per cent, or as a factor where that is large.
+std::string change_text(double before, double after);
+
 /// "1 face", "2 faces".
 std::string counted(long long count, const std::string& singular, const std::string& plural);
 

@@ -126,38 +126,28 @@ void draw(const FillArguments& arguments, const Points& before, const Topology& 
   draw_picture(arguments.picture, arguments.output.write.overwrite, states, topology.F.rows());
 }
 
-/// The mesh with its patches.
-struct FilledMesh {
+/// The filled mesh, where a picture or a page shows it; else empty.
+struct ShownMesh {
   Points X;
-  Triangles F;
-
-  FilledMesh(const Topology& topology, const Filling& filling)
-      : X(filling.X.rows() + filling.new_X.rows(), 3),
-        F(topology.F.rows() + filling.new_F.rows(), 3) {
-    X << filling.X, filling.new_X;
-    F << topology.F, filling.new_F;
-  }
+  Topology topology;
 };
 
-void draw(const FillArguments& arguments, const Input& input, const Filling& filling) {
-  if (!arguments.picture.path.empty()) {
-    FilledMesh filled(input.topology, filling);
-    const Topology topology = build_topology(filled.X, std::move(filled.F));
-    draw(arguments, input.file.mesh().X, input.topology, filled.X, topology);
+ShownMesh shown_mesh(const FillArguments& arguments, const Topology& topology,
+                     const Filling& filling) {
+  if (arguments.picture.path.empty() && !wants_page(arguments.report)) {
+    return {};
   }
+  FilledMesh filled = filled_mesh(topology, filling);
+  Topology filled_topology = build_topology(filled.X, std::move(filled.F));
+  return {std::move(filled.X), std::move(filled_topology)};
 }
 
 /// One of the two states that a page and the report beside it tell of.
-nlohmann::ordered_json state_json(const FillArguments& arguments, const Points& X,
-                                  const Topology& topology) {
+nlohmann::ordered_json state_json(const FillArguments& arguments, const SceneState& state) {
   FlowOptions options;
   options.laplacian = arguments.fill.fairing.laplacian;
   options.mass = !arguments.no_mass;
-  nlohmann::ordered_json json = mesh_figures_json(mesh_figures(X, topology, options));
-  json["vertices"] = topology.vertex_count;
-  json["triangles"] = topology.F.rows();
-  json["boundary_loops"] = topology.boundary_loops.size();
-  return json;
+  return mesh_state_json(*state.X, *state.topology, options);
 }
 
 /// Gives the report its end and writes it. `after` has the input's vertices and triangles first.
@@ -166,8 +156,8 @@ void deliver(const FillArguments& arguments, const Input& input, const SceneStat
   const SceneState before{"before", &input.file.mesh().X, &input.topology};
   report.figures["defects"] = defects_json(input.topology);
   if (wants_page(arguments.report)) {
-    report.figures["before"] = state_json(arguments, *before.X, *before.topology);
-    report.figures["after"] = state_json(arguments, *after.X, *after.topology);
+    report.figures["before"] = state_json(arguments, before);
+    report.figures["after"] = state_json(arguments, after);
   }
   report.scene = [&] {
     SceneSource source = marks;
@@ -181,20 +171,16 @@ void deliver(const FillArguments& arguments, const Input& input, const SceneStat
 }
 
 void deliver(const FillArguments& arguments, const Input& input, const Filling& filling,
-             const std::vector<Hole>& holes, Report& report, const Console& console) {
-  FilledMesh filled(input.topology, filling);
-  Topology topology;
-  if (wants_page(arguments.report)) {
-    topology = build_topology(filled.X, std::move(filled.F));
-  }
+             const ShownMesh& shown, const std::vector<Hole>& holes, Report& report,
+             const Console& console) {
   SceneSource marks;
   marks.patch = filling.hole_of_triangle;
   for (const HoleReport& hole : filling.holes) {
     if (hole.new_triangles > 0) {
-      marks.lines.push_back(seam_line(filled.X, holes[static_cast<std::size_t>(hole.hole)]));
+      marks.lines.push_back(seam_line(filling.X, holes[static_cast<std::size_t>(hole.hole)]));
     }
   }
-  deliver(arguments, input, {"after", &filled.X, &topology}, marks, report, console);
+  deliver(arguments, input, {"after", &shown.X, &shown.topology}, marks, report, console);
 }
 
 void deliver_region(const FillArguments& arguments, const Input& input, const Points& X,
@@ -249,6 +235,7 @@ ExitCode fill(const FillArguments& arguments, const Input& input, FillSeconds& s
   seconds.audit = filling.audit_seconds;
   seconds.fill -= filling.audit_seconds;
   const std::string missed = shortfall(filling, arguments.allow_intersections);
+  const ShownMesh shown = shown_mesh(arguments, input.topology, filling);
   if (missed.empty() || !arguments.strict) {
     const Stopwatch watch(seconds.write);
     progress.begin("write");
@@ -257,7 +244,7 @@ ExitCode fill(const FillArguments& arguments, const Input& input, FillSeconds& s
                           arguments.output.path, arguments.output.write)
              : write_mesh(input.file, X, arguments.output.path, arguments.output.write),
          console);
-    draw(arguments, input, filling);
+    draw(arguments, X, input.topology, shown.X, shown.topology);
   }
   progress.end();
   const std::vector<Hole> holes = find_holes(X, input.topology);
@@ -281,7 +268,7 @@ ExitCode fill(const FillArguments& arguments, const Input& input, FillSeconds& s
                  fill_text(filling, seconds, console.level() == Console::Level::verbose));
   }
   const ExitCode code = conclude(missed, arguments.strict, report, console);
-  deliver(arguments, input, filling, holes, report, console);
+  deliver(arguments, input, filling, shown, holes, report, console);
   return code;
 }
 

@@ -9,7 +9,6 @@
 #include "commands/argument_roles.h"
 #include "commands/documentation.h"
 #include "commands/numeric_options.h"
-#include "ibmfair/energy/bending_energy.h"
 
 namespace ibmfair::commands {
 namespace {
@@ -90,13 +89,7 @@ void add_patch_options(CLI::App& app, FillArguments& a) {
 
 void add_fairing_options(CLI::App& app, FillArguments& a) {
   begin_group(app, groups::energy_and_flow);
-  std::vector<std::string> names;
-  for (const BendingModel& model : bending_models()) {
-    names.emplace_back(model.name);
-  }
-  app.add_option("--laplacian", a.fill.fairing.laplacian, "member of the family of energies")
-      ->check(CLI::IsMember(names))
-      ->capture_default_str();
+  add_laplacian_option(app, a.fill.fairing.laplacian, "member of the family of energies");
   app.add_flag("--no-mass", a.no_mass, "leave the mass matrix out of the energy");
   CLI::Option* tolerance = add_real(app, "--tolerance", a.fill.fairing.tolerance, positive,
                                     "normal gradient at which a patch counts as stationary");

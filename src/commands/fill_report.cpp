@@ -72,10 +72,6 @@ Warning warning_of(const Points& X, const Hole& rim, const HoleReport& hole) {
   return {fmt::format("hole {}: {}, {}", hole.hole, name_of(hole.status), hole.reason), place};
 }
 
-std::string percent(double before, double after) {
-  return before != 0 ? fmt::format("{:+.3g} %", 100 * (after / before - 1)) : std::string("-");
-}
-
 constexpr const char* hole_columns = "  {:>6}  {:<14}{:>9}{:>10}{:>11}{:>10}{:>10}{:>8}{:>8}  {}";
 
 /// Why it is not filled, or what is wrong with how it is.
@@ -103,7 +99,7 @@ std::string hole_line(const HoleReport& hole) {
       fmt::format(hole_columns, hole.hole, name_of(hole.status), if_filled(hole.new_vertices, "{}"),
                   if_filled(hole.new_triangles, "{}"),
                   faired ? fmt::format("{:.4g}", fairing.energy_after) : "-",
-                  faired ? percent(fairing.energy_before, fairing.energy_after) : "-",
+                  faired ? change_text(fairing.energy_before, fairing.energy_after) : "-",
                   faired ? fmt::format("{:.1e}", fairing.gradient_ratio) : "-",
                   if_filled(degrees(hole.seam.seam.median), "{:.2g}"),
                   if_filled(degrees(hole.seam.surroundings.median), "{:.2g}"), remarks(hole));
@@ -174,7 +170,7 @@ std::string region_text(const RegionReport& region, const FillSeconds& seconds, 
              "factorizations\n",
              counted(region.fairing.flow.unknowns, "vertex", "vertices"),
              region.fairing.energy_before, region.fairing.energy_after,
-             percent(region.fairing.energy_before, region.fairing.energy_after),
+             change_text(region.fairing.energy_before, region.fairing.energy_after),
              region.fairing.gradient_ratio, region.fairing.flow.solves,
              region.fairing.flow.factorizations) +
          times(seconds, detailed);

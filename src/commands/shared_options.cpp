@@ -6,6 +6,8 @@
 #include "commands/argument_roles.h"
 #include "commands/documentation.h"
 #include "commands/printable.h"
+#include "commands/report/report_formats.h"
+#include "ibmfair/energy/bending_energy.h"
 #include "ibmfair/io/formats.h"
 
 namespace ibmfair::commands {
@@ -88,6 +90,14 @@ void add_overwrite_option(CLI::App& app, bool& overwrite) {
   app.add_flag("--overwrite", overwrite, "replace files that exist");
 }
 
+void add_laplacian_option(CLI::App& app, std::string& name, const std::string& help) {
+  std::vector<std::string> names;
+  for (const BendingModel& model : bending_models()) {
+    names.emplace_back(model.name);
+  }
+  app.add_option("--laplacian", name, help)->check(CLI::IsMember(names))->capture_default_str();
+}
+
 void add_strict_option(CLI::App& app, bool& strict) {
   begin_group(app, groups::input_and_output);
   app.add_flag("--strict", strict,
@@ -105,7 +115,7 @@ void add_report_options(CLI::App& app, ReportOptions& options) {
              "page that shows the mesh; may be given several times")
           ->type_name(file_to_write)
           ->allow_extra_args(false);
-  note_of(app, *report).extensions = {"html", "json", "csv"};
+  note_of(app, *report).extensions = report_extensions();
 }
 
 std::string text_of(const nlohmann::ordered_json& json) {

@@ -46,6 +46,9 @@ void add_output_options(CLI::App& app, OutputOptions& options);
 /// --overwrite, for everything that the command writes.
 void add_overwrite_option(CLI::App& app, bool& overwrite);
 
+/// --laplacian: a member of the family of energies.
+void add_laplacian_option(CLI::App& app, std::string& name, const std::string& help);
+
 /// --strict.
 void add_strict_option(CLI::App& app, bool& strict);
 

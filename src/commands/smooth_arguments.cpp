@@ -7,7 +7,6 @@
 #include "commands/argument_roles.h"
 #include "commands/documentation.h"
 #include "commands/numeric_options.h"
-#include "ibmfair/energy/bending_energy.h"
 #include "ibmfair/flow/jacobian_solver.h"
 
 namespace ibmfair::commands {
@@ -17,14 +16,6 @@ std::vector<std::string> solver_names() {
   std::vector<std::string> names{"auto"};
   for (const JacobianBackend& backend : jacobian_backends()) {
     names.emplace_back(backend.name);
-  }
-  return names;
-}
-
-std::vector<std::string> laplacian_names() {
-  std::vector<std::string> names;
-  for (const BendingModel& model : bending_models()) {
-    names.emplace_back(model.name);
   }
   return names;
 }
@@ -51,11 +42,10 @@ void add_amount_options(CLI::App& app, SmoothArguments& a) {
 
 void add_flow_options(CLI::App& app, SmoothArguments& a) {
   begin_group(app, groups::energy_and_flow);
-  app.add_option("--laplacian", a.flow.laplacian,
-                 "member of the family of energies: crouzeix-raviart removes folded spikes best, "
-                 "lagrange is consistent, for stationary limits")
-      ->check(CLI::IsMember(laplacian_names()))
-      ->capture_default_str();
+  add_laplacian_option(
+      app, a.flow.laplacian,
+      "member of the family of energies: crouzeix-raviart removes folded spikes best, "
+      "lagrange is consistent, for stationary limits");
   app.add_flag("--no-mass", a.no_mass, "leave the mass matrix out of the energy");
   app.add_option("--metric", a.metric,
                  "of the flow: mass (independent of the sampling) or identity")

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "commands/figure_list.h"
 #include "commands/sparkline.h"
 #include "commands/stage_times.h"
 #include "ibmfair/base/process_memory.h"
@@ -32,17 +33,6 @@ const char* name_of(FlowStatus status) {
   return "unknown";
 }
 
-/// In per cent, or as a factor where that is large.
-std::string change_text(double before, double after) {
-  constexpr double most_percent = 1000;
-  if (before == 0) {
-    return "-";
-  }
-  const double percent = 100 * (after / before - 1);
-  return std::abs(percent) < most_percent ? fmt::format("{:+.3g} %", percent)
-                                          : fmt::format("x {:.3g}", after / before);
-}
-
 std::string row(const char* name, const char* unit, double before, double after) {
   return fmt::format("  {:<16}{:<10}{:>12.5g}{:>12.5g}{:>13}\n", name, unit, before, after,
                      change_text(before, after));
@@ -51,6 +41,14 @@ std::string row(const char* name, const char* unit, double before, double after)
 /// A length in the mesh's units and in mean edge lengths.
 std::string length_text(double length, double edge) {
   return fmt::format("{:.4g} u = {:.3g} mean edge lengths", length, length / edge);
+}
+
+ordered_json mesh_figures_json(const MeshFigures& figures) {
+  return {{"energy", figures.energy},
+          {"area", figures.area},
+          {"volume", figures.volume},
+          {"smallest_angle_degrees", figures.smallest_angle},
+          {"folded_hinges", figures.folds}};
 }
 
 ordered_json step_json(const StepRecord& step) {
@@ -124,12 +122,13 @@ MeshFigures mesh_figures(const Points& X, const Topology& topology, const FlowOp
   return figures;
 }
 
-ordered_json mesh_figures_json(const MeshFigures& figures) {
-  return {{"energy", figures.energy},
-          {"area", figures.area},
-          {"volume", figures.volume},
-          {"smallest_angle_degrees", figures.smallest_angle},
-          {"folded_hinges", figures.folds}};
+ordered_json mesh_state_json(const Points& X, const Topology& topology,
+                             const FlowOptions& options) {
+  ordered_json json = mesh_figures_json(mesh_figures(X, topology, options));
+  json["vertices"] = topology.vertex_count;
+  json["triangles"] = topology.F.rows();
+  json["boundary_loops"] = topology.boundary_loops.size();
+  return json;
 }
 
 std::string smooth_table(const SmoothFigures& figures, const Topology& topology, bool detailed) {

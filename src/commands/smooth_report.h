@@ -32,8 +32,9 @@ struct SmoothFigures {
 /// E_b, area, volume and quality of `X`.
 MeshFigures mesh_figures(const Points& X, const Topology& topology, const FlowOptions& options);
 
-/// They as an object.
-nlohmann::ordered_json mesh_figures_json(const MeshFigures& figures);
+/// They as an object, with the counts of a mesh whose connectivity a run may change.
+nlohmann::ordered_json mesh_state_json(const Points& X, const Topology& topology,
+                                       const FlowOptions& options);
 
 /// Aligned lines, ending in a line feed: figures before and after, and what the run took. With
 /// `detailed`, the energy after each step as a curve, too, and all stages.

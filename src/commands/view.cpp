@@ -16,7 +16,6 @@
 #include "commands/shared_options.h"
 #include "commands/smooth_report.h"
 #include "ibmfair/base/errors.h"
-#include "ibmfair/energy/bending_energy.h"
 #include "ibmfair/measure/matching_meshes.h"
 #include "ibmfair/mesh/geometry.h"
 
@@ -63,11 +62,7 @@ ViewedMesh read_other(const ViewArguments& arguments, const ViewedMesh& first,
 nlohmann::ordered_json state_json(const ViewArguments& arguments, const ViewedMesh& mesh) {
   FlowOptions options;
   options.laplacian = arguments.laplacian;
-  nlohmann::ordered_json json = mesh_figures_json(mesh_figures(mesh.X(), mesh.topology, options));
-  json["vertices"] = mesh.topology.vertex_count;
-  json["triangles"] = mesh.topology.F.rows();
-  json["boundary_loops"] = mesh.topology.boundary_loops.size();
-  return json;
+  return mesh_state_json(mesh.X(), mesh.topology, options);
 }
 
 void add_view(const ViewArguments& arguments, const ViewedMesh& mesh, Report& report) {
@@ -86,7 +81,7 @@ void add_view(const ViewArguments& arguments, const ViewedMesh& mesh, Report& re
 }
 
 void require_html(const std::string& path) {
-  if (report_format(path, "OUT").extension != ".html") {
+  if (report_format(path, "OUT"); !is_page(path)) {
     throw BadOption(fmt::format("OUT: '{}' is a page, whose name must end in .html", path));
   }
 }
@@ -135,13 +130,7 @@ Runner declare_view(CLI::App& app) {
                      "after")
           ->type_name(file_to_read);
   offer_meshes_to_read(app, *with);
-  std::vector<std::string> names;
-  for (const BendingModel& model : bending_models()) {
-    names.emplace_back(model.name);
-  }
-  app.add_option("--laplacian", arguments->laplacian, "of the bending energy")
-      ->check(CLI::IsMember(names))
-      ->capture_default_str();
+  add_laplacian_option(app, arguments->laplacian, "of the bending energy");
   add_input_options(app, arguments->reading);
   add_report_options(app, arguments->report);
   add_overwrite_option(app, arguments->overwrite);

@@ -6,6 +6,7 @@
 #include "commands/argument_roles.h"
 #include "commands/documentation.h"
 #include "commands/numeric_options.h"
+#include "commands/report/report_formats.h"
 #include "ibmfair/base/errors.h"
 #include "ibmfair/base/threads.h"
 
@@ -56,6 +57,7 @@ std::vector<CLI::Option*> add_batch_options(CLI::App& app, BatchOptions& options
                                  "file; may be given several times")
                       ->type_name(file_to_write)
                       ->allow_extra_args(false));
+  note_of(app, *added.back()).extensions = report_extensions();
   added.push_back(
       app.add_option("--journal", options.journal, "keep the record for --resume in this file")
           ->type_name(file_to_write));

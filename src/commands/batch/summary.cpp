@@ -2,13 +2,13 @@
 
 #include <algorithm>
 #include <array>
-#include <filesystem>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "commands/exit_code.h"
 #include "commands/printable.h"
+#include "commands/report/report_formats.h"
 
 namespace ibmfair::commands {
 
@@ -68,9 +68,7 @@ bool has_reports(const Outcome& outcome) {
 
 /// The page that the item has written; empty: none.
 std::string page_of(const Item& item, const Outcome& outcome) {
-  const auto page = std::find_if(item.writes.begin(), item.writes.end(), [](const auto& path) {
-    return std::filesystem::path(path).extension() == ".html";
-  });
+  const auto page = std::find_if(item.writes.begin(), item.writes.end(), is_page);
   return page != item.writes.end() && has_reports(outcome) ? *page : std::string();
 }
 

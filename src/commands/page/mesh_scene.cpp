@@ -8,9 +8,7 @@
 namespace ibmfair::commands {
 
 bool wants_page(const ReportOptions& options) {
-  return std::any_of(options.paths.begin(), options.paths.end(), [](const std::string& path) {
-    return report_format(path).extension == ".html";
-  });
+  return std::any_of(options.paths.begin(), options.paths.end(), is_page);
 }
 
 std::optional<Scene> mesh_scene(SceneSource source, const std::vector<Warning>& warnings,

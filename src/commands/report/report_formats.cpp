@@ -26,34 +26,43 @@ std::string page_report(const Report& report, const std::string& path) {
   return page_text(complete_figures(report, path), report.scene ? report.scene() : std::nullopt);
 }
 
+constexpr std::string_view page_extension = ".html";
+
 constexpr std::array format_rows{
-    ReportFormat{".json", "all figures", nullptr, json_report},
-    ReportFormat{".csv", "a table, one line for each step, hole or file", nullptr, csv_report},
-    ReportFormat{".html", "a page that shows the mesh and the figures", require_page, page_report},
+    ReportFormat{".json", nullptr, json_report},
+    ReportFormat{".csv", nullptr, csv_report},
+    ReportFormat{page_extension, require_page, page_report},
 };
+
+std::string extension_of(const std::string& path) {
+  return CLI::detail::to_lower(std::filesystem::path(path).extension().string());
+}
 
 }  // namespace
 
-std::span<const ReportFormat> report_formats() {
-  return format_rows;
-}
-
 const ReportFormat& report_format(const std::string& path, const std::string& option) {
-  const std::string extension =
-      CLI::detail::to_lower(std::filesystem::path(path).extension().string());
+  const std::string extension = extension_of(path);
   const auto* const row = std::find_if(
       format_rows.begin(), format_rows.end(),
       [&](const auto& format) { return extension.empty() || format.extension == extension; });
   if (row == format_rows.end()) {
-    std::vector<std::string_view> names;
-    names.reserve(format_rows.size());
-    for (const ReportFormat& format : format_rows) {
-      names.push_back(format.extension);
-    }
-    throw BadOption(
-        fmt::format("{}: '{}' ends in none of {}", option, path, fmt::join(names, ", ")));
+    throw BadOption(fmt::format("{}: '{}' ends in none of .{}", option, path,
+                                fmt::join(report_extensions(), ", .")));
   }
   return *row;
+}
+
+bool is_page(const std::string& path) {
+  return extension_of(path) == page_extension;
+}
+
+std::vector<std::string> report_extensions() {
+  std::vector<std::string> extensions;
+  extensions.reserve(format_rows.size());
+  for (const ReportFormat& format : format_rows) {
+    extensions.emplace_back(format.extension.substr(1));
+  }
+  return extensions;
 }
 
 std::string json_report(const Report& report, const std::string& path) {

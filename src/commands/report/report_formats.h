@@ -15,17 +15,19 @@ namespace ibmfair::commands {
 
 struct ReportFormat {
   std::string_view extension;  ///< with its dot
-  std::string_view summary;    ///< one line
   void (*require)();           ///< throws BadOption where the program cannot write it; null: it can
   std::string (*text)(const Report& report, const std::string& path);
 };
 
-/// All formats.
-std::span<const ReportFormat> report_formats();
-
 /// That of a file of this name; a name without an ending (as `-`) means the first. Throws BadOption
 /// that lists those there are and starts with the name of the `option` that the path comes from.
 const ReportFormat& report_format(const std::string& path, const std::string& option = "--report");
+
+/// Whether a file of this name is a page.
+bool is_page(const std::string& path);
+
+/// The extensions of all formats, without their dots.
+std::vector<std::string> report_extensions();
 
 /// The figures as JSON, line by line.
 std::string json_report(const Report& report, const std::string& path);
