@@ -26,6 +26,11 @@ void build(StageInputs& s) {
   s.results.topology = build_topology(s.X, triangulate(s.file.mesh()).F);
 }
 
+/// The blocks in which an energy is summed.
+void bind(StageInputs& s) {
+  s.results.bending = bending_model("crouzeix-raviart").bind(s.topology, {});
+}
+
 void make_pattern(StageInputs& s) {
   s.results.assembler.emplace(s.crouzeix_raviart->stencils(), s.unknowns);
 }
@@ -197,6 +202,7 @@ bool worth_factoring(const FactorForecast& forecast) {
 constexpr std::array table{
     Stage{"read", read, read_bytes},
     Stage{"topology", build, topology_bytes},
+    Stage{"bind", bind, topology_bytes},
     Stage{"pattern", make_pattern, pattern_bytes},
     Stage{"assemble", assemble, matrix_bytes},
     Stage{"analyse", analyse, analysis_bytes, nullptr, is_analysed_quickly},

@@ -20,6 +20,7 @@ namespace ibmfair::benchmarks {
 struct StageResults {
   std::optional<MeshFile> file;
   std::optional<Topology> topology;
+  std::unique_ptr<BendingEnergy> bending;
   std::optional<HessianAssembler> assembler;
   std::optional<SymbolicCholesky> symbolic;
   std::optional<CholeskyFactor> factor;

@@ -9,11 +9,11 @@ from runs import PROGRAMS, make, note, short_count, time_text, wall_clock
 from tables import PROGRAM, SHARED, row
 
 MODELS = ["hand_24192", "dinosaur_44928"]
-STAGES = ["read", "topology", "pattern", "assemble", "analyse", "factor", "factor float32",
+STAGES = ["read", "topology", "bind", "pattern", "assemble", "analyse", "factor", "factor float32",
           "solve", "solve float32", "rows", "20 iterations", "gradient", "energy",
           "lagrange gradient", "lagrange energy", "write"]
 THREADS = ["1", "2"]
-#What the nanoseconds of a gradient are divided by.
+# What the nanoseconds of a gradient are divided by.
 PER_STENCIL = {"gradient": ("hinges", "ns per hinge"),
                "lagrange gradient": ("triangles", "ns per triangle")}
 
@@ -98,8 +98,8 @@ def measure(largest, scratch):
 def ratios(results):
     return {f"{result['mesh']}: {stage}, {threads} threads": figure["ratio"]
             for result in results for stage, by_threads in result["stages"].items()
-            for threads, figure in by_threads.items()
-}
+            for threads, figure in by_threads.items()}
+
 
 def best(results, rate):
     return max(rate(result["limits"]) for result in results) / 1e9
