@@ -36,6 +36,13 @@ struct EnergyOptions {
   bool mass = true;
   /// #V, or empty for all: only stencils that touch a true vertex are summed.
   std::vector<std::uint8_t> active = {};
+  /// Hinges that turn by more than this angle (radians) hardly bend; 0: all bend. Only with mass,
+  /// for members with BendingModel::keeps_sharp.
+  double sharp_angle = 0;
+  /// H0 of 1/2 * integral of (H - H0)^2, 1/length: #V, or empty for none. Its sign is that of H,
+  /// which is positive on a sphere whose triangles look outward. Only for members with
+  /// BendingModel::takes_spontaneous_curvature.
+  Eigen::VectorXd spontaneous_curvature = {};
 };
 
 /// One member of the family on one connectivity. Evaluations reuse buffers of the object, so one
@@ -66,7 +73,13 @@ class BendingEnergy {
 struct BendingModel {
   std::string_view name;     ///< as the command line takes it
   std::string_view summary;  ///< one line
-  std::unique_ptr<BendingEnergy> (*bind)(const Topology& topology, const EnergyOptions& options);
+  std::unique_ptr<BendingEnergy> (*make)(const Topology& topology, const EnergyOptions& options);
+  bool keeps_sharp = false;                  ///< knows EnergyOptions::sharp_angle
+  bool takes_spontaneous_curvature = false;  ///< knows EnergyOptions::spontaneous_curvature
+
+  /// The member on a mesh. Throws BadOption for options that it does not know; BadMesh for a
+  /// spontaneous curvature on a mesh that has no two sides.
+  std::unique_ptr<BendingEnergy> bind(const Topology& topology, const EnergyOptions& options) const;
 };
 
 /// All members of the family.

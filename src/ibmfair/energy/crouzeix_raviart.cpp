@@ -1,6 +1,7 @@
 #include "ibmfair/energy/crouzeix_raviart.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "ibmfair/base/parallel.h"
 #include "ibmfair/energy/crouzeix_raviart_kernels.h"
@@ -55,10 +56,16 @@ MeshBlocks hinge_blocks(const Topology& topology, const std::vector<Index>& hing
   return mesh_blocks(topology, kept, neighbours);
 }
 
+/// Of the energy 3 |e|^2 / A (1 + cos theta) of a hinge of equilateral triangles; 0 for no bound.
+double inverse_bound(double sharp_angle) {
+  const double equilateral = 2 * std::sqrt(3.0);  // 3 |e|^2 / A
+  return sharp_angle > 0 ? 1 / (equilateral * (1 - std::cos(sharp_angle))) : 0;
+}
+
 }  // namespace
 
 CrouzeixRaviart::CrouzeixRaviart(const Topology& topology, const EnergyOptions& options)
-    : mass_(options.mass) {
+    : terms_{options.mass, inverse_bound(options.sharp_angle)} {
   const std::vector<Index> hinges = active_hinges(topology, options.active);
   stencils_ = rows_of_four(topology.H, hinges);
   blocks_ = hinge_blocks(topology, hinges);
@@ -74,7 +81,7 @@ double CrouzeixRaviart::block_energy(const MeshBlock& b, const Points& X, bool g
   const Index* corners = &blocks_.corners[b.first_corner];
   crouzeix_raviart_frames(corners, b.framed_groups, scratch.vertices.data(),
                           scratch.triangles.data());
-  return crouzeix_raviart_hinges(b, corners, &blocks_.neighbours[b.first_neighbour], mass_,
+  return crouzeix_raviart_hinges(b, corners, &blocks_.neighbours[b.first_neighbour], terms_,
                                  gradient, scratch.vertices.data(), scratch.triangles.data());
 }
 
@@ -100,8 +107,8 @@ void CrouzeixRaviart::linearise(const Points& X, StencilWeights& weights) {
     const Index* x = &stencils_.value[4 * h];
     const Vec3 x0 = X.row(x[0]), x1 = X.row(x[1]), x2 = X.row(x[2]), x3 = X.row(x[3]);
     const Vec3 e0 = x1 - x0;
-    const double double_area0 = double_area_vector(x0, x1, x2).norm();
-    const double double_area1 = double_area_vector(x1, x0, x3).norm();
+    const Vec3 N0 = double_area_vector(x0, x1, x2), N1 = double_area_vector(x1, x0, x3);
+    const double double_area0 = N0.norm(), double_area1 = N1.norm();
     // Cotangents of the angles between e0 and the four others, at x0 and at x1: [W07] Figure 10.
     const double a01 = e0.dot(x2 - x0) / double_area0, a02 = e0.dot(x3 - x0) / double_area1;
     const double a03 = e0.dot(x1 - x2) / double_area0, a04 = e0.dot(x1 - x3) / double_area1;
@@ -110,7 +117,12 @@ void CrouzeixRaviart::linearise(const Points& X, StencilWeights& weights) {
     c[1] = a01 + a02;
     c[2] = -a01 - a03;
     c[3] = -a02 - a04;
-    weights.w[h] = mass_ ? 6 / (double_area0 + double_area1) : 1;
+    weights.w[h] = terms_.mass ? 6 / (double_area0 + double_area1) : 1;
+    if (terms_.inverse_bound > 0) {
+      const double s = (N0 / double_area0 - N1 / double_area1).squaredNorm() / 2;
+      const double u = weights.w[h] * e0.squaredNorm() * s;
+      weights.w[h] /= std::pow(1 + u * terms_.inverse_bound, 2);
+    }
   });
 }
 

@@ -7,10 +7,16 @@
 //
 // Its limit under refinement depends on the triangulation (equilateral triangles: 3/4 of the
 // integral of H^2 minus the integral of K), and it has force left to undo folded triangles.
+//
+// With EnergyOptions::sharp_angle, u = E_hinge gives way to u / (1 + u / u0), where u0 is the
+// energy of a hinge of two equilateral triangles that turns by this angle: gentler hinges bend as
+// ever, the force on sharper ones falls off as 1 / u^2, and with it their part of the Hessian. To
+// bound u, not 1 + cos theta alone, leaves sharp hinges no force within the surface either.
 #pragma once
 
 #include "ibmfair/energy/bending_energy.h"
 #include "ibmfair/energy/block_loop.h"
+#include "ibmfair/energy/crouzeix_raviart_kernels.h"
 #include "ibmfair/energy/mesh_blocks.h"
 
 namespace ibmfair {
@@ -27,7 +33,7 @@ class CrouzeixRaviart final : public BendingEnergy {
  private:
   double block_energy(const MeshBlock& b, const Points& X, bool gradient, BlockScratch& scratch);
 
-  bool mass_;
+  HingeTerms terms_;
   Rows stencils_;      // #H rows of four
   MeshBlocks blocks_;  // of the triangles at the hinges
   BlockLoop loop_;

@@ -22,30 +22,38 @@ struct FrameKernel {
 // this difference it keeps its digits near flat hinges, where the sum loses them. Its derivatives
 // by the normal and the area of one triangle and by the edge are summed over the triangle's hinges
 // and then carried to its corners: together [W07] (15), f^B by the normal, f^P by area and edge.
-template <bool mass, bool gradient>
+// A bounded hinge has u / (1 + u / bound) in place of u = k |e|^2 s.
+template <bool mass, bool gradient, bool bounded>
 struct HingeKernel {
   struct Derivatives {
     Lanes energy = {}, area = {};
     Lanes3 normal = {};
 
     /// Returns that by the edge e, of which the other triangle contributes as much.
-    IBMFAIR_INLINE Lanes3 add(const Lanes3& e, const Lanes4& own, const Lanes4& other) {
-      const Lanes k = mass ? 3.0 / (own.w + other.w) : Lanes{1, 1, 1, 1};
+    IBMFAIR_INLINE Lanes3 add(const Lanes3& e, const Lanes4& own, const Lanes4& other,
+                              double inverse_bound) {
+      Lanes k = mass ? 3.0 / (own.w + other.w) : Lanes{1, 1, 1, 1};
+      const Lanes inverse_area = k;  // three times
       const Lanes3 d = own.xyz - other.xyz;
-      const Lanes ks = 0.5 * k * dot(d, d);
-      const Lanes k_e_squared = k * dot(e, e);
-      const Lanes hinge_energy = dot(e, e) * ks;
-      energy += hinge_energy;
-      if (mass) {
-        area -= hinge_energy * k;  // three times: dE/dA = -E / A
+      Lanes ks = 0.5 * k * dot(d, d);
+      if (bounded) {
+        const Lanes share = 1.0 / (1.0 + inverse_bound * dot(e, e) * ks);
+        energy += dot(e, e) * ks * share;
+        k *= share * share;
+        ks *= share * share;
+      } else {
+        energy += dot(e, e) * ks;
       }
-      normal = normal + k_e_squared * d;
+      if (mass) {
+        area -= dot(e, e) * ks * inverse_area;  // dE/dA = -E / A
+      }
+      normal = normal + k * dot(e, e) * d;
       return ks * e;
     }
   };
 
   IBMFAIR_INLINE static double run(const Index* x, const Index* neighbours, std::int64_t own_groups,
-                                   std::int64_t groups, BlockVertex* vertices,
+                                   std::int64_t groups, double inverse_bound, BlockVertex* vertices,
                                    const BlockRow* triangles) {
     constexpr Index group_size = lane_count * row_size;
     constexpr Index consecutive[lane_count] = {0, row_size, 2 * row_size, 3 * row_size};
@@ -57,9 +65,9 @@ struct HingeKernel {
       const Lanes3 e0 = x2 - x1, e1 = x0 - x2, e2 = x1 - x0;
       const Lanes4 own = gather(T + group_size * g, consecutive);
       Derivatives d;
-      const Lanes3 f0 = d.add(e0, own, gather(T, neighbours));
-      const Lanes3 f1 = d.add(e1, own, gather(T, neighbours + 4));
-      const Lanes3 f2 = d.add(e2, own, gather(T, neighbours + 8));
+      const Lanes3 f0 = d.add(e0, own, gather(T, neighbours), inverse_bound);
+      const Lanes3 f1 = d.add(e1, own, gather(T, neighbours + 4), inverse_bound);
+      const Lanes3 f2 = d.add(e2, own, gather(T, neighbours + 8), inverse_bound);
       if (g < own_groups) {
         E += d.energy;
       }
@@ -86,14 +94,21 @@ void crouzeix_raviart_frames(const Index* corners, std::int64_t groups, const Bl
 }
 
 double crouzeix_raviart_hinges(const MeshBlock& block, const Index* corners,
-                               const Index* neighbours, bool mass, bool gradient,
+                               const Index* neighbours, const HingeTerms& terms, bool gradient,
                                BlockVertex* vertices, const BlockRow* triangles) {
-  const auto run_as = [&]<bool with_mass, bool with_gradient>() {
-    return run<HingeKernel<with_mass, with_gradient>>(corners, neighbours, block.own_groups,
-                                                      block.groups, vertices, triangles);
+  const auto run_as = [&]<bool mass, bool with_gradient, bool bounded>() {
+    return run<HingeKernel<mass, with_gradient, bounded>>(corners, neighbours, block.own_groups,
+                                                          block.groups, terms.inverse_bound,
+                                                          vertices, triangles);
   };
-  return mass ? (gradient ? run_as.operator()<true, true>() : run_as.operator()<true, false>())
-              : (gradient ? run_as.operator()<false, true>() : run_as.operator()<false, false>());
+  const auto run_with = [&]<bool mass, bool with_gradient>() {
+    return terms.inverse_bound > 0 ? run_as.template operator()<mass, with_gradient, true>()
+                                   : run_as.template operator()<mass, with_gradient, false>();
+  };
+  return terms.mass
+             ? (gradient ? run_with.operator()<true, true>() : run_with.operator()<true, false>())
+             : (gradient ? run_with.operator()<false, true>()
+                         : run_with.operator()<false, false>());
 }
 
 }  // namespace ibmfair

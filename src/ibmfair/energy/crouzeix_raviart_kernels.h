@@ -11,10 +11,16 @@ namespace ibmfair {
 void crouzeix_raviart_frames(const Index* corners, std::int64_t groups, const BlockVertex* vertices,
                              BlockRow* triangles);
 
+/// What a hinge adds to the energy.
+struct HingeTerms {
+  bool mass = true;
+  double inverse_bound = 0;  ///< of the energy of a hinge; 0: none
+};
+
 /// The energy of the hinges of the first `own_groups`, half of it from either side. Adds its
 /// gradient from all `groups` to the sums of the vertices, if `gradient`.
 double crouzeix_raviart_hinges(const MeshBlock& block, const Index* corners,
-                               const Index* neighbours, bool mass, bool gradient,
+                               const Index* neighbours, const HingeTerms& terms, bool gradient,
                                BlockVertex* vertices, const BlockRow* triangles);
 
 }  // namespace ibmfair

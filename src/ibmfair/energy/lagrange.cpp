@@ -35,13 +35,27 @@ Lagrange::Lagrange(const Topology& topology, const EnergyOptions& options)
   for (const Index v : blocks_.owned) {
     carries_.push_back(centre[v]);
   }
+  if (options.spontaneous_curvature.size() > 0) {
+    spontaneous_.reserve(blocks_.owned.size());
+    for (const Index v : blocks_.owned) {
+      spontaneous_.push_back(options.spontaneous_curvature[v]);
+    }
+  }
+}
+
+void Lagrange::load(const MeshBlock& b, const Points& X, BlockVertices& vertices) const {
+  blocks_.load(b, X, vertices);
+  if (!spontaneous_.empty()) {
+    blocks_.load(b, spontaneous_, vertices);
+  }
 }
 
 /// The energy of the block's own vertices; y, if given, has the place of the first.
 double Lagrange::block_curvature(const MeshBlock& b, const Points& X, BlockScratch& scratch,
                                  BlockRow* y) {
-  blocks_.load(b, X, scratch.vertices);
-  lagrange_curvature(&blocks_.corners[b.first_corner], b.groups, scratch.vertices.data());
+  load(b, X, scratch.vertices);
+  lagrange_curvature(&blocks_.corners[b.first_corner], b.groups, !spontaneous_.empty(),
+                     scratch.vertices.data());
   double E = 0;
   for (Index i = 0; i < b.owned; ++i) {
     const BlockRow& h = scratch.vertices[filler_vertices + i].sum;
@@ -71,9 +85,10 @@ double Lagrange::energy_and_gradient(const Points& X, Points& G) {
   });
   blocks_.prepare(G);
   loop_.sum(blocks_, [&](const MeshBlock& b, BlockScratch& scratch) {
-    blocks_.load(b, X, scratch.vertices);
+    load(b, X, scratch.vertices);
     blocks_.load(b, y_, scratch.vertices);
-    lagrange_forces(&blocks_.corners[b.first_corner], b.groups, scratch.vertices.data());
+    lagrange_forces(&blocks_.corners[b.first_corner], b.groups, !spontaneous_.empty(),
+                    scratch.vertices.data());
     blocks_.store(b, scratch.vertices, G);
     return 0.0;
   });

@@ -4,6 +4,13 @@
 //   h_v = (L X)_v = gradient of the total area with respect to x_v,    m_v = area around v / 3
 //   E_b = 1/2 sum over v in U of |h_v|^2 / m_v,           U: vertices with a complete one-ring
 //
+// With spontaneous curvature ([W07] section 4) 1/2 * integral of (H - H0)^2, as
+//
+//   E_b = 1/2 sum over v in U of |h_v - H0_v a_v|^2 / m_v,    a_v = gradient of the volume by x_v
+//
+// where a_v tends to m_v times the normal: never negative, and H > 0 on a sphere whose triangles
+// look outward. Its Hessian is approximated by that of the first term, which is positive.
+//
 // Consistent with 1/2 * integral of H^2 on any regular triangulation, and with a stationary limit;
 // at a fully folded hinge its force vanishes.
 #pragma once
@@ -29,10 +36,13 @@ class Lagrange final : public BendingEnergy {
  private:
   double block_curvature(const MeshBlock& b, const Points& X, BlockScratch& scratch, BlockRow* y);
 
+  void load(const MeshBlock& b, const Points& X, BlockVertices& vertices) const;
+
   bool mass_;
   Rows stencils_;                      // #U: the centre, then its ring in the order it is walked
   MeshBlocks blocks_;                  // of the triangles around U
   std::vector<std::uint8_t> carries_;  // like blocks_.owned, whether the vertex is in U
+  std::vector<double> spontaneous_;    // like blocks_.owned: H0, or empty for none
   std::vector<BlockRow> y_;            // like blocks_.owned
   BlockLoop loop_;
 };

@@ -29,6 +29,9 @@ IBMFAIR_INLINE void find_frames(const Index* x, std::int64_t groups, const doubl
   }
 }
 
+// With spontaneous curvature H0_v, h_v - H0_v a_v takes the place of h_v, where a_v is the gradient
+// of the enclosed volume: a sixth of N, the double area vector, from every triangle at v.
+template <bool spontaneous>
 struct Curvature {
   IBMFAIR_INLINE static void run(const Index* x, std::int64_t groups, BlockVertex* vertices) {
     const double* X = &vertices->x.x;
@@ -39,14 +42,22 @@ struct Curvature {
       find_frames(x, length, X, frames);
       for (std::int64_t g = 0; g < length; ++g, x += 12) {
         const auto& [e0, e1, e2, n, area] = frames[g];
-        scatter_add(cross(n, e0), cross(n, e1), cross(n, e2), area, h, x);
+        Lanes3 h0 = cross(n, e0), h1 = cross(n, e1), h2 = cross(n, e2);
+        if (spontaneous) {
+          const Lanes3 a = 2.0 / 3.0 * area * n;
+          h0 = h0 - gather(X, x).w * a;
+          h1 = h1 - gather(X, x + 4).w * a;
+          h2 = h2 - gather(X, x + 8).w * a;
+        }
+        scatter_add(h0, h1, h2, area, h, x);
       }
     }
   }
 };
 
 // dE = sum_v <y_v, d h_v> - 1/2 |y_v|^2 d m_v: the Hessian of the area applied to y, and the
-// derivative of the mass.
+// derivative of the mass; with spontaneous curvature less H0_v <y_v, d a_v>.
+template <bool spontaneous>
 struct Forces {
   /// At each corner the force is p x e + n x f, e the opposite edge and f its change along y.
   struct Factors {
@@ -69,7 +80,14 @@ struct Forces {
         const Lanes3 f1 = y0 - y2, f2 = y1 - y0;
         const Lanes3 dN = cross(f1, e2) + cross(e1, f2);
         const Lanes3 dn = 0.25 / area * (dN - 4.0 * dot(n, dN) * n);
-        factors[g] = {f1, f2, dn - (q0 + q1 + q2) * n};
+        Lanes3 p = dn - (q0 + q1 + q2) * n;
+        if (spontaneous) {
+          const Index* v = x + 12 * g;
+          const Lanes3 H0_y =
+              gather(X, v).w * y0 + gather(X, v + 4).w * y1 + gather(X, v + 8).w * y2;
+          p = p - H0_y / Lanes{6, 6, 6, 6};
+        }
+        factors[g] = {f1, f2, p};
       }
       for (std::int64_t g = 0; g < length; ++g) {
         const auto& [e0, e1, e2, n, area] = frames[g];
@@ -84,12 +102,22 @@ struct Forces {
 
 }  // namespace
 
-void lagrange_curvature(const Index* corners, std::int64_t groups, BlockVertex* vertices) {
-  run<Curvature>(corners, groups, vertices);
+void lagrange_curvature(const Index* corners, std::int64_t groups, bool spontaneous,
+                        BlockVertex* vertices) {
+  if (spontaneous) {
+    run<Curvature<true>>(corners, groups, vertices);
+  } else {
+    run<Curvature<false>>(corners, groups, vertices);
+  }
 }
 
-void lagrange_forces(const Index* corners, std::int64_t groups, BlockVertex* vertices) {
-  run<Forces>(corners, groups, vertices);
+void lagrange_forces(const Index* corners, std::int64_t groups, bool spontaneous,
+                     BlockVertex* vertices) {
+  if (spontaneous) {
+    run<Forces<true>>(corners, groups, vertices);
+  } else {
+    run<Forces<false>>(corners, groups, vertices);
+  }
 }
 
 }  // namespace ibmfair

@@ -167,6 +167,19 @@ class Builder {
   Index stamp_ = -1;
 };
 
+/// Calls take(vertex of the block, its position in `owned`) for all of a block's vertices.
+template <class Take>
+void for_vertices_of(const MeshBlocks& blocks, const MeshBlock& b, BlockVertices& vertices,
+                     const Take& take) {
+  BlockVertex* to = &vertices[filler_vertices];
+  for (Index i = 0; i < b.owned; ++i) {
+    take(*to++, b.first_owned + i);
+  }
+  const Index* others = blocks.halo.data() + b.first_halo;
+  std::for_each(others, others + (b.vertices - filler_vertices - b.owned),
+                [&](Index position) { take(*to++, position); });
+}
+
 }  // namespace
 
 void MeshBlocks::load(const MeshBlock& b, const Points& X, BlockVertices& vertices) const {
@@ -191,12 +204,14 @@ void MeshBlocks::load(const MeshBlock& b, const Points& X, BlockVertices& vertic
 
 void MeshBlocks::load(const MeshBlock& b, const std::vector<BlockRow>& y,
                       BlockVertices& vertices) const {
-  BlockVertex* to = &vertices[filler_vertices];
-  const BlockRow* own = y.data() + b.first_owned;
-  std::for_each(own, own + b.owned, [&](const BlockRow& row) { (to++)->y = row; });
-  const Index* others = halo.data() + b.first_halo;
-  std::for_each(others, others + (b.vertices - filler_vertices - b.owned),
-                [&](Index position) { (to++)->y = y[position]; });
+  for_vertices_of(*this, b, vertices,
+                  [&](BlockVertex& vertex, std::int64_t at) { vertex.y = y[at]; });
+}
+
+void MeshBlocks::load(const MeshBlock& b, const std::vector<double>& w,
+                      BlockVertices& vertices) const {
+  for_vertices_of(*this, b, vertices,
+                  [&](BlockVertex& vertex, std::int64_t at) { vertex.x.w = w[at]; });
 }
 
 void MeshBlocks::store(const MeshBlock& b, const BlockVertices& vertices, Points& G) const {

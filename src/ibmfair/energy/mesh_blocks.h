@@ -70,6 +70,8 @@ struct MeshBlocks {
   void load(const MeshBlock& b, const Points& X, BlockVertices& vertices) const;
   /// Their y, out of rows that stand like `owned`.
   void load(const MeshBlock& b, const std::vector<BlockRow>& y, BlockVertices& vertices) const;
+  /// The fourth number of their x, out of numbers that stand like `owned`.
+  void load(const MeshBlock& b, const std::vector<double>& w, BlockVertices& vertices) const;
   /// A block's sums to its own vertices in G (#V x 3).
   void store(const MeshBlock& b, const BlockVertices& vertices, Points& G) const;
   /// Makes G #V x 3, zero where no block stores anything.
