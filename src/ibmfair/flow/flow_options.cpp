@@ -1,6 +1,7 @@
 #include "ibmfair/flow/flow_options.h"
 
 #include <cmath>
+#include <numbers>
 
 #include "ibmfair/base/errors.h"
 #include "ibmfair/energy/bending_energy.h"
@@ -30,6 +31,13 @@ void FlowOptions::validate() const {
           "the tolerance of the solver must be above 0 and below 1");
   require(memory_limit > 0, "the memory limit must be positive");
   require(max_move > 0, "the largest move must be positive");
+  require(!(keep_volume || keep_area) || std::isinf(max_move),
+          "volume and area cannot be kept where moves are bounded");
+  require(sharp_angle >= 0 && sharp_angle <= std::numbers::pi,
+          "the angle of sharp hinges must be between 0 and 180 degrees");
+  require(cutoff_factor.size() == 0 || (cutoff_factor.minCoeff() > 0 && cutoff_factor.allFinite()),
+          "the weights of moving vertices must be positive and finite");
+  require(spontaneous_curvature.allFinite(), "the spontaneous curvature must be finite");
 }
 
 }  // namespace ibmfair

@@ -24,6 +24,14 @@ using StageObserver = std::function<void(FlowStage)>;
 struct FlowOptions {
   std::string laplacian = "crouzeix-raviart";  ///< a name from bending_models()
   bool mass = true;                            ///< with the mass matrix in the energy
+  /// Hinges that turn by more than this angle hardly bend, radians; 0: all bend.
+  double sharp_angle = 0;
+  Eigen::VectorXd spontaneous_curvature = {};  ///< H0, #V or empty: EnergyOptions
+  /// For each vertex a factor of the wavelength up to which it is smoothed, #V or empty for 1: its
+  /// time runs faster by the fourth power. Positive.
+  Eigen::VectorXd cutoff_factor = {};
+  bool keep_volume = false;  ///< of a closed mesh, exactly
+  bool keep_area = false;    ///< of a closed mesh, exactly
   Metric metric = Metric::mass;
   int steps = 16;             ///< the total time is split evenly over them; at least 1
   double total_time = 0;      ///< in the flow's unit; positive

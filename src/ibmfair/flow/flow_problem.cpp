@@ -1,7 +1,6 @@
 #include "ibmfair/flow/flow_problem.h"
 
 #include <cmath>
-#include <limits>
 
 #include "ibmfair/base/errors.h"
 #include "ibmfair/base/parallel.h"
@@ -18,15 +17,11 @@ std::vector<std::uint8_t> opposite(const std::vector<std::uint8_t>& flags) {
   return result;
 }
 
-/// The point of the closed ball that lies in the direction of p.
-Vec3 within_ball(const Vec3& centre, double radius, const Vec3& p) {
-  Vec3 offset = p - centre;
-  // Rounding may leave the scaled point outside by a digit; the bound is a promise.
-  for (double room = 1; (centre + offset - centre).norm() > radius;
-       room -= std::numeric_limits<double>::epsilon()) {
-    offset *= room * radius / offset.norm();
-  }
-  return centre + offset;
+EnergyOptions energy_options(const FlowOptions& options, const std::vector<std::uint8_t>& held) {
+  return {.mass = options.mass,
+          .active = opposite(held),
+          .sharp_angle = options.sharp_angle,
+          .spontaneous_curvature = options.spontaneous_curvature};
 }
 
 }  // namespace
@@ -38,8 +33,10 @@ FlowProblem::FlowProblem(const Points& X_start, const Topology& mesh_topology,
       unknowns(held),
       X(X_start),
       start_(X_start),
+      bound_(start_, flow_options.max_move),
+      conserved_(X, topology, unknowns, options),
       bending_(bending_model(flow_options.laplacian)
-                   .bind(mesh_topology, {flow_options.mass, opposite(held)})),
+                   .bind(mesh_topology, energy_options(flow_options, held))),
       jacobian_(std::make_unique<Jacobian>(*bending_, topology, unknowns, options, report)) {
   energy_ = energy_at(X);
   if (!std::isfinite(energy_)) {
@@ -93,34 +90,60 @@ double FlowProblem::evaluate(const Points& Y, Points& gradient) {
 
 Points FlowProblem::newton_step() {
   const double h = jacobian_->time_step();
+  const auto solve = [&](const Points& B, Points& Y) { jacobian_->solve(B, Y); };
   Points step;
-  jacobian_->solve(-h * g_, step);  // [W07] (12) at X_k, where the residual is h grad E_b
+  solve(-h * g_, step);  // [W07] (12) at X_k, where the residual is h grad E_b
+  conserved_.linearise(X);
+  conserved_.constrain(step, solve);
   Points Y, correction;
   for (int i = 1; i < options.newton_iterations; ++i) {
     displace(step, Y);
     const Points residual = jacobian_->metric().asDiagonal() * step + h * gradient_at(Y);
-    jacobian_->solve(-residual, correction);
+    solve(-residual, correction);
+    conserved_.constrain(correction, solve);
     step += correction;
   }
   return step;
 }
 
-void FlowProblem::displace(const Points& move, Points& Y) const {
+FlowProblem::Landing FlowProblem::displace(const Points& move, Points& Y) const {
   Y.resize(X.rows(), 3);
-  const bool bounded = options.max_move < std::numeric_limits<double>::infinity();
-  parallel_for(X.rows(), [&](std::int64_t v) {
-    Y.row(v) = X.row(v);
-    if (const Index u = unknowns.unknown[v]; u >= 0) {
-      Y.row(v) += move.row(u);
-      if (bounded) {
-        Y.row(v) = within_ball(start_.row(v), options.max_move, Y.row(v));
-      }
+  const bool bounded = bound_.bounds();
+  const double stopped = parallel_sum(X.rows(), [&](std::int64_t v) {
+    const Vec3 from = X.row(v);
+    Y.row(v) = from;
+    const Index u = unknowns.unknown[v];
+    if (u < 0) {
+      return 0;
     }
+    const Vec3 to = from + move.row(u).transpose();
+    const Vec3 reached = bounded ? bound_.within(static_cast<Index>(v), to) : to;
+    Y.row(v) = reached;
+    return reached != to ? 1 : 0;
   });
+  if (!conserved_.empty() && !conserved_.restore(Y, jacobian_->metric())) {
+    return Landing::nowhere;
+  }
+  return stopped > 0 ? Landing::short_of_it : Landing::as_asked;
+}
+
+std::vector<Index> FlowProblem::stopped() const {
+  std::vector<Index> result;
+  for (Index u = 0; bound_.bounds() && u < unknowns.size(); ++u) {
+    const Index v = unknowns.vertex[u];
+    if (bound_.stops(v, X.row(v), -g_.row(u))) {
+      result.push_back(u);
+    }
+  }
+  return result;
 }
 
 double FlowProblem::gradient_norm() const {
-  return std::sqrt(g_.rowwise().squaredNorm().cwiseQuotient(jacobian_->metric()).sum());
+  const Eigen::VectorXd& D = jacobian_->metric();
+  Points speed = D.cwiseInverse().asDiagonal() * g_;
+  conserved_.constrain(speed,
+                       [&](const Points& B, Points& Y) { Y = D.cwiseInverse().asDiagonal() * B; });
+  return std::sqrt((D.asDiagonal() * speed).cwiseProduct(speed).sum());
 }
 
 }  // namespace ibmfair

@@ -8,8 +8,10 @@
 
 #include "ibmfair/energy/bending_energy.h"
 #include "ibmfair/energy/hessian.h"
+#include "ibmfair/flow/conserved_quantities.h"
 #include "ibmfair/flow/flow_options.h"
 #include "ibmfair/flow/jacobian.h"
+#include "ibmfair/flow/move_bound.h"
 #include "ibmfair/mesh/topology.h"
 
 namespace ibmfair {
@@ -52,9 +54,19 @@ class FlowProblem {
   /// `options.newton_iterations` inexact Newton iterations: one row per unknown, length.
   Points newton_step();
 
+  /// How a move ended.
+  enum class Landing : std::uint8_t {
+    as_asked,
+    short_of_it,  ///< a vertex was stopped by the bound on moves
+    nowhere,      ///< the quantities to keep cannot be kept there
+  };
+
   /// Y = the state moved by `move` (one row per unknown), no vertex further from the start than
-  /// `options.max_move`. Held vertices keep their bits.
-  void displace(const Points& move, Points& Y) const;
+  /// `options.max_move`, with the volume and area to keep. Held vertices keep their bits.
+  Landing displace(const Points& move, Points& Y) const;
+
+  /// The unknowns that the bound on moves keeps from going where the gradient sends them.
+  std::vector<Index> stopped() const;
 
   /// The rate of the flow, sqrt(<g, D^-1 g>).
   double gradient_norm() const;
@@ -66,6 +78,8 @@ class FlowProblem {
   double evaluate(const Points& Y, Points& gradient);
 
   Points start_;
+  MoveBound bound_;
+  ConservedQuantities conserved_;
   std::unique_ptr<BendingEnergy> bending_;
   std::unique_ptr<Jacobian> jacobian_;
   double energy_ = 0, next_energy_ = 0;

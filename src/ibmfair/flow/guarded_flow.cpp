@@ -22,6 +22,7 @@ constexpr double time_step_cut =
     1.0 / 32;  // of the time step, where a step distorts too much or fails
 constexpr double growth = 2, fast_growth = 4;  // of the time step; fast below half the distortion
 constexpr double heavier = 16, lighter = 4;    // factors of local damping
+constexpr double standstill = 1e12;            // local damping of a vertex that has gone far enough
 constexpr double culprit_share = 0.05;         // of the largest uphill slope, to be damped
 constexpr double local_share = 0.02;          // of the vertices: more culprits are no local trouble
 constexpr int backtracks = 2;                 // halvings of a step before it is given up
@@ -120,6 +121,9 @@ class GuardedFlow {
       p_.jacobian().damping() = (p_.jacobian().damping() / lighter).cwiseMax(1.0);
     }
     keep_damping_ = false;
+    p_.jacobian().damping()(stopped_).setOnes();
+    stopped_ = p_.stopped();
+    p_.jacobian().damping()(stopped_).setConstant(standstill);
     try {
       p_.jacobian().refactor(p_.X, h_);
     } catch (const FactorizationFailed&) {
@@ -165,7 +169,10 @@ class GuardedFlow {
   /// folds remain.
   bool displace_without_folds(Points& move, std::int64_t& withheld) {
     for (int pass = 0; pass < fold_passes; ++pass) {
-      p_.displace(move, Y_);
+      landing_ = p_.displace(move, Y_);
+      if (landing_ == FlowProblem::Landing::nowhere) {
+        return false;
+      }
       const std::vector<Index> folding = folds_.new_folds(Y_);
       if (folding.empty()) {
         return true;
@@ -188,8 +195,9 @@ class GuardedFlow {
       std::int64_t withheld = 0;
       if (displace_without_folds(move_, withheld)) {
         trial_energy_ = p_.energy_at(Y_);
-        record.decrease_ratio = (p_.energy() - trial_energy_) / predicted_decrease();
-        if (record.decrease_ratio >= least_decrease) {
+        const double promised = promised_decrease();
+        record.decrease_ratio = (p_.energy() - trial_energy_) / promised;
+        if (promised > 0 && record.decrease_ratio >= least_decrease) {
           record.held_back += withheld;
           return true;
         }
@@ -205,6 +213,19 @@ class GuardedFlow {
   double predicted_decrease() const {
     const double a = fraction_;
     return std::min((a - a * a / 2) * slope_ + a * a / 2 * metric_part_, p_.energy());
+  }
+
+  /// The same for the trial in Y_, which may have stopped short of the step: half of what the slope
+  /// says of the way that it went.
+  double promised_decrease() const {
+    if (landing_ == FlowProblem::Landing::as_asked) {
+      return predicted_decrease();
+    }
+    const double slope = parallel_sum(p_.unknowns.size(), [&](std::int64_t u) {
+      const Index v = p_.unknowns.vertex[u];
+      return -p_.gradient().row(u).dot(Y_.row(v) - p_.X.row(v));
+    });
+    return std::min(slope / 2, p_.energy());
   }
 
   /// A step failed. A stale Jacobian is renewed; with a fresh one, vertices at which the trial runs
@@ -297,9 +318,11 @@ class GuardedFlow {
   double slope_ = 0, metric_part_ = 0;  // of the whole step d: <-g,d> and <d,Dd>/h
   double distortion_ = 0;
   double trial_energy_ = 0, energy_before_step_ = 0;
-  Points own_;   // the part of the step that neighbours do not share
-  Points move_;  // the move that is tried, one row per unknown
-  Points Y_;     // where it leads
+  Points own_;  // the part of the step that neighbours do not share
+  FlowProblem::Landing landing_ = FlowProblem::Landing::as_asked;  // of the last trial
+  std::vector<Index> stopped_;  // unknowns that the Jacobian holds: they went as far as they may
+  Points move_;                 // the move that is tried, one row per unknown
+  Points Y_;                    // where it leads
 };
 
 }  // namespace

@@ -32,6 +32,9 @@ JacobianParts Jacobian::linearise(const Points& X, double h) {
   } else {
     D_.setOnes(unknowns_.size());
   }
+  if (options_.cutoff_factor.size() > 0) {
+    D_ = D_.array() / options_.cutoff_factor(unknowns_.vertex).array().pow(4);
+  }
   D_ = D_.cwiseProduct(damping_);
   return {weights_, D_, h};
 }

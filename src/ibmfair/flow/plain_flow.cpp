@@ -12,9 +12,9 @@ void run_plain(FlowProblem& problem, const StepObserver& observer) {
   for (int k = 1; k <= problem.options.steps; ++k) {
     problem.update_gradient();
     const Points step = problem.newton_step();
-    problem.displace(step, Y);
+    const bool lands = problem.displace(step, Y) != FlowProblem::Landing::nowhere;
     const double energy = problem.energy_at(Y);
-    if (!std::isfinite(energy) || !Y.allFinite()) {
+    if (!lands || !std::isfinite(energy) || !Y.allFinite()) {
       report.status = FlowStatus::diverged;
       return;
     }
