@@ -51,6 +51,7 @@ std::array<Format, 13> make_formats() {
   ply.read = ply::read;
   ply.read_attributes = ply::read_attributes;
   ply.vertex_mask = ply::vertex_mask;
+  ply.vertex_values = ply::vertex_values;
   ply.patch = ply::patch;
   ply.generate = ply::generate;
 

@@ -62,6 +62,9 @@ struct Format {
   MeshAttributes (*read_attributes)(const SourceBytes& source, const Mesh& mesh) = nullptr;
   std::vector<std::uint8_t> (*vertex_mask)(const SourceBytes& source, const Mesh& mesh,
                                            std::string_view name) = nullptr;
+  /// A number for each vertex as the file counts them; nothing where none has that name.
+  std::optional<std::vector<double>> (*vertex_values)(const SourceBytes& source,
+                                                      std::string_view name) = nullptr;
   /// Both return notes for the user.
   std::vector<std::string> (*patch)(const PatchRequest& request, AtomicFile& out) = nullptr;
   std::vector<std::string> (*generate)(const GenerateRequest& request, AtomicFile& out) = nullptr;

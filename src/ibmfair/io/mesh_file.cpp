@@ -117,6 +117,17 @@ std::vector<std::uint8_t> MeshFile::vertex_mask(const std::string& name) const {
   return mask;
 }
 
+std::optional<std::vector<double>> MeshFile::vertex_values(const std::string& name) const {
+  if (format().vertex_values == nullptr) return std::nullopt;
+  auto own = format().vertex_values(bytes(), name);
+  if (!own || !welded()) return own;
+  std::vector<double> values(static_cast<std::size_t>(mesh().X.rows()));
+  for (std::size_t v = own->size(); v-- > 0;) {
+    values[static_cast<std::size_t>(contents_->weld->vertex[v])] = (*own)[v];
+  }
+  return values;
+}
+
 MeshAttributes MeshFile::attributes() const {
   MeshAttributes attributes = contents_->file_attributes();
   if (!welded()) return attributes;

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -49,6 +50,10 @@ class MeshFile {
   /// material, or those whose PLY vertex property is not zero. Throws BadOption that lists the
   /// names the file has.
   std::vector<std::uint8_t> vertex_mask(const std::string& name) const;
+
+  /// The vertex property of this name, a number for each vertex; nothing where the file has none.
+  /// Where vertices were welded, that of the first of them.
+  std::optional<std::vector<double>> vertex_values(const std::string& name) const;
 
   /// Texture coordinates, colours and the like, for writing another format. Read on demand.
   MeshAttributes attributes() const;

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -53,6 +54,7 @@ void read_face_texture(const SourceBytes& source, const Layout& layout, const Me
 MeshAttributes read_attributes(const SourceBytes& source, const Mesh& mesh);
 std::vector<std::uint8_t> vertex_mask(const SourceBytes& source, const Mesh& mesh,
                                       std::string_view name);
+std::optional<std::vector<double>> vertex_values(const SourceBytes& source, std::string_view name);
 std::vector<std::string> patch(const PatchRequest& request, AtomicFile& out);
 std::vector<std::string> generate(const GenerateRequest& request, AtomicFile& out);
 

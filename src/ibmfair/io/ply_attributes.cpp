@@ -159,22 +159,33 @@ MeshAttributes read_attributes(const SourceBytes& source, const Mesh& mesh) {
   return attributes;
 }
 
-std::vector<std::uint8_t> vertex_mask(const SourceBytes& source, const Mesh& /*mesh*/,
-                                      std::string_view name) {
+std::optional<std::vector<double>> vertex_values(const SourceBytes& source, std::string_view name) {
   const Layout layout = read_layout(source);
   const Element& vertex = layout.vertices();
   const int column = vertex.find(source, name);
   if (column < 0 || vertex.properties[static_cast<std::size_t>(column)].is_list) {
+    return std::nullopt;
+  }
+  return read_columns(source, layout, {column});
+}
+
+std::vector<std::uint8_t> vertex_mask(const SourceBytes& source, const Mesh& /*mesh*/,
+                                      std::string_view name) {
+  const auto values = vertex_values(source, name);
+  if (!values) {
+    const Layout layout = read_layout(source);
     std::vector<std::string> names;
-    for (const Property& property : vertex.properties) {
+    for (const Property& property : layout.vertices().properties) {
       if (!property.is_list) names.push_back(property.name);
     }
     throw BadOption(fmt::format("{}: no vertex property is called '{}'; there are: {}",
                                 source.name(), name, fmt::join(names, ", ")));
   }
   std::vector<std::uint8_t> mask;
-  for (const double value : read_columns(source, layout, {column}))
+  mask.reserve(values->size());
+  for (const double value : *values) {
     mask.push_back(value != 0.0);
+  }
   return mask;
 }
 
