@@ -38,7 +38,9 @@ std::string change_text(double before, double after) {
   if (before == 0) {
     return "-";
   }
-  const double percent = 100 * (after / before - 1);
+  constexpr double rounding = 1e-10;
+  double percent = 100 * (after / before - 1);
+  percent = std::abs(percent) < rounding ? 0 : percent;
   return std::abs(percent) < most_percent ? fmt::format("{:+.3g} %", percent)
                                           : fmt::format("x {:.3g}", after / before);
 }

@@ -2,6 +2,7 @@
 #include <array>
 #include <cmath>
 #include <memory>
+#include <numbers>
 #include <optional>
 
 #include <fmt/format.h>
@@ -16,6 +17,7 @@
 #include "commands/smooth_arguments.h"
 #include "commands/smooth_report.h"
 #include "commands/vertex_list.h"
+#include "commands/vertex_values.h"
 #include "ibmfair/base/errors.h"
 #include "ibmfair/base/stopwatch.h"
 #include "ibmfair/flow/held_vertices.h"
@@ -61,8 +63,9 @@ BoundaryCondition boundary_condition(const std::string& name) {
                               : BoundaryCondition::free;
 }
 
+/// Which vertices do not move. Weights of zero are among them, and become ones.
 std::vector<std::uint8_t> held(const SmoothArguments& arguments, const MeshFile& file,
-                               const Topology& topology) {
+                               const Topology& topology, Eigen::VectorXd& weights) {
   auto result = held_vertices(topology, boundary_condition(arguments.boundary));
   if (!arguments.fix_file.empty()) {
     for (const Index v : read_vertex_list(arguments.fix_file, topology.vertex_count)) {
@@ -73,6 +76,12 @@ std::vector<std::uint8_t> held(const SmoothArguments& arguments, const MeshFile&
     const std::vector<std::uint8_t> chosen = file.vertex_mask(arguments.mask);
     for (std::size_t v = 0; v < chosen.size(); ++v) {
       result[v] |= chosen[v] ? 0 : 1;
+    }
+  }
+  for (Eigen::Index v = 0; v < weights.size(); ++v) {
+    if (weights[v] == 0) {
+      result[v] = 1;
+      weights[v] = 1;
     }
   }
   return result;
@@ -165,8 +174,8 @@ Smoothing read_smoothing(const SmoothArguments& arguments, const Console& consol
 
 void run_flow(const SmoothArguments& arguments, FlowOptions options, Smoothing& s,
               Progress& progress) {
-  resolve(arguments, s.X, s.topology, options, s.figures);
-  s.held = held(arguments, s.file, s.topology);
+  resolve(arguments, s.before(), s.topology, options, s.figures);
+  s.held = held(arguments, s.file, s.topology, options.cutoff_factor);
   std::optional<PostponedEnd> postponed;
   if (!arguments.checkpoint.empty()) {
     postponed.emplace();
@@ -184,8 +193,9 @@ ExitCode forecast(const SmoothArguments& arguments, FlowOptions options, Smoothi
                   Report& report, Console& console) {
   FlowForecast forecast;
   if (options.steps > 0) {
-    resolve(arguments, s.X, s.topology, options, s.figures);
-    forecast = forecast_flow(s.X, s.topology, held(arguments, s.file, s.topology), options);
+    resolve(arguments, s.before(), s.topology, options, s.figures);
+    forecast = forecast_flow(s.X, s.topology,
+                             held(arguments, s.file, s.topology, options.cutoff_factor), options);
   }
   report.figures["input"] = arguments.input;
   report.figures["forecast"] = forecast_json(forecast);
@@ -278,6 +288,15 @@ FlowOptions flow_options(const SmoothArguments& arguments, const MeshFile& file,
   options.metric = arguments.metric == "mass" ? Metric::mass : Metric::identity;
   options.guarded = !arguments.plain;
   options.relax = relaxes(arguments, file, console);
+  if (arguments.keep_sharp) {
+    options.sharp_angle = *arguments.keep_sharp * std::numbers::pi / 180;
+  }
+  if (!arguments.weights.empty()) {
+    options.cutoff_factor = vertex_values(file, arguments.weights, 0, "--weights");
+  }
+  if (!arguments.h0.empty()) {
+    options.spontaneous_curvature = vertex_values_or_number(file, arguments.h0, "--h0");
+  }
   return options;
 }
 

@@ -46,6 +46,14 @@ void add_flow_options(CLI::App& app, SmoothArguments& a) {
       app, a.flow.laplacian,
       "member of the family of energies: crouzeix-raviart removes folded spikes best, "
       "lagrange is consistent, for stationary limits");
+  CLI::Option* h0 =
+      app.add_option("--h0", a.h0,
+                     "spontaneous curvature, of the energy 1/2 integral (H - H0)^2: a number, a "
+                     "vertex property or a text file with a number a vertex; positive where the "
+                     "sphere bulges outward, with --laplacian lagrange")
+          ->type_name(name_or_file_to_read);
+  note_of(app, *h0).unit = "1 / mesh units";
+  note_of(app, *h0).default_text = "0";
   app.add_flag("--no-mass", a.no_mass, "leave the mass matrix out of the energy");
   app.add_option("--metric", a.metric,
                  "of the flow: mass (independent of the sampling) or identity")
@@ -82,6 +90,22 @@ void add_solver_options(CLI::App& app, SmoothArguments& a) {
   note_of(app, *memory).default_text = "what there is";
   app.add_flag("--dry-run", a.dry_run,
                "print what time and memory it would take, and write no mesh");
+}
+
+void add_feature_options(CLI::App& app, SmoothArguments& a) {
+  begin_group(app, "Features to keep");
+  CLI::Option* sharp = add_real(app, "--keep-sharp", a.keep_sharp, positive,
+                                "keep edges at which the surface turns by more than this angle");
+  note_of(app, *sharp).unit = "degrees";
+  note_of(app, *sharp).default_text = "none";
+  CLI::Option* weights =
+      app.add_option("--weights", a.weights,
+                     "a factor of the cut-off for each vertex, from a vertex property of the mesh "
+                     "or a text file with a number a vertex: 0 holds it, 1 smooths as the rest")
+          ->type_name(name_or_file_to_read);
+  note_of(app, *weights).default_text = "1 everywhere";
+  app.add_flag("--keep-volume", a.flow.keep_volume, "keep the volume of a closed mesh exactly");
+  app.add_flag("--keep-area", a.flow.keep_area, "keep the area of a closed mesh exactly");
 }
 
 void add_constraint_options(CLI::App& app, SmoothArguments& a) {
@@ -125,6 +149,7 @@ void add_smooth_arguments(CLI::App& app, SmoothArguments& a) {
   add_input_argument(app, a.input);
   add_output_options(app, a.output);
   add_amount_options(app, a);
+  add_feature_options(app, a);
   add_constraint_options(app, a);
   add_flow_options(app, a);
   add_solver_options(app, a);

@@ -28,9 +28,10 @@ struct SmoothArguments {
   std::optional<double> time_step;
   std::optional<Length> cutoff;
   std::optional<Length> max_move;
+  std::optional<double> keep_sharp;  // degrees
   bool plain = false, no_mass = false, dry_run = false;
   std::string metric = "mass", boundary = "fixed", tangential;
-  std::string fix_file, mask;
+  std::string fix_file, mask, weights, h0;
 };
 
 /// Declares the arguments and options, which are stored in `a`.

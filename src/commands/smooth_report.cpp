@@ -113,7 +113,8 @@ std::string effort(const FlowReport& flow) {
 
 MeshFigures mesh_figures(const Points& X, const Topology& topology, const FlowOptions& options) {
   MeshFigures figures;
-  figures.energy = bending_model(options.laplacian).bind(topology, {options.mass, {}})->energy(X);
+  figures.energy =
+      bending_model(options.laplacian).bind(topology, options.energy_options())->energy(X);
   figures.area = surface_area(X, topology.F);
   figures.volume = enclosed_volume(X, topology.F);
   const Eigen::VectorXd angles = smallest_angles(X, topology.F);

@@ -11,7 +11,7 @@ import subprocess
 import sys
 
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
-SECTION = "## Ten things to do with it"
+SECTION = "## Eleven things to do with it"
 
 
 def commands():

@@ -40,4 +40,8 @@ void FlowOptions::validate() const {
   require(spontaneous_curvature.allFinite(), "the spontaneous curvature must be finite");
 }
 
+EnergyOptions FlowOptions::energy_options() const {
+  return {.mass = mass, .sharp_angle = sharp_angle, .spontaneous_curvature = spontaneous_curvature};
+}
+
 }  // namespace ibmfair

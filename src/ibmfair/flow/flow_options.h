@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "ibmfair/base/types.h"
+#include "ibmfair/energy/bending_energy.h"
 #include "ibmfair/solve/cholesky.h"
 
 namespace ibmfair {
@@ -47,6 +48,9 @@ struct FlowOptions {
 
   /// Throws BadOption where a value cannot be used.
   void validate() const;
+
+  /// What they say of the energy.
+  EnergyOptions energy_options() const;
 };
 
 /// One accepted step.

@@ -17,11 +17,11 @@ std::vector<std::uint8_t> opposite(const std::vector<std::uint8_t>& flags) {
   return result;
 }
 
-EnergyOptions energy_options(const FlowOptions& options, const std::vector<std::uint8_t>& held) {
-  return {.mass = options.mass,
-          .active = opposite(held),
-          .sharp_angle = options.sharp_angle,
-          .spontaneous_curvature = options.spontaneous_curvature};
+std::unique_ptr<BendingEnergy> bind_energy(const Topology& topology, const FlowOptions& options,
+                                           const std::vector<std::uint8_t>& held) {
+  EnergyOptions energy = options.energy_options();
+  energy.active = opposite(held);
+  return bending_model(options.laplacian).bind(topology, energy);
 }
 
 }  // namespace
@@ -35,8 +35,7 @@ FlowProblem::FlowProblem(const Points& X_start, const Topology& mesh_topology,
       start_(X_start),
       bound_(start_, flow_options.max_move),
       conserved_(X, topology, unknowns, options),
-      bending_(bending_model(flow_options.laplacian)
-                   .bind(mesh_topology, energy_options(flow_options, held))),
+      bending_(bind_energy(topology, options, held)),
       jacobian_(std::make_unique<Jacobian>(*bending_, topology, unknowns, options, report)) {
   energy_ = energy_at(X);
   if (!std::isfinite(energy_)) {

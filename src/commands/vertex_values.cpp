@@ -1,0 +1,83 @@
+#include "commands/vertex_values.h"
+
+#include <charconv>
+#include <cmath>
+#include <filesystem>
+#include <limits>
+#include <optional>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "commands/text_words.h"
+#include "ibmfair/base/errors.h"
+
+namespace ibmfair::commands {
+namespace {
+
+std::optional<double> number_in(std::string_view word) {
+  double value = 0;
+  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+  const bool whole = error == std::errc() && end == word.data() + word.size();
+  return whole && std::isfinite(value) ? std::optional(value) : std::nullopt;
+}
+
+std::string range_text(double least) {
+  return std::isfinite(least) ? fmt::format("a finite number from {} on", least)
+                              : std::string("a finite number");
+}
+
+std::vector<double> read_values(const std::string& path, std::size_t count, double least,
+                                const std::string& option) {
+  std::vector<double> values;
+  for_words(path, [&](std::string_view word, std::int64_t line) {
+    const std::optional<double> value = number_in(word);
+    if (!value || *value < least) {
+      throw BadFile(
+          fmt::format("{}: {}:{}: '{}' is not {}", option, path, line, word, range_text(least)));
+    }
+    values.push_back(*value);
+  });
+  if (values.size() != count) {
+    throw BadFile(
+        fmt::format("{}: {}: {} numbers for {} vertices", option, path, values.size(), count));
+  }
+  return values;
+}
+
+void require_range(const std::vector<double>& values, double least, const MeshFile& file,
+                   const std::string& source, const std::string& option) {
+  for (std::size_t v = 0; v < values.size(); ++v) {
+    if (!std::isfinite(values[v]) || values[v] < least) {
+      throw BadFile(fmt::format("{}: {}: {} of vertex {} is {}, not {}", option, file.name(),
+                                source, v, values[v], range_text(least)));
+    }
+  }
+}
+
+}  // namespace
+
+Eigen::VectorXd vertex_values(const MeshFile& file, const std::string& source, double least,
+                              const std::string& option) {
+  const auto count = static_cast<std::size_t>(file.mesh().X.rows());
+  std::optional<std::vector<double>> values;
+  if (std::filesystem::is_regular_file(source)) {
+    values = read_values(source, count, least, option);
+  } else if ((values = file.vertex_values(source))) {
+    require_range(*values, least, file, source, option);
+  } else {
+    throw BadOption(fmt::format("{}: '{}' is neither a vertex property of {} nor a file", option,
+                                source, file.name()));
+  }
+  return Eigen::Map<const Eigen::VectorXd>(values->data(), static_cast<Eigen::Index>(count));
+}
+
+Eigen::VectorXd vertex_values_or_number(const MeshFile& file, const std::string& source,
+                                        const std::string& option) {
+  if (const std::optional<double> number = number_in(source)) {
+    return Eigen::VectorXd::Constant(file.mesh().X.rows(), *number);
+  }
+  return vertex_values(file, source, -std::numeric_limits<double>::infinity(), option);
+}
+
+}  // namespace ibmfair::commands

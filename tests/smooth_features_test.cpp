@@ -1,0 +1,185 @@
+// The options of `smooth` that keep features, through the real program.
+#include <cmath>
+#include <filesystem>
+#include <string>
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "ibmfair/io/mesh_file.h"
+#include "ibmfair/shapes/shapes.h"
+#include "support/files.h"
+#include "support/mesh_io.h"
+#include "support/run_program.h"
+#include "support/states.h"
+#include "support/temporary_directory.h"
+
+namespace ibmfair::test {
+namespace {
+
+using nlohmann::json;
+
+/// A smoothed mesh with its report.
+struct Smoothed {
+  int exit_code = 0;
+  std::string err;
+  json report;
+  Points X;
+};
+
+class SmoothFeatures : public testing::Test {
+ protected:
+  Smoothed smooth(const std::string& input, const Words& options) {
+    const RunResult run =
+        run_program(Words{"smooth", input, files_ / "out.ply", "--overwrite", "--json"} + options);
+    Smoothed result{run.exit_code, run.err, json::parse(run.out, nullptr, false), {}};
+    if (run.exit_code == 0) {
+      result.X = read_mesh(files_ / "out.ply").mesh().X;
+    }
+    return result;
+  }
+
+  std::string noisy(const std::string& shape, const Words& options) {
+    const std::string path = files_ / (shape + ".ply");
+    const RunResult run = run_program(Words{"make", shape, path, "--overwrite"} + options);
+    EXPECT_EQ(run.exit_code, 0) << run.err;
+    return path;
+  }
+
+  /// A PLY sphere whose vertices carry a property `pace`: 0, 1 and 0.5 in turn.
+  std::string paced() {
+    Mesh mesh = make_shape("icosphere", {.subdivide = 3});
+    mesh.X = shaken(State(mesh), 0.2);
+    std::string text = "ply\nformat ascii 1.0\nelement vertex " + std::to_string(mesh.X.rows()) +
+                       "\nproperty double x\nproperty double y\nproperty double z\n"
+                       "property float pace\nelement face " +
+                       std::to_string(mesh.faces.size()) +
+                       "\nproperty list uchar int vertex_indices\nend_header\n";
+    for (Index v = 0; v < mesh.X.rows(); ++v) {
+      text += fmt::format("{} {} {} {}\n", mesh.X(v, 0), mesh.X(v, 1), mesh.X(v, 2), pace(v));
+    }
+    const Triangles F = triangulate(mesh).F;
+    for (const auto& x : F.rowwise()) {
+      text += fmt::format("3 {} {} {}\n", x[0], x[1], x[2]);
+    }
+    write_bytes(files_ / "paced.ply", text);
+    return files_ / "paced.ply";
+  }
+
+  static double pace(Index v) { return v % 3 == 0 ? 0 : v % 3 == 1 ? 1 : 0.5; }
+
+  TemporaryDirectory files_;
+};
+
+/// How far a noisy unit cube (-1 to 1) is from its twelve edges' sharpness: the mean distance of
+/// what were vertices on edges from the edge.
+double edge_error(const Points& X, const Points& clean) {
+  double sum = 0;
+  int count = 0;
+  for (Index v = 0; v < X.rows(); ++v) {
+    const auto is_face = (clean.row(v).array().abs() - clean.cwiseAbs().maxCoeff()).abs() < 1e-9;
+    if (is_face.count() < 2) {
+      continue;
+    }
+    for (int axis = 0; axis < 3; ++axis) {
+      sum += is_face[axis] ? std::abs(X(v, axis) - clean(v, axis)) : 0;
+    }
+    ++count;
+  }
+  return sum / count;
+}
+
+TEST_F(SmoothFeatures, KeepSharpKeepsTheEdgesOfACubeAndFlattensItsFaces) {
+  const Points clean = make_shape("cube", {.subdivide = 4}).X;
+  const std::string input = noisy("cube", {"--subdivide", "4", "--noise", "0.15"});
+  const Smoothed rounded = smooth(input, {"--cutoff", "4"});
+  const Smoothed sharp = smooth(input, {"--cutoff", "4", "--keep-sharp", "40"});
+  EXPECT_LT(edge_error(sharp.X, clean), 0.5 * edge_error(rounded.X, clean));
+  EXPECT_LT(edge_error(sharp.X, clean), edge_error(read_mesh(input).mesh().X, clean));
+  EXPECT_LT(sharp.report["after"]["energy"], sharp.report["before"]["energy"]);
+}
+
+TEST_F(SmoothFeatures, WeightsComeFromAPropertyOrAFile) {
+  const std::string input = paced();
+  const Points before = read_mesh(input).mesh().X;
+  std::string list = "# pace\n";
+  for (Index v = 0; v < before.rows(); ++v) {
+    list += std::to_string(pace(v)) + (v % 5 == 0 ? "\n" : ", ");
+  }
+  write_bytes(files_ / "pace.txt", list);
+  const Smoothed by_property = smooth(input, {"--weights", "pace"});
+  const Smoothed by_file = smooth(input, {"--weights", files_ / "pace.txt"});
+  const Smoothed by_none = smooth(input, {});
+  EXPECT_EQ(by_property.X, by_file.X);
+  EXPECT_NE(by_property.X, by_none.X);
+  for (Index v = 0; v < before.rows(); ++v) {
+    EXPECT_EQ(by_property.X.row(v) == before.row(v), pace(v) == 0) << v;
+  }
+}
+
+TEST_F(SmoothFeatures, WeightsThatCannotBeAreRefused) {
+  const std::string input = paced();
+  write_bytes(files_ / "short.txt", "1 1 1\n");
+  write_bytes(files_ / "words.txt", "1 1\n1 many\n");
+  write_bytes(files_ / "negative.txt", "1 -1\n");
+  const std::vector<std::tuple<std::string, int, std::string>> cases{
+      {"nothing", 2, "'nothing' is neither a vertex property of"},
+      {"x", 3, "x of vertex"},
+      {files_ / "short.txt", 3, "3 numbers for 642 vertices"},
+      {files_ / "words.txt", 3, "words.txt:2: 'many' is not a finite number from 0 on"},
+      {files_ / "negative.txt", 3, "negative.txt:1: '-1' is not"},
+  };
+  for (const auto& [source, code, message] : cases) {
+    const Smoothed result = smooth(input, {"--weights", source});
+    EXPECT_EQ(result.exit_code, code) << source;
+    EXPECT_TRUE(contains(result.err, message)) << result.err;
+    EXPECT_FALSE(std::filesystem::exists(files_ / "out.ply")) << source;
+  }
+}
+
+TEST_F(SmoothFeatures, SpontaneousCurvatureSetsTheRadius) {
+  const std::string input = noisy("icosphere", {"--subdivide", "3"});
+  const Words flow{"--laplacian", "lagrange", "--cutoff", "60", "--steps", "30"};
+  std::string list;
+  for (Eigen::Index v = 0; v < read_mesh(input).mesh().X.rows(); ++v) {
+    list += "1.6\n";
+  }
+  write_bytes(files_ / "h0.txt", list);
+  const Smoothed by_number = smooth(input, flow + Words{"--h0", "1.6"});
+  const Smoothed by_file = smooth(input, flow + Words{"--h0", files_ / "h0.txt"});
+  EXPECT_EQ(by_number.X, by_file.X);
+  EXPECT_NEAR(by_number.X.rowwise().norm().mean(), 1.25, 0.01);
+  EXPECT_LT(by_number.report["after"]["energy"],
+            0.01 * by_number.report["before"]["energy"].get<double>());
+  const Smoothed refused = smooth(input, {"--h0", "1.6"});
+  EXPECT_EQ(refused.exit_code, 2);
+  EXPECT_TRUE(contains(refused.err, "takes no spontaneous curvature")) << refused.err;
+}
+
+TEST_F(SmoothFeatures, VolumeAndAreaStayToTheDigit) {
+  const std::string input = noisy("torus", {"--rows", "24", "--columns", "60", "--noise", "0.2"});
+  const Smoothed kept = smooth(input, {"--keep-volume", "--keep-area", "--cutoff", "12"});
+  for (const char* figure : {"volume", "area"}) {
+    const double before = kept.report["before"][figure], after = kept.report["after"][figure];
+    EXPECT_NEAR(after / before, 1, 1e-12) << figure;
+  }
+  EXPECT_LT(kept.report["after"]["energy"], kept.report["before"]["energy"]);
+  const std::string open = noisy("cylinder", {"--rows", "8", "--columns", "16"});
+  const Smoothed refused = smooth(open, {"--keep-volume"});
+  EXPECT_EQ(refused.exit_code, 4);
+  EXPECT_TRUE(contains(refused.err, "closed meshes only")) << refused.err;
+}
+
+TEST_F(SmoothFeatures, ABoundOnMovesIsHeldAndNoFailure) {
+  const std::string input = noisy("torus", {"--rows", "24", "--columns", "60", "--noise", "0.3"});
+  const Smoothed bounded = smooth(input, {"--max-move", "0.05e", "--cutoff", "12"});
+  EXPECT_EQ(bounded.exit_code, 0) << bounded.err;
+  const double bound = 0.05 * bounded.report["mesh"]["mean_edge_length"].get<double>();
+  const double largest = (bounded.X - read_mesh(input).mesh().X).rowwise().norm().maxCoeff();
+  EXPECT_LE(largest, bound * (1 + 1e-12));
+  EXPECT_GT(largest, 0.99 * bound);
+}
+
+}  // namespace
+}  // namespace ibmfair::test
