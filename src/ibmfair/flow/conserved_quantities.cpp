@@ -1,7 +1,9 @@
 #include "ibmfair/flow/conserved_quantities.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 
 #include "ibmfair/base/errors.h"
 #include "ibmfair/base/parallel.h"
@@ -78,6 +80,21 @@ Eigen::VectorXd solve_small(const std::vector<Points>& A, const std::vector<Poin
   return scale.asDiagonal() * scaled.solve(scale.asDiagonal() * b);
 }
 
+/// Takes from the move d the combination of Z that makes <A_i, d> = 0 for all i.
+void subtract_part(Points& d, const std::vector<Points>& A, const std::vector<Points>& Z) {
+  if (A.empty()) {
+    return;
+  }
+  Eigen::VectorXd b(static_cast<Eigen::Index>(A.size()));
+  for (Eigen::Index i = 0; i < b.size(); ++i) {
+    b[i] = inner(A[i], d);
+  }
+  const Eigen::VectorXd multipliers = solve_small(A, Z, b);
+  for (Eigen::Index i = 0; i < b.size(); ++i) {
+    d -= multipliers[i] * Z[i];
+  }
+}
+
 }  // namespace
 
 ConservedQuantities::ConservedQuantities(const Points& X, const Topology& topology,
@@ -95,35 +112,29 @@ ConservedQuantities::ConservedQuantities(const Points& X, const Topology& topolo
   }
 }
 
-void ConservedQuantities::linearise(const Points& X) {
+void ConservedQuantities::linearise(const Points& X, const Solve& solve) {
   A_.clear();
-  for (const Kept& kept : kept_) {
-    A_.push_back(gradient_of(*kept.quantity, X, topology_, unknowns_));
+  Z_.resize(kept_.size());
+  for (std::size_t i = 0; i < kept_.size(); ++i) {
+    A_.push_back(gradient_of(*kept_[i].quantity, X, topology_, unknowns_));
+    solve(A_[i], Z_[i]);
   }
 }
 
-void ConservedQuantities::constrain(Points& step, const Solve& solve) const {
-  if (empty()) {
-    return;
-  }
-  std::vector<Points> Z(A_.size());
-  Eigen::VectorXd b(static_cast<Eigen::Index>(A_.size()));
-  for (std::size_t i = 0; i < A_.size(); ++i) {
-    solve(A_[i], Z[i]);
-    b[static_cast<Eigen::Index>(i)] = inner(A_[i], step);
-  }
-  const Eigen::VectorXd multipliers = solve_small(A_, Z, b);
-  for (std::size_t i = 0; i < A_.size(); ++i) {
-    step -= multipliers[static_cast<Eigen::Index>(i)] * Z[i];
-  }
+void ConservedQuantities::constrain(Points& step) const {
+  subtract_part(step, A_, Z_);
 }
 
-bool ConservedQuantities::restore(Points& Y, const Eigen::VectorXd& D) const {
-  std::vector<Points> directions;
-  directions.reserve(A_.size());
-  for (const Points& A : A_) {
-    directions.emplace_back(D.cwiseInverse().asDiagonal() * A);
-  }
+Points ConservedQuantities::speed(const Points& g, const Eigen::VectorXd& D) const {
+  const auto over_D = [&](const Points& B) -> Points { return D.cwiseInverse().asDiagonal() * B; };
+  std::vector<Points> Z;
+  std::transform(A_.begin(), A_.end(), std::back_inserter(Z), over_D);
+  Points speed = over_D(g);
+  subtract_part(speed, A_, Z);
+  return speed;
+}
+
+bool ConservedQuantities::restore(Points& Y) const {
   Eigen::VectorXd missing(static_cast<Eigen::Index>(kept_.size()));
   for (int i = 0; i < most_corrections; ++i) {
     std::vector<Points> gradients;
@@ -140,10 +151,10 @@ bool ConservedQuantities::restore(Points& Y, const Eigen::VectorXd& D) const {
     for (const Kept& kept : kept_) {
       gradients.push_back(gradient_of(*kept.quantity, Y, topology_, unknowns_));
     }
-    const Eigen::VectorXd factors = solve_small(gradients, directions, missing);
+    const Eigen::VectorXd factors = solve_small(gradients, Z_, missing);
     parallel_for(unknowns_.size(), [&](std::int64_t u) {
-      for (std::size_t k = 0; k < directions.size(); ++k) {
-        Y.row(unknowns_.vertex[u]) += factors[static_cast<Eigen::Index>(k)] * directions[k].row(u);
+      for (std::size_t k = 0; k < Z_.size(); ++k) {
+        Y.row(unknowns_.vertex[u]) += factors[static_cast<Eigen::Index>(k)] * Z_[k].row(u);
       }
     });
   }

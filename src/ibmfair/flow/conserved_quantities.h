@@ -3,7 +3,7 @@
 // A step d of J d = -h g is replaced by the one that solves the same system with A^T d = 0, where
 // the columns of A are the gradients of the quantities: d - J^-1 A (A^T J^-1 A)^-1 A^T d, one more
 // solve with the same factor for each. What its length changes in second order is taken back along
-// D^-1 A, the fastest way in the metric of the flow.
+// J^-1 A, which is smooth where A, as the normals of a noisy mesh, is not.
 #pragma once
 
 #include <functional>
@@ -24,19 +24,21 @@ class ConservedQuantities {
 
   bool empty() const { return kept_.empty(); }
 
-  /// Takes the gradients at the state X, from which steps start.
-  void linearise(const Points& X);
-
   /// Y = J^-1 B, one row per unknown.
   using Solve = std::function<void(const Points& B, Points& Y)>;
 
-  /// Makes the step one that keeps the quantities in first order. With D in place of J, the speed
-  /// D^-1 g becomes that of the constrained flow.
-  void constrain(Points& step, const Solve& solve) const;
+  /// Takes A and J^-1 A at the state X, from which steps start.
+  void linearise(const Points& X, const Solve& solve);
 
-  /// Moves the unknowns of `Y` along D^-1 A until all quantities have their targets to rounding;
+  /// Makes the step one that keeps the quantities in first order.
+  void constrain(Points& step) const;
+
+  /// The speed D^-1 g less what would change the quantities.
+  Points speed(const Points& g, const Eigen::VectorXd& D) const;
+
+  /// Moves the unknowns of `Y` along J^-1 A until all quantities have their targets to rounding;
   /// false where that fails.
-  bool restore(Points& Y, const Eigen::VectorXd& D) const;
+  bool restore(Points& Y) const;
 
   struct Quantity;  ///< a row of the table
 
@@ -49,7 +51,7 @@ class ConservedQuantities {
   const Topology& topology_;
   const Unknowns& unknowns_;
   std::vector<Kept> kept_;
-  std::vector<Points> A_;  // the gradient of each at the state, one row per unknown
+  std::vector<Points> A_, Z_;  // the gradient of each at the state, one row per unknown, and J^-1 A
 };
 
 }  // namespace ibmfair

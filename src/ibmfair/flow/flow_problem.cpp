@@ -92,14 +92,14 @@ Points FlowProblem::newton_step() {
   const auto solve = [&](const Points& B, Points& Y) { jacobian_->solve(B, Y); };
   Points step;
   solve(-h * g_, step);  // [W07] (12) at X_k, where the residual is h grad E_b
-  conserved_.linearise(X);
-  conserved_.constrain(step, solve);
+  conserved_.linearise(X, solve);
+  conserved_.constrain(step);
   Points Y, correction;
   for (int i = 1; i < options.newton_iterations; ++i) {
     displace(step, Y);
     const Points residual = jacobian_->metric().asDiagonal() * step + h * gradient_at(Y);
     solve(-residual, correction);
-    conserved_.constrain(correction, solve);
+    conserved_.constrain(correction);
     step += correction;
   }
   return step;
@@ -120,7 +120,7 @@ FlowProblem::Landing FlowProblem::displace(const Points& move, Points& Y) const 
     Y.row(v) = reached;
     return reached != to ? 1 : 0;
   });
-  if (!conserved_.empty() && !conserved_.restore(Y, jacobian_->metric())) {
+  if (!conserved_.empty() && !conserved_.restore(Y)) {
     return Landing::nowhere;
   }
   return stopped > 0 ? Landing::short_of_it : Landing::as_asked;
@@ -139,9 +139,7 @@ std::vector<Index> FlowProblem::stopped() const {
 
 double FlowProblem::gradient_norm() const {
   const Eigen::VectorXd& D = jacobian_->metric();
-  Points speed = D.cwiseInverse().asDiagonal() * g_;
-  conserved_.constrain(speed,
-                       [&](const Points& B, Points& Y) { Y = D.cwiseInverse().asDiagonal() * B; });
+  const Points speed = conserved_.speed(g_, D);
   return std::sqrt((D.asDiagonal() * speed).cwiseProduct(speed).sum());
 }
 
