@@ -25,6 +25,7 @@ constexpr double heavier = 16, lighter = 4;    // factors of local damping
 constexpr double standstill = 1e12;            // local damping of a vertex that has gone far enough
 constexpr double culprit_share = 0.05;         // of the largest uphill slope, to be damped
 constexpr double local_share = 0.02;          // of the vertices: more culprits are no local trouble
+constexpr int longest_creep = 3;              // short steps that do no good, before that
 constexpr int backtracks = 2;                 // halvings of a step before it is given up
 constexpr int fold_passes = 6;                // rounds of withholding moves that would fold
 constexpr double smallest_time_step = 1e-12;  // of the target, before giving up
@@ -95,7 +96,7 @@ class GuardedFlow {
     }
     accept(record);
     relax();
-    adapt(record);
+    adapt(record, step);
     record.energy = p_.report.energy_after;
     p_.report.steps.push_back(record);
     const bool go_on = !observer_ || observer_(record);
@@ -236,7 +237,15 @@ class GuardedFlow {
       return;
     }
     p_.displace(move_, Y_);
-    const Eigen::VectorXd slope = p_.gradient_at(Y_).cwiseProduct(step).rowwise().sum();
+    if (!damp_culprits(p_.gradient_at(Y_), step)) {
+      h_ *= time_step_cut;
+    }
+  }
+
+  /// Makes the metric heavier around the vertices at which the step runs uphill against this
+  /// gradient; false where there are none, or so many that the trouble is not local.
+  bool damp_culprits(const Points& gradient, const Points& step) {
+    const Eigen::VectorXd slope = gradient.cwiseProduct(step).rowwise().sum();
     const double steepest =
         slope.unaryExpr([](double s) { return std::isfinite(s) ? s : 0; }).maxCoeff();
     std::vector<std::uint8_t> culprits(static_cast<std::size_t>(p_.topology.vertex_count), 0);
@@ -252,9 +261,7 @@ class GuardedFlow {
       p_.jacobian().damping()[u] *= culprits[p_.unknowns.vertex[u]] ? heavier : 1;
     }
     keep_damping_ = true;
-    if (count == 0 || static_cast<double>(count) > local_share * p_.unknowns.size()) {
-      h_ *= time_step_cut;
-    }
+    return count > 0 && static_cast<double>(count) <= local_share * p_.unknowns.size();
   }
 
   void accept(StepRecord& record) {
@@ -292,7 +299,7 @@ class GuardedFlow {
   }
 
   /// Chooses the next time step, and whether the Jacobian has to be renewed.
-  void adapt(const StepRecord& record) {
+  void adapt(const StepRecord& record, const Points& step) {
     const bool shortened = record.time_step < p_.jacobian().time_step() && left_ > 0;
     if (record.decrease_ratio <= stale_decrease || shortened) {
       stale_ = true;
@@ -300,6 +307,14 @@ class GuardedFlow {
     } else if (record.decrease_ratio > good_decrease && h_ < h_target_) {
       h_ = std::min(h_target_, h_ * (distortion_ < 0.5 ? fast_growth : growth));
       stale_ = true;
+    }
+    creeping_ = h_ < h_target_ && record.decrease_ratio <= good_decrease ? creeping_ + 1 : 0;
+    if (creeping_ > longest_creep) {
+      p_.update_gradient();
+      damp_culprits(p_.gradient(), step);
+      h_ = std::min(h_target_, growth * h_);
+      stale_ = true;
+      creeping_ = 0;
     }
   }
 
@@ -312,6 +327,7 @@ class GuardedFlow {
   double h_;                   // the time step to use next
   double left_;                // of the total time
   bool stale_ = true;          // the Jacobian is to be renewed before the next step
+  int creeping_ = 0;           // accepted steps in a row that were short and no good
   bool keep_damping_ = false;  // the next renewal does not lighten the damping
   PerVertex edge_length_;
   double fraction_ = 1;                 // of the Newton step that is tried
