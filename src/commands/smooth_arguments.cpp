@@ -46,7 +46,7 @@ void add_flow_options(CLI::App& app, SmoothArguments& a) {
       app, a.flow.laplacian,
       "member of the family of energies: crouzeix-raviart removes folded spikes best, "
       "lagrange is consistent, for stationary limits");
-  app.add_flag("--no-mass", a.no_mass, "leave the mass matrix out of the energy");
+  add_mass_options(app, a.mass);
   app.add_option("--metric", a.metric,
                  "of the flow: mass (independent of the sampling) or identity")
       ->check(CLI::IsMember({"mass", "identity"}))

@@ -28,7 +28,8 @@ struct SmoothArguments {
   std::optional<double> time_step;
   std::optional<Length> cutoff;
   std::optional<Length> max_move;
-  bool plain = false, no_mass = false, dry_run = false;
+  bool plain = false, dry_run = false;
+  MassOptions mass;
   std::string metric = "mass", boundary = "fixed", tangential;
   std::string fix_file, mask;
 };

@@ -11,6 +11,7 @@
 #include "commands/stage_times.h"
 #include "ibmfair/base/process_memory.h"
 #include "ibmfair/energy/bending_energy.h"
+#include "ibmfair/energy/mass_matrices.h"
 #include "ibmfair/flow/folds.h"
 #include "ibmfair/mesh/geometry.h"
 
@@ -113,7 +114,9 @@ std::string effort(const FlowReport& flow) {
 
 MeshFigures mesh_figures(const Points& X, const Topology& topology, const FlowOptions& options) {
   MeshFigures figures;
-  figures.energy = bending_model(options.laplacian).bind(topology, {options.mass, {}})->energy(X);
+  figures.energy = bending_model(options.laplacian)
+                       .bind(topology, {options.mass, {}, options.mass_matrix})
+                       ->energy(X);
   figures.area = surface_area(X, topology.F);
   figures.volume = enclosed_volume(X, topology.F);
   const Eigen::VectorXd angles = smallest_angles(X, topology.F);
@@ -188,16 +191,19 @@ void add_smooth_figures(const SmoothFigures& figures, const Topology& topology,
   const FlowReport& flow = figures.flow;
   ordered_json& json = report.figures;
   json["status"] = name_of(flow.status);
-  json["options"] = {{"laplacian", options.laplacian},
-                     {"mass", options.mass},
-                     {"metric", options.metric == Metric::mass ? "mass" : "identity"},
-                     {"steps", options.steps},
-                     {"total_time", figures.total_time},
-                     {"cutoff", figures.cutoff},
-                     {"newton_iterations", options.newton_iterations},
-                     {"solver_tolerance", options.solver_tolerance},
-                     {"guarded", options.guarded},
-                     {"tangential", options.guarded && options.relax ? "relax" : "none"}};
+  json["options"] = {
+      {"laplacian", options.laplacian},
+      {"mass", options.mass},
+      {"mass_matrix",
+       mass_matrix(bending_model(options.laplacian), {options.mass, {}, options.mass_matrix}).name},
+      {"metric", options.metric == Metric::mass ? "mass" : "identity"},
+      {"steps", options.steps},
+      {"total_time", figures.total_time},
+      {"cutoff", figures.cutoff},
+      {"newton_iterations", options.newton_iterations},
+      {"solver_tolerance", options.solver_tolerance},
+      {"guarded", options.guarded},
+      {"tangential", options.guarded && options.relax ? "relax" : "none"}};
   json["mesh"] = {{"vertices", topology.vertex_count},
                   {"triangles", topology.F.rows()},
                   {"unknowns", flow.unknowns},

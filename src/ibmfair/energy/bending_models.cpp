@@ -6,19 +6,80 @@
 #include "ibmfair/energy/bending_energy.h"
 #include "ibmfair/energy/crouzeix_raviart.h"
 #include "ibmfair/energy/lagrange.h"
+#include "ibmfair/energy/laplacian_matrices.h"
+#include "ibmfair/energy/mass_matrices.h"
+#include "ibmfair/energy/vertex_energy.h"
+#include "ibmfair/energy/vertex_laplacians.h"
 
 namespace ibmfair {
 namespace {
 
+using Bound = std::unique_ptr<BendingEnergy>;
+
+/// The two members with kernels of their own know one mass, or none.
 template <class Member>
-std::unique_ptr<BendingEnergy> bind(const Topology& topology, const EnergyOptions& options) {
+Bound fast_member(const Topology& topology, EnergyOptions options, const MassMatrix& mass) {
+  options.mass = mass.kind != MassMatrix::Kind::identity;
   return std::make_unique<Member>(topology, options);
 }
 
-constexpr std::array<BendingModel, 2> models{{
-    {"crouzeix-raviart", "edge-based; unfolds spikes, for denoising", bind<CrouzeixRaviart>},
-    {"lagrange", "vertex-based cotangent Laplacian; consistent, for stationary limits",
-     bind<Lagrange>},
+Bound crouzeix_raviart(const Topology& topology, const EnergyOptions& options) {
+  const MassMatrix& mass = mass_matrix(bending_model("crouzeix-raviart"), options);
+  return fast_member<CrouzeixRaviart>(topology, options, mass);
+}
+
+LaplacianMatrices crouzeix_raviart_matrices(const Points& X, const Topology& topology,
+                                            const EnergyOptions& options) {
+  return edge_matrices(X, topology, mass_matrix(bending_model("crouzeix-raviart"), options));
+}
+
+Bound lagrange(const Topology& topology, const EnergyOptions& options) {
+  const MassMatrix& mass = mass_matrix(bending_model("lagrange"), options);
+  if (mass.name == "barycentric" || mass.kind == MassMatrix::Kind::identity) {
+    return fast_member<Lagrange>(topology, options, mass);
+  }
+  return std::make_unique<VertexEnergy>(topology, options, cotangent_laplacian, mass);
+}
+
+/// A row of a vertex-based Laplacian.
+template <const VertexLaplacian& laplacian, const std::string_view& name>
+struct VertexModel {
+  static Bound bind(const Topology& topology, const EnergyOptions& options) {
+    return std::make_unique<VertexEnergy>(topology, options, laplacian,
+                                          mass_matrix(bending_model(name), options));
+  }
+
+  static LaplacianMatrices matrices(const Points& X, const Topology& topology,
+                                    const EnergyOptions& options) {
+    return vertex_matrices(X, topology, options, laplacian,
+                           mass_matrix(bending_model(name), options));
+  }
+};
+
+constexpr std::string_view lagrange_name = "lagrange", weighted_name = "weighted",
+                           delaunay_name = "intrinsic-delaunay", umbrella_name = "umbrella";
+using CotangentModel = VertexModel<cotangent_laplacian, lagrange_name>;
+using WeightedModel = VertexModel<weighted_laplacian, weighted_name>;
+using DelaunayModel = VertexModel<intrinsic_delaunay_laplacian, delaunay_name>;
+using UmbrellaModel = VertexModel<umbrella_laplacian, umbrella_name>;
+
+constexpr std::array<std::string_view, 2> edge_masses{"crouzeix-raviart", "none"};
+constexpr std::array<std::string_view, 4> vertex_masses{"barycentric", "voronoi", "galerkin",
+                                                        "none"};
+constexpr std::array<std::string_view, 2> delaunay_masses{"voronoi", "none"};
+constexpr std::array<std::string_view, 2> umbrella_masses{"barycentric", "none"};
+
+constexpr std::array<BendingModel, 5> models{{
+    {"crouzeix-raviart", "edge-based; unfolds spikes, for denoising", crouzeix_raviart,
+     crouzeix_raviart_matrices, edge_masses},
+    {lagrange_name, "vertex-based cotangent Laplacian; consistent, for stationary limits", lagrange,
+     CotangentModel::matrices, vertex_masses},
+    {weighted_name, "dual edges between power centres of circles about the vertices",
+     WeightedModel::bind, WeightedModel::matrices, vertex_masses},
+    {delaunay_name, "cotangents of the intrinsic Delaunay triangulation, never negative",
+     DelaunayModel::bind, DelaunayModel::matrices, delaunay_masses},
+    {umbrella_name, "graph Laplacian; evens edges out, and is not zero on planes",
+     UmbrellaModel::bind, UmbrellaModel::matrices, umbrella_masses},
 }};
 
 }  // namespace

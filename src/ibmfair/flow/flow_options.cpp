@@ -4,6 +4,7 @@
 
 #include "ibmfair/base/errors.h"
 #include "ibmfair/energy/bending_energy.h"
+#include "ibmfair/energy/mass_matrices.h"
 #include "ibmfair/flow/jacobian_solver.h"
 
 namespace ibmfair {
@@ -18,7 +19,7 @@ void require(bool holds, const char* message) {
 }  // namespace
 
 void FlowOptions::validate() const {
-  bending_model(laplacian);
+  ibmfair::mass_matrix(bending_model(laplacian), {mass, {}, mass_matrix});
   if (solver != "auto") {
     jacobian_backend(solver);
   }

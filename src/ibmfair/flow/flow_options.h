@@ -24,6 +24,7 @@ using StageObserver = std::function<void(FlowStage)>;
 struct FlowOptions {
   std::string laplacian = "crouzeix-raviart";  ///< a name from bending_models()
   bool mass = true;                            ///< with the mass matrix in the energy
+  std::string mass_matrix = {};  ///< one that goes with the Laplacian; empty: its default
   Metric metric = Metric::mass;
   int steps = 16;             ///< the total time is split evenly over them; at least 1
   double total_time = 0;      ///< in the flow's unit; positive

@@ -38,8 +38,9 @@ FlowProblem::FlowProblem(const Points& X_start, const Topology& mesh_topology,
       unknowns(held),
       X(X_start),
       start_(X_start),
-      bending_(bending_model(flow_options.laplacian)
-                   .bind(mesh_topology, {flow_options.mass, opposite(held)})),
+      bending_(
+          bending_model(flow_options.laplacian)
+              .bind(mesh_topology, {flow_options.mass, opposite(held), flow_options.mass_matrix})),
       jacobian_(std::make_unique<Jacobian>(*bending_, topology, unknowns, options, report)) {
   energy_ = energy_at(X);
   if (!std::isfinite(energy_)) {
