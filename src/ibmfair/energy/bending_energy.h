@@ -38,7 +38,8 @@ struct EnergyOptions {
   /// depends on the sampling ([W07] Figure 9, right). The same as `mass_matrix` "none".
   bool mass = true;
   /// #V, or empty for all: only stencils that touch a true vertex are summed. (All of them where
-  /// stencils change with the state: `intrinsic-delaunay`.)
+  /// stencils change with the state, as on the intrinsic Delaunay triangulation, or do not add up,
+  /// as with a consistent mass.)
   std::vector<std::uint8_t> active = {};
   /// A name from the model's `masses`, or empty for its default.
   std::string mass_matrix = {};

@@ -29,13 +29,19 @@ std::vector<std::uint8_t> usable_triangles_at(const Topology& topology,
   return at;
 }
 
+/// Whether each vertex has a term of the energy of its own, which depends on its ring alone.
+bool summed_separately(const VertexLaplacian& laplacian, const MassMatrix& mass) {
+  return !laplacian.flips && mass.kind != MassMatrix::Kind::consistent;
+}
+
 }  // namespace
 
 VertexEnergy::VertexEnergy(const Topology& topology, const EnergyOptions& options,
                            const VertexLaplacian& laplacian, const MassMatrix& mass)
     : mass_(mass.kind),
-      stencils_(
-          complete_stars(topology, laplacian.flips ? std::vector<std::uint8_t>{} : options.active)),
+      stencils_(complete_stars(topology, summed_separately(laplacian, mass)
+                                             ? options.active
+                                             : std::vector<std::uint8_t>{})),
       nodes_(first_of(stencils_)),
       triangles_(topology, laplacian, mass, options.vertex_weights,
                  usable_triangles_at(topology, nodes_)),
