@@ -1,6 +1,7 @@
 #include "commands/shared_options.h"
 
 #include <CLI/CLI.hpp>
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "commands/argument_roles.h"
@@ -93,9 +94,13 @@ void add_overwrite_option(CLI::App& app, bool& overwrite) {
 
 CLI::Option* add_laplacian_option(CLI::App& app, std::string& name, const std::string& help) {
   std::vector<std::string> names;
+  std::string list;
   for (const BendingModel& model : bending_models()) {
     names.emplace_back(model.name);
+    list += fmt::format("{:<20}{}\n{:20}masses: {}\n", model.name, model.summary, "",
+                        fmt::join(model.masses, ", "));
   }
+  documentation_of(app).sections.push_back({"Laplacians", list});
   return app.add_option("--laplacian", name, help)
       ->check(CLI::IsMember(names))
       ->capture_default_str();
@@ -109,8 +114,7 @@ CLI::Option* add_mass_option(CLI::App& app, std::string& name) {
   CLI::Option* option =
       app.add_option("--mass", name, "mass matrix of the energy, one that goes with the Laplacian")
           ->check(CLI::IsMember(names));
-  note_of(app, *option).default_text =
-      "crouzeix-raviart or voronoi for the first and the fourth Laplacian, barycentric for others";
+  note_of(app, *option).default_text = "the first in the Laplacian's list";
   return option;
 }
 
