@@ -97,7 +97,7 @@ CLI::Option* add_laplacian_option(CLI::App& app, std::string& name, const std::s
   std::string list;
   for (const BendingModel& model : bending_models()) {
     names.emplace_back(model.name);
-    list += fmt::format("{:<20}{}\n{:20}masses: {}\n", model.name, model.summary, "",
+    list += fmt::format("{}\n    {}\n    masses: {}\n", model.name, model.summary,
                         fmt::join(model.masses, ", "));
   }
   documentation_of(app).sections.push_back({"Laplacians", list});
