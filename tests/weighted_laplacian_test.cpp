@@ -33,7 +33,7 @@ TEST(WeightedLaplacian, WithEqualWeightsIsTheCotangentOne) {
 }
 
 /// The point of the plane that has the same power |c - x|^2 - w to three others.
-Eigen::Vector2d power_centre(const std::array<Eigen::Vector2d, 3>& x, const Triple<double>& w) {
+Eigen::Vector2d power_centre(const std::array<Eigen::Vector2d, 3>& x, const ByCorner<double>& w) {
   Eigen::Matrix2d A;
   Eigen::Vector2d b;
   for (int k = 0; k < 2; ++k) {
@@ -53,7 +53,7 @@ TEST(WeightedLaplacian, MeasuresTheHeightOfThePowerCentre) {
         triangle_shape({x[0][0], x[0][1], 0}, {x[1][0], x[1][1], 0}, {x[2][0], x[2][1], 0});
     shape.weight = {random(150 + n, 0), random(150 + n, 1), random(150 + n, 2)};
     const Eigen::Vector2d c = power_centre(x, shape.weight);
-    const Triple<double> shares = PowerCentreWeights::at(shape);
+    const ByCorner<double> shares = PowerCentreWeights::at(shape);
     for (int k = 0; k < 3; ++k) {
       const Eigen::Vector2d a = x[next(k)], edge = x[previous(k)] - a;
       const Eigen::Vector2d inward(-edge[1], edge[0]);
@@ -73,7 +73,7 @@ TEST(WeightedLaplacian, OfTouchingCirclesHasItsCentresInTheInscribedOnes) {
       triangle_shape({0, 0, 0}, {c, 0, 0}, {x, std::sqrt(b * b - x * x), 0});
   shape.weight = {r0 * r0, r1 * r1, r2 * r2};
   const double inradius = 2 * shape.area / (a + b + c);
-  const Triple<double> shares = PowerCentreWeights::at(shape);
+  const ByCorner<double> shares = PowerCentreWeights::at(shape);
   EXPECT_NEAR(shares[0], inradius / a, 1e-14);
   EXPECT_NEAR(shares[1], inradius / b, 1e-14);
   EXPECT_NEAR(shares[2], inradius / c, 1e-14);

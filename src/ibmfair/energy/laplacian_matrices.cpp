@@ -122,7 +122,7 @@ LaplacianMatrices vertex_matrices(const Points& X, const Topology& topology,
   for (Index t = 0; t < F.rows(); ++t) {
     const TriangleShape<double>& shape = triangles.shapes()[t];
     const auto& [edge, corner] = triangles.terms()[t];
-    const Triple<double> mixed = mass.shares.value(shape);
+    const ByCorner<double> mixed = mass.shares.value(shape);
     for (int i = 0; i < 3; ++i) {
       const Index v = place[F(t, i)], u = place[F(t, next(i))], w = place[F(t, previous(i))];
       L.add_difference(u, w, edge[i]);

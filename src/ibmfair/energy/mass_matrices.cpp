@@ -14,7 +14,7 @@ namespace {
 /// A third of the area each: the row sums of the mass of linear elements.
 struct ThirdsOfArea {
   template <class Number>
-  static Triple<Number> at(const TriangleShape<Number>& t) {
+  static ByCorner<Number> at(const TriangleShape<Number>& t) {
     const Number third = (1.0 / 3.0) * t.area;
     return {third, third, third};
   }
@@ -25,10 +25,10 @@ struct ThirdsOfArea {
 /// obtuse corner, a quarter for the others; at a right angle both are the same.
 struct MixedVoronoiShares {
   template <class Number>
-  static Triple<Number> at(const TriangleShape<Number>& t) {
+  static ByCorner<Number> at(const TriangleShape<Number>& t) {
     for (int i = 0; i < 3; ++i) {
       if (value_of(t.cot[i]) < 0) {
-        Triple<Number> result{0.25 * t.area, 0.25 * t.area, 0.25 * t.area};
+        ByCorner<Number> result{0.25 * t.area, 0.25 * t.area, 0.25 * t.area};
         result[i] = 0.5 * t.area;
         return result;
       }

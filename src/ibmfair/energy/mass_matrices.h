@@ -39,8 +39,8 @@ const MassMatrix& mass_matrix(const BendingModel& model, const EnergyOptions& op
 /// triangulation they add up to the Voronoi cells, and do not jump where an edge flips.
 struct CircumcentricShares {
   template <class Number>
-  static Triple<Number> at(const TriangleShape<Number>& t) {
-    Triple<Number> result;
+  static ByCorner<Number> at(const TriangleShape<Number>& t) {
+    ByCorner<Number> result;
     for (int i = 0; i < 3; ++i) {
       const int j = next(i), k = previous(i);
       result[i] = 0.125 * (t.squared[j] * t.cot[j] + t.squared[k] * t.cot[k]);

@@ -11,14 +11,14 @@ namespace ibmfair {
 
 /// Three numbers of a triangle: one per corner, or one per edge by the corner opposite.
 template <class Number>
-using Triple = std::array<Number, 3>;
+using ByCorner = std::array<Number, 3>;
 
 template <class Number>
 struct TriangleShape {
-  Triple<Number> squared;  ///< lengths of the edges opposite the corners, squared
-  Triple<Number> cot;      ///< cotangents of the angles
+  ByCorner<Number> squared;  ///< lengths of the edges opposite the corners, squared
+  ByCorner<Number> cot;      ///< cotangents of the angles
   Number area;
-  Triple<Number> weight;  ///< of the vertices at the corners, length^2 (energy/weighted.h)
+  ByCorner<Number> weight;  ///< of the vertices at the corners, length^2 (energy/weighted.h)
 };
 
 /// Derivatives by the squared lengths (0 .. 2) and the weights of the vertices (3 .. 5).
@@ -54,8 +54,8 @@ inline TriangleShape<MetricJet> differentiated(const TriangleShape<double>& shap
 
 /// A formula for three numbers of a triangle, with and without derivatives.
 struct TriangleFormula {
-  Triple<double> (*value)(const TriangleShape<double>& shape);
-  Triple<MetricJet> (*jet)(const TriangleShape<MetricJet>& shape);
+  ByCorner<double> (*value)(const TriangleShape<double>& shape);
+  ByCorner<MetricJet> (*jet)(const TriangleShape<MetricJet>& shape);
 };
 
 /// From a type whose static template `at` is the formula for any kind of number.

@@ -102,7 +102,7 @@ double VertexEnergy::energy_and_gradient(const Points& X, Points& G) {
     Vec3 g = Vec3::Zero();
     triangles_.around(v, [&](Index t, int corner) {
       const int j = next(corner), k = previous(corner);
-      const Triple<double>& edge = triangles_.terms()[t].edge;
+      const ByCorner<double>& edge = triangles_.terms()[t].edge;
       g += edge[k] * (y_.row(v) - y_.row(triangles_.corners()(t, j)));
       g += edge[j] * (y_.row(v) - y_.row(triangles_.corners()(t, k)));
     });

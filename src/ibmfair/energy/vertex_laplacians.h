@@ -16,7 +16,7 @@ struct VertexLaplacian {
 /// Half the cotangents of the opposite angles: linear Lagrange elements.
 struct CotangentWeights {
   template <class Number>
-  static Triple<Number> at(const TriangleShape<Number>& t) {
+  static ByCorner<Number> at(const TriangleShape<Number>& t) {
     return {0.5 * t.cot[0], 0.5 * t.cot[1], 0.5 * t.cot[2]};
   }
 };
@@ -31,8 +31,8 @@ struct CotangentWeights {
 /// semi-definite where every centre lies within the circumcircle.
 struct PowerCentreWeights {
   template <class Number>
-  static Triple<Number> at(const TriangleShape<Number>& t) {
-    Triple<Number> result;
+  static ByCorner<Number> at(const TriangleShape<Number>& t) {
+    ByCorner<Number> result;
     for (int k = 0; k < 3; ++k) {
       const int i = next(k), j = previous(k);
       result[k] =
@@ -46,7 +46,7 @@ struct PowerCentreWeights {
 /// The graph Laplacian: every edge weighs 1, half from either triangle. Not zero on planes.
 struct UmbrellaWeights {
   template <class Number>
-  static Triple<Number> at(const TriangleShape<Number>&) {
+  static ByCorner<Number> at(const TriangleShape<Number>&) {
     return {Number(0.5), Number(0.5), Number(0.5)};
   }
 };

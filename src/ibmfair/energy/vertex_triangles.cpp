@@ -89,7 +89,7 @@ TriangleTerms VertexTriangles::terms_of(const Points& X, Index v0, Index v1, Ind
 
 TriangleSlopes VertexTriangles::slopes(Index t, const TriangleTerms& by_terms) const {
   const TriangleShape<MetricJet> shape = differentiated(shapes()[t]);
-  const Triple<MetricJet> edge = edge_weights_.jet(shape), corner = shares_.jet(shape);
+  const ByCorner<MetricJet> edge = edge_weights_.jet(shape), corner = shares_.jet(shape);
   TriangleSlopes result{};
   for (int i = 0; i < 3; ++i) {
     for (int j = 0; j < 3; ++j) {

@@ -19,13 +19,13 @@ Triangles usable_triangles(const Topology& topology);
 
 /// What a triangle adds to L, by the edges opposite its corners, and to M, by its corners.
 struct TriangleTerms {
-  Triple<double> edge, corner;
+  ByCorner<double> edge, corner;
 };
 
 /// Derivatives of a function by the squared lengths of a triangle's edges and by its vertices'
 /// weights.
 struct TriangleSlopes {
-  Triple<double> by_squared, by_weight;
+  ByCorner<double> by_squared, by_weight;
 };
 
 class VertexTriangles {

@@ -20,7 +20,8 @@ constexpr std::array<std::string_view, 2> split{"subdivide", "refine-face"};
 constexpr std::array<std::string_view, 3> split_sphere{"subdivide", "refine-face", "jitter"};
 constexpr std::array<std::string_view, 1> levels{"subdivide"};
 constexpr std::array<std::string_view, 4> grid{"ratio", "rows", "columns", "straight"};
-constexpr std::array<std::string_view, 5> rings{"ratio", "rows", "columns", "straight", "jitter"};
+constexpr std::array<std::string_view, 5> jittered_grid{"ratio", "rows", "columns", "straight",
+                                                        "jitter"};
 
 Jitter jitter_of(const ShapeSettings& settings) {
   return {settings.jitter.value_or(0.0), settings.seed};
@@ -97,10 +98,11 @@ std::span<const Shape> shapes() {
       Shape{"hexagon", "flat and six-sided, radius 1", split, polyhedron<make_hexagon>},
       Shape{"six-sided-hole", "two rings of a smooth surface around a trivial filling", levels,
             six_sided_hole},
-      Shape{"torus", "about the z axis, radii 1 and 1/RATIO (sqrt 2)", rings, torus},
-      Shape{"cylinder", "open, about the z axis, radius 1, height RATIO (2)", rings, cylinder},
-      Shape{"catenoid", "open, about the z axis, smallest radius 1, height RATIO (2)", rings,
-            catenoid},
+      Shape{"torus", "about the z axis, radii 1 and 1/RATIO (sqrt 2)", jittered_grid, torus},
+      Shape{"cylinder", "open, about the z axis, radius 1, height RATIO (2)", jittered_grid,
+            cylinder},
+      Shape{"catenoid", "open, about the z axis, smallest radius 1, height RATIO (2)",
+            jittered_grid, catenoid},
       Shape{"plane", "flat, width 1, height RATIO (1)", grid, plane},
   };
   return table;
