@@ -406,6 +406,41 @@ TEST(Info, FlatShapesHaveNoEnergyAndOneBoundary) {
   EXPECT_EQ(info_of({"cylinder"})["boundary_loops"], 2);
 }
 
+TEST(Info, TellsTheEndsOfTheSpectrumOfTheLaplacianThatIsAskedFor) {
+  const std::string ball = made({"icosphere", "--subdivide", "3"});
+  EXPECT_FALSE(figures({"info", "-"}, {.input = ball}).contains("operator"));
+  const json found = figures({"info", "-", "--laplacian", "lagrange", "--mass", "galerkin"},
+                             {.input = ball})["operator"];
+  EXPECT_EQ(found["laplacian"], "lagrange");
+  EXPECT_EQ(found["mass"], "galerkin");
+  EXPECT_EQ(found["nodes"], 642);
+  EXPECT_EQ(found["zero_eigenvalues"], 1);
+  EXPECT_NEAR(found["bending_energy"], 8.0 * pi, 0.1);
+  EXPECT_NEAR(found["smallest_eigenvalue"], 2.0, 0.02);  // l (l + 1)
+  EXPECT_GT(found["largest_eigenvalue"], 1000);
+  const json defaults = figures({"info", "-", "--laplacian", "umbrella"}, {.input = ball});
+  EXPECT_EQ(defaults["operator"]["mass"], "barycentric");
+  const RunResult refused =
+      run_program({"info", "-", "--laplacian", "umbrella", "--mass", "voronoi"}, {.input = ball});
+  EXPECT_EQ(refused.exit_code, 2);
+  EXPECT_NE(refused.err.find("barycentric"), std::string::npos);
+}
+
+TEST(Smooth, TakesEveryMassThatGoesWithItsLaplacian) {
+  const std::string rough = made({"icosphere", "--subdivide", "2", "--noise", "0.2"});
+  const Words smooth{"smooth", "-", "-", "--format", "off", "--steps", "2"};
+  const auto result = [&](const Words& more) {
+    const RunResult run = run_program(smooth + more, {.input = rough});
+    EXPECT_EQ(run.exit_code, 0) << run.err;
+    return run.out;
+  };
+  const Words voronoi{"--laplacian", "lagrange", "--mass", "voronoi"};
+  EXPECT_NE(result(voronoi), result({"--laplacian", "lagrange"}));
+  EXPECT_EQ(result({"--mass", "none"}), result({"--no-mass"}));
+  EXPECT_EQ(result({"--mass", "crouzeix-raviart"}), result({}));
+  EXPECT_EQ(run_program(smooth + Words{"--mass", "voronoi"}, {.input = rough}).exit_code, 2);
+}
+
 TEST(Info, FitsASphere) {
   const json found = figures(
       {"info", "-", "--sphere"},

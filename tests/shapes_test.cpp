@@ -13,6 +13,7 @@
 #include "ibmfair/mesh/geometry.h"
 #include "ibmfair/mesh/topology.h"
 #include "ibmfair/shapes/grids.h"
+#include "ibmfair/shapes/jitter.h"
 #include "ibmfair/shapes/noise.h"
 #include "ibmfair/shapes/polyhedra.h"
 
@@ -37,6 +38,7 @@ std::vector<Expectation> examples() {
     all.push_back({"icosphere" + at, make_icosphere({levels}), 2, 0});
     all.push_back({"refined icosphere" + at, make_icosphere({levels, 19}), 2, 0});
     all.push_back({"cube" + at, make_cube({levels, 0}), 2, 0});
+    all.push_back({"cubesphere" + at, make_cubesphere({levels}), 2, 0});
     all.push_back({"hexagon" + at, make_hexagon({levels}), 1, 1});
   }
   for (const bool straight : {false, true}) {
@@ -44,6 +46,11 @@ std::vector<Expectation> examples() {
       const std::string at = (straight ? " straight " : " ") + std::to_string(rows);
       all.push_back({"torus" + at, make_torus(1.5, {rows, 9, straight}), 0, 0});
       all.push_back({"cylinder" + at, make_cylinder(2.0, {rows - 1, 9, straight}), 0, 2});
+      const Jitter jitter{0.3, 5};
+      all.push_back({"jittered torus" + at, make_torus(1.5, {rows, 9, straight, jitter}), 0, 0});
+      all.push_back({"catenoid" + at, make_catenoid(2.0, {rows - 1, 9, straight}), 0, 2});
+      all.push_back(
+          {"jittered catenoid" + at, make_catenoid(2.0, {rows - 1, 9, straight, jitter}), 0, 2});
       all.push_back({"plane" + at, make_plane(0.7, {rows - 1, 5, straight}), 1, 1});
       all.push_back({"plane, even" + at, make_plane(0.7, {rows, 5, straight}), 1, 1});
     }
@@ -99,6 +106,10 @@ double error_ratio(double coarse, double fine, double exact) {
   return (coarse - exact) / (fine - exact);
 }
 
+double area_of(const TriangleMesh& mesh) {
+  return surface_area(mesh.X, mesh.F);
+}
+
 TEST(Shapes, CurvedOnesApproachTheirAreaAndVolumeAtSecondOrder) {
   const auto check = [](const TriangleMesh& coarse, const TriangleMesh& fine, double area,
                         double volume) {
@@ -109,7 +120,12 @@ TEST(Shapes, CurvedOnesApproachTheirAreaAndVolumeAtSecondOrder) {
         4.0, 0.1);
   };
   check(make_icosphere({3}), make_icosphere({4}), 4.0 * pi, 4.0 / 3.0 * pi);
+  check(make_cubesphere({3}), make_cubesphere({4}), 4.0 * pi, 4.0 / 3.0 * pi);
   for (const bool straight : {false, true}) {
+    const double catenoid_area = pi * (2.0 + std::sinh(2.0));
+    EXPECT_NEAR(error_ratio(area_of(make_catenoid(2.0, {21, 60, straight})),
+                            area_of(make_catenoid(2.0, {41, 120, straight})), catenoid_area),
+                4.0, 0.1);
     for (const double ratio : {1.2, std::sqrt(2.0), 2.5}) {
       check(make_torus(ratio, {40, 60, straight}), make_torus(ratio, {80, 120, straight}),
             4.0 * pi * pi / ratio, 2.0 * pi * pi / (ratio * ratio));
@@ -120,6 +136,32 @@ TEST(Shapes, CurvedOnesApproachTheirAreaAndVolumeAtSecondOrder) {
         error_ratio(surface_area(coarse.X, coarse.F), surface_area(fine.X, fine.F), 6.0 * pi), 4.0,
         0.1);
   }
+}
+
+TEST(Shapes, JitterKeepsVerticesOnTheSurfaceAndIsReproducible) {
+  const double ratio = 2.5;
+  const auto grid = [](std::uint64_t seed) { return GridSize{12, 30, false, {0.3, seed}}; };
+  const TriangleMesh torus = make_torus(ratio, grid(1)), catenoid = make_catenoid(2.0, grid(1));
+  const auto from_axis = [](const TriangleMesh& mesh) {
+    return mesh.X.leftCols<2>().rowwise().norm().array().eval();
+  };
+  EXPECT_LT(((from_axis(torus) - 1).square() + torus.X.col(2).array().square() - 1 / ratio / ratio)
+                .abs()
+                .maxCoeff(),
+            1e-14);
+  EXPECT_LT((from_axis(catenoid) - catenoid.X.col(2).array().cosh()).abs().maxCoeff(), 1e-14);
+  EXPECT_EQ(catenoid.X.topRows(30).col(2).maxCoeff(), -1);  // its borders stay circles
+  EXPECT_EQ(torus.X, make_torus(ratio, grid(1)).X);
+  EXPECT_NE(torus.X, make_torus(ratio, grid(2)).X);
+
+  TriangleMesh sphere = make_cubesphere({3});
+  const Points before = sphere.X;
+  jitter_on_unit_sphere(sphere.X, sphere.F, {0.2, 1});
+  EXPECT_LT((sphere.X.rowwise().norm().array() - 1).abs().maxCoeff(), 1e-15);
+  EXPECT_GT((sphere.X - before).rowwise().norm().mean(), 0.01);
+  EXPECT_THROW(jitter_on_unit_sphere(sphere.X, sphere.F, {0.5, 1}), BadOption);
+  EXPECT_THROW(make_torus(ratio, {12, 30, false, {-0.1, 1}}), BadOption);
+  EXPECT_THROW(make_catenoid(21, {}), BadOption);
 }
 
 TEST(Shapes, SubdivisionKeepsTheVerticesThatStand) {

@@ -41,7 +41,8 @@ FillOptions fill_options(const FillArguments& arguments) {
   FillOptions options = arguments.fill;
   options.fair = !arguments.no_fair;
   options.refine = !arguments.no_refine;
-  options.fairing.mass = !arguments.no_mass;
+  options.fairing.mass = arguments.mass.mass();
+  options.fairing.mass_matrix = arguments.mass.name;
   options.fairing.relax = arguments.tangential == "relax";
   return options;
 }
@@ -146,7 +147,8 @@ ShownMesh shown_mesh(const FillArguments& arguments, const Topology& topology,
 nlohmann::ordered_json state_json(const FillArguments& arguments, const SceneState& state) {
   FlowOptions options;
   options.laplacian = arguments.fill.fairing.laplacian;
-  options.mass = !arguments.no_mass;
+  options.mass = arguments.mass.mass();
+  options.mass_matrix = arguments.mass.name;
   return mesh_state_json(*state.X, *state.topology, options);
 }
 

@@ -90,7 +90,7 @@ void add_patch_options(CLI::App& app, FillArguments& a) {
 void add_fairing_options(CLI::App& app, FillArguments& a) {
   begin_group(app, groups::energy_and_flow);
   add_laplacian_option(app, a.fill.fairing.laplacian, "member of the family of energies");
-  app.add_flag("--no-mass", a.no_mass, "leave the mass matrix out of the energy");
+  add_mass_options(app, a.mass);
   CLI::Option* tolerance = add_real(app, "--tolerance", a.fill.fairing.tolerance, positive,
                                     "normal gradient at which a patch counts as stationary");
   note_of(app, *tolerance).unit = "times its value at the start";

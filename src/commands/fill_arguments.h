@@ -27,7 +27,8 @@ struct FillArguments {
   HoleChoice choice;
   std::optional<Length> max_perimeter, max_diameter;
   FillOptions fill;
-  bool no_fair = false, no_refine = false, no_mass = false;
+  bool no_fair = false, no_refine = false;
+  MassOptions mass;
   std::string region;
   std::string tangential = "none";
 };

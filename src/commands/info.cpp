@@ -1,6 +1,8 @@
+#include <array>
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <CLI/CLI.hpp>
@@ -14,11 +16,14 @@
 #include "commands/report/report_formats.h"
 #include "commands/shared_options.h"
 #include "ibmfair/energy/bending_energy.h"
+#include "ibmfair/energy/laplacian_matrices.h"
+#include "ibmfair/energy/mass_matrices.h"
 #include "ibmfair/io/formats.h"
 #include "ibmfair/measure/mesh_summary.h"
 #include "ibmfair/measure/sphere_fit.h"
 #include "ibmfair/measure/used_vertices.h"
 #include "ibmfair/mesh/topology.h"
+#include "ibmfair/solve/spectrum.h"
 
 namespace ibmfair::commands {
 
@@ -33,6 +38,7 @@ struct InfoArguments {
   bool overwrite = false;
   bool strict = false;
   bool sphere = false;
+  std::string laplacian, mass;
 };
 
 struct Energy {
@@ -40,20 +46,42 @@ struct Energy {
   double value;
 };
 
+/// The members whose energies are told unasked.
+constexpr std::array<std::string_view, 2> usual_models{"crouzeix-raviart", "lagrange"};
+
+/// Of the Laplacian that was asked for.
+struct Operator {
+  std::string laplacian, mass;
+  double energy;
+  SpectrumEnds spectrum;
+};
+
 /// Everything that the command tells.
 struct Findings {
   MeshSummary summary;
   std::vector<Energy> energies;
   std::optional<SphereFit> sphere;
+  std::optional<Operator> chosen;
 };
 
-Findings examine(const Mesh& mesh, const Topology& topology, bool fit) {
-  Findings findings{summarise(mesh, topology), {}, {}};
-  for (const BendingModel& model : bending_models()) {
-    findings.energies.push_back(
-        {std::string(model.name), bending_energy(mesh.X, topology, model.name)});
+Operator examine_operator(const Mesh& mesh, const Topology& topology,
+                          const InfoArguments& arguments) {
+  const BendingModel& model = bending_model(arguments.laplacian);
+  const EnergyOptions options{true, {}, arguments.mass};
+  return {arguments.laplacian, std::string(mass_matrix(model, options).name),
+          model.bind(topology, options)->energy(mesh.X),
+          spectrum_ends(model.matrices(mesh.X, topology, options))};
+}
+
+Findings examine(const Mesh& mesh, const Topology& topology, const InfoArguments& arguments) {
+  Findings findings{summarise(mesh, topology), {}, {}, {}};
+  for (const std::string_view model : usual_models) {
+    findings.energies.push_back({std::string(model), bending_energy(mesh.X, topology, model)});
   }
-  if (fit) {
+  if (!arguments.laplacian.empty()) {
+    findings.chosen = examine_operator(mesh, topology, arguments);
+  }
+  if (arguments.sphere) {
     findings.sphere = fit_sphere(used_positions(mesh.X, topology.F));
   }
   return findings;
@@ -98,6 +126,16 @@ void add_findings(ordered_json& json, const MeshFile& file, const Topology& topo
   for (const Energy& energy : findings.energies) {
     json["bending_energy"][energy.model] = energy.value;
   }
+  if (findings.chosen) {
+    const SpectrumEnds& spectrum = findings.chosen->spectrum;
+    json["operator"] = {{"laplacian", findings.chosen->laplacian},
+                        {"mass", findings.chosen->mass},
+                        {"bending_energy", findings.chosen->energy},
+                        {"nodes", spectrum.nodes},
+                        {"zero_eigenvalues", spectrum.zeros},
+                        {"smallest_eigenvalue", optional_json(spectrum.smallest)},
+                        {"largest_eigenvalue", optional_json(spectrum.largest)}};
+  }
   if (findings.sphere) {
     json["sphere"] = {{"center", vector_json(findings.sphere->center)},
                       {"radius", findings.sphere->radius},
@@ -116,6 +154,16 @@ std::string orientation_text(const MeshSummary& s) {
 
 std::string vector_text(const Vec3& x) {
   return fmt::format("{} {} {}", figure(x[0]), figure(x[1]), figure(x[2]));
+}
+
+std::string eigenvalue_text(const std::optional<double>& value) {
+  return value ? fmt::format("{:.8g}", *value) : "none found";
+}
+
+std::string spectrum_text(const Operator& chosen) {
+  const SpectrumEnds& s = chosen.spectrum;
+  return fmt::format("{} zero, then {} to {}{}", s.zeros, eigenvalue_text(s.smallest),
+                     eigenvalue_text(s.largest), chosen.mass == "none" ? "" : " 1/u^2");
 }
 
 std::string to_text(const MeshFile& file, const Topology& topology, const Findings& findings) {
@@ -152,6 +200,12 @@ std::string to_text(const MeshFile& file, const Topology& topology, const Findin
   for (const Energy& energy : findings.energies) {
     list.add("E_b " + energy.model, energy.value);
   }
+  if (findings.chosen) {
+    list.add("Laplacian",
+             fmt::format("{}, mass {}", findings.chosen->laplacian, findings.chosen->mass));
+    list.add("E_b of it", findings.chosen->energy);
+    list.add("its eigenvalues", spectrum_text(*findings.chosen));
+  }
   if (findings.sphere) {
     list.add("sphere", fmt::format("radius {} about {}", figure(findings.sphere->radius),
                                    vector_text(findings.sphere->center)));
@@ -165,7 +219,7 @@ ExitCode run_info(const InfoArguments& arguments, const CLI::App& app, Console& 
   const MeshFile file = read_input(arguments.path, arguments.input, console);
   const Mesh& mesh = file.mesh();
   const Topology topology = build_topology(mesh.X, triangulate(mesh).F);
-  const Findings findings = examine(mesh, topology, arguments.sphere);
+  const Findings findings = examine(mesh, topology, arguments);
 
   Report report(app);
   add_findings(report.figures, file, topology, findings);
@@ -189,6 +243,12 @@ Runner declare_info(CLI::App& app) {
   app.add_flag("--sphere", arguments->sphere,
                "fit a sphere, and tell the standard deviation of the vertices' distances to its "
                "centre as a part of their mean");
+  CLI::Option* laplacian = add_laplacian_option(
+      app, arguments->laplacian,
+      "tell the energy by this Laplacian L, and the ends of the spectrum of M^-1 L: its zeros, the "
+      "smallest other eigenvalue and the largest one (1 / mesh units^2, without mass none)");
+  note_of(app, *laplacian).default_text = "none";
+  add_mass_option(app, arguments->mass)->needs(laplacian);
   add_input_options(app, arguments->input);
   add_strict_option(app, arguments->strict);
   add_report_options(app, arguments->report);
@@ -197,6 +257,8 @@ Runner declare_info(CLI::App& app) {
       {"ibmfair info scan.ply", "tells counts, defects, sizes and bending energies"},
       {"ibmfair make icosphere - --format off --subdivide 4 | ibmfair info - --sphere",
        "reads a mesh from a pipe, and tells how far it is from a sphere"},
+      {"ibmfair info scan.ply --laplacian lagrange --mass voronoi",
+       "tells the smallest and largest eigenvalue of that Laplacian as well"},
   };
   return [arguments, &app](Console& console) { return run_info(*arguments, app, console); };
 }

@@ -63,7 +63,9 @@ double mean_edge_length_of(const Mesh& mesh) {
 ExitCode run_make(const MakeArguments& arguments, Console& console) {
   require_known(arguments.shape);
   require_writable(arguments.output.path, arguments.output.write.overwrite);
-  Mesh mesh = make_shape(arguments.shape, arguments.settings);
+  ShapeSettings settings = arguments.settings;
+  settings.seed = arguments.seed;
+  Mesh mesh = make_shape(arguments.shape, settings);
   mesh.X *= arguments.scale;
   if (arguments.noise > 0.0) {
     add_noise(mesh.X, arguments.noise * mean_edge_length_of(mesh), arguments.seed);
@@ -104,6 +106,10 @@ void add_shape_settings(CLI::App& app, ShapeSettings& settings) {
   note_of(app, *columns).unit = "vertices";
   app.add_flag("--straight", settings.straight,
                "do not shift every other row by half a cell: right-angled triangles");
+  CLI::Option* jitter = add_real(app, "--jitter", settings.jitter, not_negative,
+                                 "move every vertex at random within the surface by up to this, "
+                                 "below 0.5: triangles of all shapes");
+  note_of(app, *jitter) = {.unit = "cells, mean edge lengths on a sphere", .default_text = "0"};
 }
 
 void add_changes(CLI::App& app, MakeArguments& arguments) {
@@ -113,7 +119,7 @@ void add_changes(CLI::App& app, MakeArguments& arguments) {
   note_of(app, *noise).unit = "mean edge lengths";
   CLI::Option* seed =
       add_integer(app, "--seed", arguments.seed, std::uint64_t{0}, std::uint64_t{1} << 62U,
-                  "of the noise: another number makes other noise of the same kind");
+                  "of noise and jitter: another number makes others of the same kind");
   note_of(app, *seed).unit = "any whole number";
   CLI::Option* scale =
       add_real(app, "--scale", arguments.scale, positive, "multiply all coordinates");

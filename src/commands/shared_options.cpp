@@ -1,6 +1,7 @@
 #include "commands/shared_options.h"
 
 #include <CLI/CLI.hpp>
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "commands/argument_roles.h"
@@ -8,6 +9,7 @@
 #include "commands/printable.h"
 #include "commands/report/report_formats.h"
 #include "ibmfair/energy/bending_energy.h"
+#include "ibmfair/energy/mass_matrices.h"
 #include "ibmfair/io/formats.h"
 
 namespace ibmfair::commands {
@@ -90,12 +92,37 @@ void add_overwrite_option(CLI::App& app, bool& overwrite) {
   app.add_flag("--overwrite", overwrite, "replace files that exist");
 }
 
-void add_laplacian_option(CLI::App& app, std::string& name, const std::string& help) {
+CLI::Option* add_laplacian_option(CLI::App& app, std::string& name, const std::string& help) {
   std::vector<std::string> names;
+  std::string list;
   for (const BendingModel& model : bending_models()) {
     names.emplace_back(model.name);
+    list += fmt::format("{}\n    {}\n    masses: {}\n", model.name, model.summary,
+                        fmt::join(model.masses, ", "));
   }
-  app.add_option("--laplacian", name, help)->check(CLI::IsMember(names))->capture_default_str();
+  documentation_of(app).sections.push_back({"Laplacians", list});
+  return app.add_option("--laplacian", name, help)
+      ->check(CLI::IsMember(names))
+      ->capture_default_str();
+}
+
+CLI::Option* add_mass_option(CLI::App& app, std::string& name) {
+  std::vector<std::string> names;
+  for (const MassMatrix& mass : mass_matrices()) {
+    names.emplace_back(mass.name);
+  }
+  CLI::Option* option =
+      app.add_option("--mass", name, "mass matrix of the energy, one that goes with the Laplacian")
+          ->check(CLI::IsMember(names));
+  note_of(app, *option).default_text = "the first in the Laplacian's list";
+  return option;
+}
+
+void add_mass_options(CLI::App& app, MassOptions& options) {
+  CLI::Option* mass = add_mass_option(app, options.name);
+  app.add_flag("--no-mass", options.without,
+               "leave the mass matrix out of the energy: the short form of --mass none")
+      ->excludes(mass);
 }
 
 void add_strict_option(CLI::App& app, bool& strict) {

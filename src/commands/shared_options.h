@@ -47,7 +47,21 @@ void add_output_options(CLI::App& app, OutputOptions& options);
 void add_overwrite_option(CLI::App& app, bool& overwrite);
 
 /// --laplacian: a member of the family of energies.
-void add_laplacian_option(CLI::App& app, std::string& name, const std::string& help);
+CLI::Option* add_laplacian_option(CLI::App& app, std::string& name, const std::string& help);
+
+/// Which mass matrix is in the energy.
+struct MassOptions {
+  std::string name;      ///< from mass_matrices(); empty: the default of the Laplacian
+  bool without = false;  ///< the short form of "none"
+
+  bool mass() const { return !without && name != "none"; }
+};
+
+/// --mass.
+CLI::Option* add_mass_option(CLI::App& app, std::string& name);
+
+/// --mass and --no-mass.
+void add_mass_options(CLI::App& app, MassOptions& options);
 
 /// --strict.
 void add_strict_option(CLI::App& app, bool& strict);

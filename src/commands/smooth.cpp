@@ -284,7 +284,8 @@ void write_and_tell(const SmoothArguments& arguments, const OutputOptions& outpu
 FlowOptions flow_options(const SmoothArguments& arguments, const MeshFile& file,
                          const Console& console) {
   FlowOptions options = arguments.flow;
-  options.mass = !arguments.no_mass;
+  options.mass = arguments.mass.mass();
+  options.mass_matrix = arguments.mass.name;
   options.metric = arguments.metric == "mass" ? Metric::mass : Metric::identity;
   options.guarded = !arguments.plain;
   options.relax = relaxes(arguments, file, console);

@@ -54,7 +54,7 @@ void add_flow_options(CLI::App& app, SmoothArguments& a) {
           ->type_name(name_or_file_to_read);
   note_of(app, *h0).unit = "1 / mesh units";
   note_of(app, *h0).default_text = "0";
-  app.add_flag("--no-mass", a.no_mass, "leave the mass matrix out of the energy");
+  add_mass_options(app, a.mass);
   app.add_option("--metric", a.metric,
                  "of the flow: mass (independent of the sampling) or identity")
       ->check(CLI::IsMember({"mass", "identity"}))

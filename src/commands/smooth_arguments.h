@@ -29,7 +29,8 @@ struct SmoothArguments {
   std::optional<Length> cutoff;
   std::optional<Length> max_move;
   std::optional<double> keep_sharp;  // degrees
-  bool plain = false, no_mass = false, dry_run = false;
+  bool plain = false, dry_run = false;
+  MassOptions mass;
   std::string metric = "mass", boundary = "fixed", tangential;
   std::string fix_file, mask, weights, h0;
 };

@@ -11,6 +11,7 @@
 #include "commands/stage_times.h"
 #include "ibmfair/base/process_memory.h"
 #include "ibmfair/energy/bending_energy.h"
+#include "ibmfair/energy/mass_matrices.h"
 #include "ibmfair/flow/folds.h"
 #include "ibmfair/mesh/geometry.h"
 
@@ -189,16 +190,19 @@ void add_smooth_figures(const SmoothFigures& figures, const Topology& topology,
   const FlowReport& flow = figures.flow;
   ordered_json& json = report.figures;
   json["status"] = name_of(flow.status);
-  json["options"] = {{"laplacian", options.laplacian},
-                     {"mass", options.mass},
-                     {"metric", options.metric == Metric::mass ? "mass" : "identity"},
-                     {"steps", options.steps},
-                     {"total_time", figures.total_time},
-                     {"cutoff", figures.cutoff},
-                     {"newton_iterations", options.newton_iterations},
-                     {"solver_tolerance", options.solver_tolerance},
-                     {"guarded", options.guarded},
-                     {"tangential", options.guarded && options.relax ? "relax" : "none"}};
+  json["options"] = {
+      {"laplacian", options.laplacian},
+      {"mass", options.mass},
+      {"mass_matrix",
+       mass_matrix(bending_model(options.laplacian), {options.mass, {}, options.mass_matrix}).name},
+      {"metric", options.metric == Metric::mass ? "mass" : "identity"},
+      {"steps", options.steps},
+      {"total_time", figures.total_time},
+      {"cutoff", figures.cutoff},
+      {"newton_iterations", options.newton_iterations},
+      {"solver_tolerance", options.solver_tolerance},
+      {"guarded", options.guarded},
+      {"tangential", options.guarded && options.relax ? "relax" : "none"}};
   json["mesh"] = {{"vertices", topology.vertex_count},
                   {"triangles", topology.F.rows()},
                   {"unknowns", flow.unknowns},

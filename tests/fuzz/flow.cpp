@@ -23,11 +23,15 @@ struct FlowCase {
   double cutoff_edges = 8;
 
   explicit FlowCase(Bytes& bytes) {
-    constexpr std::array models{"crouzeix-raviart", "lagrange"};
+    constexpr std::array models{"crouzeix-raviart", "lagrange",           "weighted", "weighted",
+                                "umbrella",         "intrinsic-delaunay", "lagrange", "lagrange"};
+    constexpr std::array masses{"", "", "", "galerkin", "", "", "galerkin", "voronoi"};
     constexpr std::array solvers{"auto", "cholmod", "cg"};
     constexpr std::array cutoffs{8.0, 1.0, 40.0, 1e-3, 1e4, 3.0};
     const std::uint8_t kinds = bytes.next();
-    options.laplacian = models[kinds & 1];
+    const int member = (kinds & 1) | kinds >> 6 << 1;
+    options.laplacian = models[member];
+    options.mass_matrix = masses[member];
     options.mass = (kinds & 2) == 0;
     options.metric = (kinds & 4) == 0 ? Metric::mass : Metric::identity;
     options.guarded = (kinds & 8) == 0;
@@ -64,7 +68,7 @@ Ending run(const Mesh& mesh, const Topology& topology, const std::vector<std::ui
 
 double energy_of(const Points& X, const Topology& topology, const std::vector<std::uint8_t>& held,
                  const FlowOptions& options) {
-  EnergyOptions energy{options.mass, held};
+  EnergyOptions energy{options.mass, held, options.mass_matrix};
   for (std::uint8_t& flag : energy.active)
     flag = flag != 0 ? 0 : 1;
   return bending_model(options.laplacian).bind(topology, energy)->energy(X);

@@ -58,6 +58,7 @@ class SchemaTest(ProgramTest):
         yield self.json("fill", "open.off", "out.off", "--region", "@all", "--overwrite")
         yield self.json("holes", "open.off")
         yield self.json("info", "ball.off", "--sphere")
+        yield self.json("info", "ball.off", "--laplacian", "lagrange", "--mass", "voronoi")
         yield self.json("info", "defects.off")
         yield self.json("compare", "ball.off", "ball.off", "--tolerance", "1")
         yield self.json("compare", "ball.off", "open.off")

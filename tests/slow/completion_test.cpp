@@ -28,6 +28,7 @@ const std::vector<CompletionCase>& completion_cases() {
       {{"smooth", "scan.ply", "--pl"}, {"--plain"}, {"--cutoff"}},
       {{"fill", "--no-"}, {"--no-fair", "--no-refine", "--no-mass"}, {"--plain"}},
       {{"smooth", "--laplacian", ""}, {"crouzeix-raviart", "lagrange"}, {"scan.ply", "--cutoff"}},
+      {{"smooth", "--mass", ""}, {"barycentric", "voronoi"}, {"scan.ply", "--cutoff"}},
       {{"smooth", "--solver", "c"}, {"cholmod", "cg"}, {"auto", "scan.ply"}},
       {{"smooth", "--input-format", "o"}, {"obj", "off"}, {"ply"}},
       {{"make", ""}, {"icosphere", "torus"}, {"scan.ply", "smooth"}},
@@ -104,7 +105,8 @@ TEST_F(Completion, WorksInBash) {
   };
   check(offers);
   EXPECT_EQ(offers({"smooth", "--laplacian", "=", "l"}), "lagrange\n");
-  EXPECT_EQ(offers({"smooth", "--laplacian", "="}), "crouzeix-raviart\nlagrange\n");
+  EXPECT_EQ(offers({"smooth", "--laplacian", "="}),
+            "crouzeix-raviart\nlagrange\nweighted\nintrinsic-delaunay\numbrella\n");
   // Meshes first: other files only where there is no mesh of such a name.
   EXPECT_EQ(offers({"smooth", "sc"}), "scan.ply\n");
   EXPECT_EQ(offers({"smooth", "scan.t"}), "scan.txt\n");

@@ -54,6 +54,26 @@ TEST(EnergyLimits, LagrangeConvergesToTheCliffordTorusOverAnyTriangulation) {
   }
 }
 
+// On random triangulations of the sphere the cotangent Laplacian has a limit of its own, but not on
+// the intrinsic Delaunay one.
+TEST(EnergyLimits, IntrinsicDelaunayConvergesToTheSphereOverRandomTriangulations) {
+  const auto energy = [](int level, std::string_view model) {
+    ShapeSettings settings;
+    settings.subdivide = level;
+    settings.jitter = 0.3;
+    const State state(make_shape("icosphere", settings));
+    return bending_energy(state.X, state.topology, model) - sphere_energy;
+  };
+  double last = energy(3, "intrinsic-delaunay");
+  for (int level = 4; level <= 6; ++level) {
+    const double difference = energy(level, "intrinsic-delaunay");
+    EXPECT_NEAR(last / difference, 4, 0.2) << level;
+    last = difference;
+  }
+  EXPECT_LT(std::abs(last), 0.003);
+  EXPECT_GT(std::abs(energy(6, "lagrange")), 0.05);
+}
+
 TEST(EnergyLimits, CrouzeixRaviartConvergesToALimitThatDependsOnTheTriangulation) {
   // Equilateral triangles: 3/4 of the integral of H^2 minus that of K, 8 pi on the sphere; the
   // twelve vertices of valence five and the unequal triangles of an icosphere add 0.39.

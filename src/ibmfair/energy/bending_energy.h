@@ -4,10 +4,11 @@
 //   E_b(X) = 1/2 tr(X^T L^T M^-1 L X)                                      [W07] section 2.3
 //
 // the discrete counterpart of 1/2 * integral of H^2 with H = kappa1 + kappa2. L is a discrete
-// Laplacian, positive semi-definite throughout this library; M is a lumped mass matrix. Every
-// member is a sum over stencils, E_b = 1/2 sum_s w_s |sum_i c_si x_i|^2, with coefficients c and
-// weights w that stay constant while the mesh bends without stretching; that makes its Hessian
-// under isometry, S = sum_s w_s c_s c_s^T, a constant #V x #V matrix which acts on each coordinate.
+// Laplacian, M a mass matrix (energy/mass_matrices.h), and the sum is over the inner nodes. With a
+// diagonal M a member is a sum over stencils, E_b = 1/2 sum_s w_s |sum_i c_si x_i|^2, with
+// coefficients c and weights w that stay constant while the mesh bends without stretching; that
+// makes its Hessian under isometry, S = sum_s w_s c_s c_s^T, a constant #V x #V matrix which acts
+// on each coordinate.
 #pragma once
 
 #include <cstdint>
@@ -22,6 +23,8 @@
 
 namespace ibmfair {
 
+struct LaplacianMatrices;
+
 /// The coefficients of all stencils at one state of the mesh.
 struct StencilWeights {
   std::vector<double>
@@ -32,10 +35,17 @@ struct StencilWeights {
 /// How a member of the family is bound to a mesh.
 struct EnergyOptions {
   /// false: the mass matrix is left out (M = identity), the energy then has unit length^2 and
-  /// depends on the sampling ([W07] Figure 9, right).
+  /// depends on the sampling ([W07] Figure 9, right). The same as `mass_matrix` "none".
   bool mass = true;
-  /// #V, or empty for all: only stencils that touch a true vertex are summed.
+  /// #V, or empty for all: only stencils that touch a true vertex are summed. (All of them where
+  /// stencils change with the state, as on the intrinsic Delaunay triangulation, or do not add up,
+  /// as with a consistent mass.)
   std::vector<std::uint8_t> active = {};
+  /// A name from the model's `masses`, or empty for its default.
+  std::string mass_matrix = {};
+  /// #V, length^2, for `weighted`: constant weights of the vertices. Empty: those of circles, which
+  /// follow the state (energy/circle_weights.h).
+  std::vector<double> vertex_weights = {};
   /// Hinges that turn by more than this angle (radians) hardly bend; 0: all bend. Only with mass,
   /// for members with BendingModel::keeps_sharp.
   double sharp_angle = 0;
@@ -66,19 +76,24 @@ class BendingEnergy {
   virtual const Rows& stencils() const = 0;
 
   /// The coefficients and weights at X, from which the Hessian S is assembled (energy/hessian.h).
+  /// Where no fixed stencils give S, those of a nearby member do (energy/vertex_energy.h).
   virtual void linearise(const Points& X, StencilWeights& weights) = 0;
 };
 
-/// A row of the table of members.
+/// A row of the table of members: a Laplacian and the masses that go with it.
 struct BendingModel {
   std::string_view name;     ///< as the command line takes it
   std::string_view summary;  ///< one line
   std::unique_ptr<BendingEnergy> (*make)(const Topology& topology, const EnergyOptions& options);
+  /// L and M as matrices; throws BadOption for a mass that does not go with the Laplacian.
+  LaplacianMatrices (*matrices)(const Points& X, const Topology& topology,
+                                const EnergyOptions& options);
+  std::span<const std::string_view> masses;  ///< names from mass_matrices(), the default first
   bool keeps_sharp = false;                  ///< knows EnergyOptions::sharp_angle
   bool takes_spontaneous_curvature = false;  ///< knows EnergyOptions::spontaneous_curvature
 
-  /// The member on a mesh. Throws BadOption for options that it does not know; BadMesh for a
-  /// spontaneous curvature on a mesh that has no two sides.
+  /// The member on a mesh. Throws BadOption for options that it does not know and masses that do
+  /// not go with it; BadMesh for a spontaneous curvature on a mesh that has no two sides.
   std::unique_ptr<BendingEnergy> bind(const Topology& topology, const EnergyOptions& options) const;
 };
 

@@ -6,24 +6,104 @@
 #include "ibmfair/energy/bending_energy.h"
 #include "ibmfair/energy/crouzeix_raviart.h"
 #include "ibmfair/energy/lagrange.h"
+#include "ibmfair/energy/laplacian_matrices.h"
+#include "ibmfair/energy/mass_matrices.h"
+#include "ibmfair/energy/vertex_energy.h"
+#include "ibmfair/energy/vertex_laplacians.h"
 
 namespace ibmfair {
 namespace {
 
+using Bound = std::unique_ptr<BendingEnergy>;
+
+/// The two members with kernels of their own know one mass, or none.
 template <class Member>
-std::unique_ptr<BendingEnergy> make(const Topology& topology, const EnergyOptions& options) {
+Bound fast_member(const Topology& topology, EnergyOptions options, const MassMatrix& mass) {
+  options.mass = mass.kind != MassMatrix::Kind::identity;
   return std::make_unique<Member>(topology, options);
 }
 
-constexpr std::array<BendingModel, 2> models{{
+Bound crouzeix_raviart(const Topology& topology, const EnergyOptions& options) {
+  const MassMatrix& mass = mass_matrix(bending_model("crouzeix-raviart"), options);
+  if (options.sharp_angle > 0 && mass.kind == MassMatrix::Kind::identity) {
+    throw BadOption("hinges are kept sharp with the mass matrix only");
+  }
+  return fast_member<CrouzeixRaviart>(topology, options, mass);
+}
+
+LaplacianMatrices crouzeix_raviart_matrices(const Points& X, const Topology& topology,
+                                            const EnergyOptions& options) {
+  return edge_matrices(X, topology, mass_matrix(bending_model("crouzeix-raviart"), options));
+}
+
+Bound lagrange(const Topology& topology, const EnergyOptions& options) {
+  const MassMatrix& mass = mass_matrix(bending_model("lagrange"), options);
+  if (mass.name == "barycentric" || mass.kind == MassMatrix::Kind::identity) {
+    return fast_member<Lagrange>(topology, options, mass);
+  }
+  if (options.spontaneous_curvature.size() > 0) {
+    throw BadOption(fmt::format(
+        "a spontaneous curvature goes with the barycentric mass, not the {}", mass.name));
+  }
+  return std::make_unique<VertexEnergy>(topology, options, cotangent_laplacian, mass);
+}
+
+/// A row of a vertex-based Laplacian.
+template <const VertexLaplacian& laplacian, const std::string_view& name>
+struct VertexModel {
+  static Bound make(const Topology& topology, const EnergyOptions& options) {
+    return std::make_unique<VertexEnergy>(topology, options, laplacian,
+                                          mass_matrix(bending_model(name), options));
+  }
+
+  static LaplacianMatrices matrices(const Points& X, const Topology& topology,
+                                    const EnergyOptions& options) {
+    return vertex_matrices(X, topology, options, laplacian,
+                           mass_matrix(bending_model(name), options));
+  }
+};
+
+constexpr std::string_view lagrange_name = "lagrange", weighted_name = "weighted",
+                           delaunay_name = "intrinsic-delaunay", umbrella_name = "umbrella";
+using CotangentModel = VertexModel<cotangent_laplacian, lagrange_name>;
+using WeightedModel = VertexModel<weighted_laplacian, weighted_name>;
+using DelaunayModel = VertexModel<intrinsic_delaunay_laplacian, delaunay_name>;
+using UmbrellaModel = VertexModel<umbrella_laplacian, umbrella_name>;
+
+constexpr std::array<std::string_view, 2> edge_masses{"crouzeix-raviart", "none"};
+constexpr std::array<std::string_view, 4> vertex_masses{"barycentric", "voronoi", "galerkin",
+                                                        "none"};
+constexpr std::array<std::string_view, 2> delaunay_masses{"voronoi", "none"};
+constexpr std::array<std::string_view, 2> umbrella_masses{"barycentric", "none"};
+
+constexpr std::array<BendingModel, 5> models{{
     {.name = "crouzeix-raviart",
      .summary = "edge-based; unfolds spikes, for denoising",
-     .make = make<CrouzeixRaviart>,
+     .make = crouzeix_raviart,
+     .matrices = crouzeix_raviart_matrices,
+     .masses = edge_masses,
      .keeps_sharp = true},
-    {.name = "lagrange",
+    {.name = lagrange_name,
      .summary = "vertex-based cotangent Laplacian; consistent, for stationary limits",
-     .make = make<Lagrange>,
+     .make = lagrange,
+     .matrices = CotangentModel::matrices,
+     .masses = vertex_masses,
      .takes_spontaneous_curvature = true},
+    {.name = weighted_name,
+     .summary = "dual edges between power centres of circles about the vertices",
+     .make = WeightedModel::make,
+     .matrices = WeightedModel::matrices,
+     .masses = vertex_masses},
+    {.name = delaunay_name,
+     .summary = "cotangents of the intrinsic Delaunay triangulation, never negative",
+     .make = DelaunayModel::make,
+     .matrices = DelaunayModel::matrices,
+     .masses = delaunay_masses},
+    {.name = umbrella_name,
+     .summary = "graph Laplacian; evens edges out, and is not zero on planes",
+     .make = UmbrellaModel::make,
+     .matrices = UmbrellaModel::matrices,
+     .masses = umbrella_masses},
 }};
 
 /// The names of the members that have a property, for messages.
@@ -41,9 +121,6 @@ void require_known(const BendingModel& model, const EnergyOptions& options) {
   if (options.sharp_angle > 0 && !model.keeps_sharp) {
     throw BadOption(fmt::format("the Laplacian {} cannot keep sharp hinges; these can: {}",
                                 model.name, names_with(&BendingModel::keeps_sharp)));
-  }
-  if (options.sharp_angle > 0 && !options.mass) {
-    throw BadOption("hinges are kept sharp with the mass matrix only");
   }
   if (options.spontaneous_curvature.size() > 0 && !model.takes_spontaneous_curvature) {
     throw BadOption(fmt::format("the Laplacian {} takes no spontaneous curvature; these do: {}",

@@ -6,6 +6,7 @@
 
 #include "ibmfair/base/errors.h"
 #include "ibmfair/energy/bending_energy.h"
+#include "ibmfair/energy/mass_matrices.h"
 #include "ibmfair/fill/refine.h"
 #include "ibmfair/flow/stationary_flow.h"
 #include "ibmfair/flow/time_scale.h"
@@ -84,6 +85,7 @@ class PatchFairing {
         h_limit_(h_ * limit_growth) {
     flow_options_.laplacian = options.laplacian;
     flow_options_.mass = options.mass;
+    flow_options_.mass_matrix = options.mass_matrix;
     flow_options_.solver = "cholmod";  // toward the limit no other solver's steps are good enough
     flow_options_.memory_limit = options.memory_limit;
   }
@@ -183,7 +185,7 @@ class PatchFairing {
 }  // namespace
 
 void FairingOptions::validate() const {
-  bending_model(laplacian);
+  ibmfair::mass_matrix(bending_model(laplacian), {mass, {}, mass_matrix});
   if (!(tolerance > 0) || most_steps < 1 || most_levels < 1) {
     throw BadOption(
         "the tolerance must be positive and there must be at least one step and one level");

@@ -12,6 +12,7 @@ namespace ibmfair {
 struct FairingOptions {
   std::string laplacian = "lagrange";  ///< a name from bending_models()
   bool mass = true;                    ///< with the mass matrix in the energy
+  std::string mass_matrix = {};        ///< one that goes with the Laplacian; empty: its default
   double tolerance = 1e-3;             ///< of the normal gradient, relative to its start
   int most_steps = 100;                ///< at one level of refinement
   int most_levels = 32;                ///< of refinement

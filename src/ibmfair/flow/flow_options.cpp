@@ -5,6 +5,7 @@
 
 #include "ibmfair/base/errors.h"
 #include "ibmfair/energy/bending_energy.h"
+#include "ibmfair/energy/mass_matrices.h"
 #include "ibmfair/flow/jacobian_solver.h"
 
 namespace ibmfair {
@@ -19,7 +20,7 @@ void require(bool holds, const char* message) {
 }  // namespace
 
 void FlowOptions::validate() const {
-  bending_model(laplacian);
+  ibmfair::mass_matrix(bending_model(laplacian), {mass, {}, mass_matrix});
   if (solver != "auto") {
     jacobian_backend(solver);
   }
@@ -41,7 +42,10 @@ void FlowOptions::validate() const {
 }
 
 EnergyOptions FlowOptions::energy_options() const {
-  return {.mass = mass, .sharp_angle = sharp_angle, .spontaneous_curvature = spontaneous_curvature};
+  return {.mass = mass,
+          .mass_matrix = mass_matrix,
+          .sharp_angle = sharp_angle,
+          .spontaneous_curvature = spontaneous_curvature};
 }
 
 }  // namespace ibmfair

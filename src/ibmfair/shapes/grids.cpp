@@ -104,42 +104,61 @@ double shift(Index row, bool straight) {
   return !straight && row % 2 == 1 ? 0.5 : 0.0;
 }
 
+/// Rows that close upon themselves; position(u, v) has u in turns along a row and v from 0 to 1
+/// over all of them, of which the first and the last stay where they are unless they meet.
+template <class Position>
+TriangleMesh rings(const Counts& counts, bool closed, const GridSize& size,
+                   const Position& position) {
+  TriangleMesh mesh{Points(static_cast<Eigen::Index>(counts.rows) * counts.columns, 3),
+                    ring_triangles(counts, closed, size.straight)};
+  RandomOffsets offsets(size.jitter);
+  const Index cells = closed ? counts.rows : counts.rows - 1;
+  for (Index i = 0; i < counts.rows; ++i) {
+    const bool stays = !closed && (i == 0 || i == cells);
+    for (Index j = 0; j < counts.columns; ++j) {
+      const double along = offsets.next(), across = offsets.next();
+      const double u = (j + shift(i, size.straight) + along) / counts.columns;
+      const double v = (i + (stays ? 0.0 : across)) / cells;
+      mesh.X.row(static_cast<Eigen::Index>(i) * counts.columns + j) = position(two_pi * u, v);
+    }
+  }
+  return mesh;
+}
+
 }  // namespace
 
 TriangleMesh make_torus(double ratio, const GridSize& size) {
   require_ratio(ratio, 1.0);
   const Counts counts = complete(size, {1.0 / ratio, true, true, size.straight ? 3 : 4, 3});
 
-  TriangleMesh mesh{Points(static_cast<Eigen::Index>(counts.rows) * counts.columns, 3),
-                    ring_triangles(counts, true, size.straight)};
   const double r = 1.0 / ratio;
-  for (Index i = 0; i < counts.rows; ++i) {
-    const double v = two_pi * i / counts.rows;
-    const double around = 1.0 + r * std::cos(v);
-    const double z = r * std::sin(v);
-    for (Index j = 0; j < counts.columns; ++j) {
-      const double u = two_pi * (j + shift(i, size.straight)) / counts.columns;
-      mesh.X.row(static_cast<Eigen::Index>(i) * counts.columns + j) << around * std::cos(u),
-          around * std::sin(u), z;
-    }
-  }
-  return mesh;
+  return rings(counts, true, size, [r](double u, double v) {
+    const double around = 1.0 + r * std::cos(two_pi * v);
+    return Eigen::RowVector3d(around * std::cos(u), around * std::sin(u), r * std::sin(two_pi * v));
+  });
 }
 
 TriangleMesh make_cylinder(double height, const GridSize& size) {
   require_ratio(height, 0.0);
   const Counts counts = complete(size, {height / two_pi, false, true, 2, 3});
 
-  TriangleMesh mesh{Points(static_cast<Eigen::Index>(counts.rows) * counts.columns, 3),
-                    ring_triangles(counts, false, size.straight)};
-  for (Index i = 0; i < counts.rows; ++i) {
-    const double z = height * (static_cast<double>(i) / (counts.rows - 1) - 0.5);
-    for (Index j = 0; j < counts.columns; ++j) {
-      const double u = two_pi * (j + shift(i, size.straight)) / counts.columns;
-      mesh.X.row(static_cast<Eigen::Index>(i) * counts.columns + j) << std::cos(u), std::sin(u), z;
-    }
+  return rings(counts, false, size, [height](double u, double v) {
+    return Eigen::RowVector3d(std::cos(u), std::sin(u), height * (v - 0.5));
+  });
+}
+
+TriangleMesh make_catenoid(double height, const GridSize& size) {
+  require_ratio(height, 0.0);
+  if (height > 20.0) {
+    throw BadOption(
+        fmt::format("ratio: a catenoid {} high is too wide, make it at most 20", height));
   }
-  return mesh;
+  const Counts counts = complete(size, {height / two_pi, false, true, 2, 3});
+
+  return rings(counts, false, size, [height](double u, double v) {
+    const double z = height * (v - 0.5), radius = std::cosh(z);
+    return Eigen::RowVector3d(radius * std::cos(u), radius * std::sin(u), z);
+  });
 }
 
 TriangleMesh make_plane(double height, const GridSize& size) {

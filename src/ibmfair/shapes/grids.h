@@ -1,10 +1,12 @@
-// Shapes that are rows of vertices: torus, open cylinder, plane. Every other row is shifted by half
-// a cell, so that triangles are near equilateral, unless `straight` asks for right-angled ones.
+// Shapes that are rows of vertices: torus, open cylinder, catenoid, plane. Every other row is
+// shifted by half a cell, so that triangles are near equilateral, unless `straight` asks for
+// right-angled ones.
 #pragma once
 
 #include <optional>
 
 #include "ibmfair/base/types.h"
+#include "ibmfair/shapes/jitter.h"
 #include "ibmfair/shapes/subdivide.h"
 
 namespace ibmfair {
@@ -16,6 +18,7 @@ struct GridSize {
   std::optional<Index> rows = {};     ///< of vertices
   std::optional<Index> columns = {};  ///< vertices in a row
   bool straight = false;
+  Jitter jitter = {};  ///< along the rows and across, in cells; not of a plane
 };
 
 /// The torus about the z axis with radii R = 1 and r = 1 / ratio, ratio > 1, oriented outward. Rows
@@ -29,6 +32,12 @@ TriangleMesh make_torus(double ratio, const GridSize& size);
 /// Rows are circles, from the bottom. Area 2 pi height, E_b pi height in the limit (H = 1; the
 /// boundary carries no energy). Throws BadOption as above.
 TriangleMesh make_cylinder(double height, const GridSize& size);
+
+/// The catenoid (cosh z cos u, cosh z sin u, z) from z = -height/2 to height/2, oriented outward.
+/// Rows are circles, from the bottom; angles are those of the grid, but for its curvature. Area
+/// pi (height + sinh height), E_b 0 in the limit. Throws BadOption as above, and for a height above
+/// 20.
+TriangleMesh make_catenoid(double height, const GridSize& size);
 
 /// The rectangle [0, 1] x [0, height] in the plane z = 0, seen from above. Rows run along x;
 /// shifted ones end with half cells, so that the border is straight. Area `height`, E_b 0. Throws

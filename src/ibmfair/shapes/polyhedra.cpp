@@ -74,6 +74,15 @@ TriangleMesh icosahedron() {
   return mesh;
 }
 
+TriangleMesh cube() {
+  constexpr double positions[8][3] = {{-1, -1, -1}, {1, -1, -1}, {1, 1, -1}, {-1, 1, -1},
+                                      {-1, -1, 1},  {1, -1, 1},  {1, 1, 1},  {-1, 1, 1}};
+  constexpr Index corners[12][3] = {{0, 3, 2}, {0, 2, 1}, {4, 5, 6}, {4, 6, 7},
+                                    {0, 1, 5}, {0, 5, 4}, {1, 2, 6}, {1, 6, 5},
+                                    {2, 3, 7}, {2, 7, 6}, {3, 0, 4}, {3, 4, 7}};
+  return from_lists(positions, corners);
+}
+
 }  // namespace
 
 TriangleMesh make_icosahedron(const Subdivision& subdivision) {
@@ -85,12 +94,13 @@ TriangleMesh make_icosphere(const Subdivision& subdivision) {
 }
 
 TriangleMesh make_cube(const Subdivision& subdivision) {
-  constexpr double positions[8][3] = {{-1, -1, -1}, {1, -1, -1}, {1, 1, -1}, {-1, 1, -1},
-                                      {-1, -1, 1},  {1, -1, 1},  {1, 1, 1},  {-1, 1, 1}};
-  constexpr Index corners[12][3] = {{0, 3, 2}, {0, 2, 1}, {4, 5, 6}, {4, 6, 7},
-                                    {0, 1, 5}, {0, 5, 4}, {1, 2, 6}, {1, 6, 5},
-                                    {2, 3, 7}, {2, 7, 6}, {3, 0, 4}, {3, 4, 7}};
-  return subdivide(from_lists(positions, corners), subdivision, keep_in_place);
+  return subdivide(cube(), subdivision, keep_in_place);
+}
+
+TriangleMesh make_cubesphere(const Subdivision& subdivision) {
+  TriangleMesh corners = cube();
+  corners.X.rowwise().normalize();
+  return subdivide(corners, subdivision, project_to_unit_sphere);
 }
 
 TriangleMesh make_hexagon(const Subdivision& subdivision) {

@@ -1,6 +1,6 @@
 // Shapes that come from splitting the triangles of a small polyhedron: icosahedron and icosphere,
-// cube, hexagon. Closed ones are oriented outward. Subdivision appends: the vertices of level n are
-// the first ones of level n + 1, at bit-identical positions.
+// cube and cubesphere, hexagon. Closed ones are oriented outward. Subdivision appends: the vertices
+// of level n are the first ones of level n + 1, at bit-identical positions.
 #pragma once
 
 #include <optional>
@@ -30,6 +30,11 @@ TriangleMesh make_icosphere(const Subdivision& subdivision);
 
 /// The cube [-1, 1]^3 of 12 * 4^levels triangles, flat-faced. Area 24, volume 8.
 TriangleMesh make_cube(const Subdivision& subdivision);
+
+/// The same with each new vertex put on the unit sphere, as the corners are: near the middles of
+/// the six sides triangles are right-angled, near the eight corners they have 60 or 30 and 120
+/// degrees. Area 4 pi, volume 4/3 pi, E_b 8 pi in the limit.
+TriangleMesh make_cubesphere(const Subdivision& subdivision);
 
 /// The flat regular hexagon with corners on the unit circle in the plane z = 0, seen from above, of
 /// 6 * 4^levels equilateral triangles. Area 3/2 sqrt 3, E_b 0.

@@ -17,8 +17,15 @@ namespace ibmfair {
 namespace {
 
 constexpr std::array<std::string_view, 2> split{"subdivide", "refine-face"};
+constexpr std::array<std::string_view, 3> split_sphere{"subdivide", "refine-face", "jitter"};
 constexpr std::array<std::string_view, 1> levels{"subdivide"};
 constexpr std::array<std::string_view, 4> grid{"ratio", "rows", "columns", "straight"};
+constexpr std::array<std::string_view, 5> jittered_grid{"ratio", "rows", "columns", "straight",
+                                                        "jitter"};
+
+Jitter jitter_of(const ShapeSettings& settings) {
+  return {settings.jitter.value_or(0.0), settings.seed};
+}
 
 template <TriangleMesh (*make)(const Subdivision&)>
 Mesh polyhedron(const ShapeSettings& settings) {
@@ -26,10 +33,18 @@ Mesh polyhedron(const ShapeSettings& settings) {
   return mesh_from_triangles(std::move(mesh.X), mesh.F);
 }
 
+template <TriangleMesh (*make)(const Subdivision&)>
+Mesh sphere(const ShapeSettings& settings) {
+  TriangleMesh mesh = make({settings.subdivide.value_or(0), settings.refine_face});
+  jitter_on_unit_sphere(mesh.X, mesh.F, jitter_of(settings));
+  return mesh_from_triangles(std::move(mesh.X), mesh.F);
+}
+
 Mesh rows_of(TriangleMesh (*make)(double, const GridSize&), double default_ratio,
              const ShapeSettings& settings) {
-  TriangleMesh mesh = make(settings.ratio.value_or(default_ratio),
-                           {settings.rows, settings.columns, settings.straight});
+  TriangleMesh mesh =
+      make(settings.ratio.value_or(default_ratio),
+           {settings.rows, settings.columns, settings.straight, jitter_of(settings)});
   return mesh_from_triangles(std::move(mesh.X), mesh.F);
 }
 
@@ -44,18 +59,22 @@ Mesh torus(const ShapeSettings& settings) {
 Mesh cylinder(const ShapeSettings& settings) {
   return rows_of(make_cylinder, 2.0, settings);
 }
+Mesh catenoid(const ShapeSettings& settings) {
+  return rows_of(make_catenoid, 2.0, settings);
+}
 Mesh plane(const ShapeSettings& settings) {
   return rows_of(make_plane, 1.0, settings);
 }
 
 void require_applicable(const Shape& shape, const ShapeSettings& settings) {
-  const std::array<std::pair<std::string_view, bool>, 6> given{{
+  const std::array<std::pair<std::string_view, bool>, 7> given{{
       {"subdivide", settings.subdivide.has_value()},
       {"refine-face", settings.refine_face.has_value()},
       {"ratio", settings.ratio.has_value()},
       {"rows", settings.rows.has_value()},
       {"columns", settings.columns.has_value()},
       {"straight", settings.straight},
+      {"jitter", settings.jitter.has_value()},
   }};
   for (const auto& [name, is_given] : given) {
     if (is_given &&
@@ -72,13 +91,18 @@ std::span<const Shape> shapes() {
   static constexpr std::array table{
       Shape{"icosahedron", "flat faces, vertices of the icosahedron on the unit sphere", split,
             polyhedron<make_icosahedron>},
-      Shape{"icosphere", "all vertices on the unit sphere", split, polyhedron<make_icosphere>},
+      Shape{"icosphere", "all vertices on the unit sphere", split_sphere, sphere<make_icosphere>},
       Shape{"cube", "flat faces, side 2", split, polyhedron<make_cube>},
+      Shape{"cubesphere", "the same, put onto the unit sphere: right-angled triangles",
+            split_sphere, sphere<make_cubesphere>},
       Shape{"hexagon", "flat and six-sided, radius 1", split, polyhedron<make_hexagon>},
       Shape{"six-sided-hole", "two rings of a smooth surface around a trivial filling", levels,
             six_sided_hole},
-      Shape{"torus", "about the z axis, radii 1 and 1/RATIO (sqrt 2)", grid, torus},
-      Shape{"cylinder", "open, about the z axis, radius 1, height RATIO (2)", grid, cylinder},
+      Shape{"torus", "about the z axis, radii 1 and 1/RATIO (sqrt 2)", jittered_grid, torus},
+      Shape{"cylinder", "open, about the z axis, radius 1, height RATIO (2)", jittered_grid,
+            cylinder},
+      Shape{"catenoid", "open, about the z axis, smallest radius 1, height RATIO (2)",
+            jittered_grid, catenoid},
       Shape{"plane", "flat, width 1, height RATIO (1)", grid, plane},
   };
   return table;

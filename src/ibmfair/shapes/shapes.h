@@ -1,6 +1,7 @@
 // The table of shapes that can be made by name. A new shape is one function and one row.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <string_view>
@@ -18,6 +19,8 @@ struct ShapeSettings {
   std::optional<Index> rows = {};         ///< "rows"
   std::optional<Index> columns = {};      ///< "columns"
   bool straight = false;                  ///< "straight"
+  std::optional<double> jitter = {};      ///< "jitter"
+  std::uint64_t seed = 1;                 ///< of the jitter
 };
 
 /// A row of the table.

@@ -1,0 +1,74 @@
+// What the formulas of vertex-based Laplacians and masses see of a triangle: its metric.
+#pragma once
+
+#include <array>
+#include <cmath>
+
+#include "ibmfair/base/types.h"
+#include "ibmfair/energy/jet.h"
+
+namespace ibmfair {
+
+/// Three numbers of a triangle: one per corner, or one per edge by the corner opposite.
+template <class Number>
+using ByCorner = std::array<Number, 3>;
+
+template <class Number>
+struct TriangleShape {
+  ByCorner<Number> squared;  ///< lengths of the edges opposite the corners, squared
+  ByCorner<Number> cot;      ///< cotangents of the angles
+  Number area;
+  ByCorner<Number> weight;  ///< of the vertices at the corners, length^2 (energy/weighted.h)
+};
+
+/// Derivatives by the squared lengths (0 .. 2) and the weights of the vertices (3 .. 5).
+using MetricJet = Jet<6>;
+
+inline TriangleShape<double> triangle_shape(const Vec3& x0, const Vec3& x1, const Vec3& x2) {
+  const Vec3 e0 = x2 - x1, e1 = x0 - x2, e2 = x1 - x0;
+  const double double_area = e1.cross(e2).norm();
+  return {{e0.squaredNorm(), e1.squaredNorm(), e2.squaredNorm()},
+          {-e1.dot(e2) / double_area, -e2.dot(e0) / double_area, -e0.dot(e1) / double_area},
+          double_area / 2,
+          {}};
+}
+
+/// The shape as a function of its squared lengths l_j^2. From 4 A cot_i = l_j^2 + l_k^2 - l_i^2 and
+/// Heron's formula: dA / d l_j^2 = cot_j / 4, d cot_i / d l_j^2 = (+-1 - cot_i cot_j) / (4 A),
+/// minus where i = j.
+inline TriangleShape<MetricJet> differentiated(const TriangleShape<double>& shape) {
+  TriangleShape<MetricJet> result;
+  result.area = shape.area;
+  for (int i = 0; i < 3; ++i) {
+    result.squared[i] = MetricJet::variable(shape.squared[i], i);
+    result.weight[i] = MetricJet::variable(shape.weight[i], 3 + i);
+    result.area.derivative[i] = shape.cot[i] / 4;
+    result.cot[i] = shape.cot[i];
+    for (int j = 0; j < 3; ++j) {
+      result.cot[i].derivative[j] =
+          ((i == j ? -1 : 1) - shape.cot[i] * shape.cot[j]) / (4 * shape.area);
+    }
+  }
+  return result;
+}
+
+/// A formula for three numbers of a triangle, with and without derivatives.
+struct TriangleFormula {
+  ByCorner<double> (*value)(const TriangleShape<double>& shape);
+  ByCorner<MetricJet> (*jet)(const TriangleShape<MetricJet>& shape);
+};
+
+/// From a type whose static template `at` is the formula for any kind of number.
+template <class Formula>
+constexpr TriangleFormula triangle_formula{Formula::template at<double>,
+                                           Formula::template at<MetricJet>};
+
+/// Places 0, 1, 2 of a triangle in a circle.
+constexpr int next(int corner) {
+  return corner == 2 ? 0 : corner + 1;
+}
+constexpr int previous(int corner) {
+  return corner == 0 ? 2 : corner - 1;
+}
+
+}  // namespace ibmfair

@@ -1,0 +1,48 @@
+// The vertex-based members of the family, for any Laplacian and mass that are sums over triangles:
+// [W07] section 2.2 and Theorem 1.
+//
+//   h = L X,    E_b = 1/2 tr(h_U^T M_UU^-1 h_U),          U: vertices with a complete one-ring
+//
+// The gradient is exact: with y = M_UU^-1 h_U, dE = sum_U <y, dh> - 1/2 <y, dM y>, where L and M
+// vary with the squared lengths of the edges.
+#pragma once
+
+#include <vector>
+
+#include "ibmfair/energy/bending_energy.h"
+#include "ibmfair/energy/vertex_triangles.h"
+
+namespace ibmfair {
+
+/// The Hessian of `linearise` is that under isometry, L^T M^-1 L, but for two members that have
+/// none with fixed sparse stencils. A Jacobian is inexact by design ([W07] section 3.2); these err
+/// toward too stiff ones, which shorten steps and do not overshoot:
+///
+/// - Intrinsic Delaunay: the cotangent Laplacian of the mesh's own triangles, with their mixed
+///   Voronoi mass. It is the same on a Delaunay mesh; elsewhere its Dirichlet energy is the larger
+///   one (S. Rippa, "Minimal roughness property of the Delaunay triangulation", 1990).
+/// - Consistent mass, whose inverse is dense: its diagonal in its place, half the lumped mass. M^-1
+///   lies between half and twice its inverse, so that no full step goes beyond the mirror image.
+class VertexEnergy final : public BendingEnergy {
+ public:
+  VertexEnergy(const Topology& topology, const EnergyOptions& options,
+               const VertexLaplacian& laplacian, const MassMatrix& mass);
+
+  double energy(const Points& X) override;
+  double energy_and_gradient(const Points& X, Points& G) override;
+  const Rows& stencils() const override { return stencils_; }
+  void linearise(const Points& X, StencilWeights& weights) override;
+
+ private:
+  TriangleTerms by_terms(Index t, const Points& X) const;
+
+  MassMatrix::Kind mass_;
+  Rows stencils_;             // #U: the vertex, then its ring in the order it is walked
+  std::vector<Index> nodes_;  // U
+  VertexTriangles triangles_;
+  Points h_, y_;  // #V x 3, zero outside U
+  PerVertex m_;   // #V, lumped
+  std::vector<TriangleSlopes> slopes_;
+};
+
+}  // namespace ibmfair

@@ -1,0 +1,69 @@
+// All members of the family of energies: every Laplacian with every mass that goes with it.
+#pragma once
+
+#include <memory>
+#include <ostream>
+#include <string>
+#include <vector>
+
+#include "ibmfair/energy/bending_energy.h"
+#include "ibmfair/energy/laplacian_matrices.h"
+
+namespace ibmfair::test {
+
+struct Member {
+  std::string laplacian, mass;
+
+  EnergyOptions options() const { return {true, {}, mass}; }
+  bool has_mass() const { return mass != "none"; }
+
+  /// (L4): zero on planes.
+  bool is_flat_on_planes() const { return laplacian != "umbrella"; }
+  /// The stencils are those of the energy itself.
+  bool has_own_hessian() const { return laplacian != "intrinsic-delaunay" && mass != "galerkin"; }
+
+  std::unique_ptr<BendingEnergy> bind(const Topology& topology) const {
+    return bending_model(laplacian).bind(topology, options());
+  }
+  LaplacianMatrices matrices(const Points& X, const Topology& topology) const {
+    return bending_model(laplacian).matrices(X, topology, options());
+  }
+  double energy(const Points& X, const Topology& topology) const {
+    return bind(topology)->energy(X);
+  }
+};
+
+inline std::ostream& operator<<(std::ostream& out, const Member& member) {
+  return out << member.laplacian << " with mass " << member.mass;
+}
+
+/// As the names of tests can have it.
+inline std::string identifier(const Member& member) {
+  std::string name = member.laplacian + "_" + member.mass;
+  for (char& c : name) {
+    c = c == '-' ? '_' : c;
+  }
+  return name;
+}
+
+inline std::vector<Member> family() {
+  std::vector<Member> members;
+  for (const BendingModel& model : bending_models()) {
+    for (const std::string_view mass : model.masses) {
+      members.push_back({std::string(model.name), std::string(mass)});
+    }
+  }
+  return members;
+}
+
+inline Eigen::MatrixXd dense(const SymmetricMatrix& A) {
+  Eigen::MatrixXd result = Eigen::MatrixXd::Zero(A.size(), A.size());
+  for (std::int64_t j = 0; j < A.size(); ++j) {
+    for (std::int64_t k = A.column_first[j]; k < A.column_first[j + 1]; ++k) {
+      result(A.row[k], j) = result(j, A.row[k]) = A.value[k];
+    }
+  }
+  return result;
+}
+
+}  // namespace ibmfair::test
