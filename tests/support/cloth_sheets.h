@@ -12,10 +12,11 @@
 #include "cloth/elastic_sheet.h"
 #include "cloth/plate.h"
 #include "cloth/sheet_meshes.h"
+#include "support/states.h"
 
 namespace ibmfair::cloth::test {
 
-using namespace ibmfair::test;
+using namespace ibmfair::test;  // random_directions
 
 /// A part of the elastic energy.
 struct TermRow {

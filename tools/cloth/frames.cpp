@@ -70,7 +70,7 @@ Image picture_of(const Scene& scene, const std::vector<Points>& frames, const Vi
                  int count) {
   std::vector<Drawn> drawn;
   for (int i = 1; i <= count; ++i) {
-    drawn.push_back(draw(scene, frames[(frames.size() - 1) * i / count]));
+    drawn.push_back(draw(scene, frames[(frames.size() - 1) * i * i / (count * count)]));
   }
   std::vector<PaintedMesh> meshes;
   for (const Drawn& one : drawn) {

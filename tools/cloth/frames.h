@@ -22,8 +22,8 @@ std::string frame_path(const std::string& folder, std::size_t frame, const std::
 void write_frames(const Scene& scene, const std::vector<Points>& frames, const std::string& folder,
                   const std::string& format);
 
-/// `count` of the frames from left to right, evenly spaced in time up to the last one, with the
-/// sphere of the scene.
+/// `count` of the frames from left to right, with the sphere of the scene: the last one, and
+/// ever closer ones towards the start, where most happens.
 Image picture_of(const Scene& scene, const std::vector<Points>& frames, const View& view,
                  int count);
 

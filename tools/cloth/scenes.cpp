@@ -15,10 +15,10 @@ constexpr double unevenness = 1e-3;  // metres
 /// Heavily damped: only where it comes to rest is of interest.
 Scene drape(const TriangleMesh& sheet) {
   const Material material{
-      .density = 0.2, .young = 1000, .bending = 1e-4, .mass_damping = 2, .strain_damping = 0.02};
+      .density = 0.2, .young = 1000, .bending = 3e-4, .mass_damping = 2, .strain_damping = 0.02};
   Scene scene;
   Sphere sphere;
-  sphere.radius = 0.25;
+  sphere.radius = 0.2;
   scene.surroundings.sphere = sphere;
   Points X(sheet.X.rows(), 3);
   X << sheet.X.col(0).array() - 0.5, Eigen::VectorXd::Constant(X.rows(), sphere.resting_radius()),
@@ -35,23 +35,23 @@ Scene drape(const TriangleMesh& sheet) {
 /// Its left side is held, and the wind blows along it and a little across.
 Scene flag(const TriangleMesh& sheet) {
   const Material material{
-      .density = 0.15, .young = 1000, .bending = 2e-5, .mass_damping = 0, .strain_damping = 2e-4};
+      .density = 0.1, .young = 1000, .bending = 5e-4, .mass_damping = 0, .strain_damping = 1e-3};
   Scene scene;
   std::vector<std::uint8_t> held;
   for (const double x : sheet.X.col(0)) {
     held.push_back(x == 0 ? 1 : 0);
   }
   scene.plate = make_plate(sheet.X, sheet.F, material, held);
-  scene.surroundings.wind = {6, 0, 1};
-  scene.surroundings.drag = 0.4;
+  scene.surroundings.wind = {10, 0, 1.5};
+  scene.surroundings.drag = 1;
   scene.start = sheet.X;
   return scene;
 }
 
 const std::array table{
-    SceneRow{"drape", "a sheet falls over a sphere, heavily damped", drape, 3, 0.01,
+    SceneRow{"drape", "a sheet falls over a sphere, heavily damped", drape, 2, 0.01,
              View{{0.5, 0.55, 1}}},
-    SceneRow{"flag", "a flag held along one side, in a constant wind", flag, 4, 0.005,
+    SceneRow{"flag", "a flag held along one side, in a constant wind", flag, 3, 0.005,
              View{{0.35, 0.25, 1}}},
 };
 

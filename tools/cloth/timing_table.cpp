@@ -47,6 +47,8 @@ constexpr std::array<std::array<std::array<Row, 2>, 4>, 2> paper{
        {{{27.6, 106, 420, 1680, 33.5, 155, 513, 1880},
          {9.53, 32.9, 127, 490, 12.5, 50.4, 166, 608}}}}}}};
 
+constexpr double seconds_of_batch = 0.2;
+
 /// Milliseconds of one call: the shortest mean over `batches` of at least `seconds` each.
 template <class Work>
 double milliseconds(int batches, double seconds, const Work& work) {
@@ -137,18 +139,19 @@ std::array<std::vector<double>, 2> print_quantity(const Quantity& quantity,
 
 }  // namespace
 
-Costs measure_costs(const SceneRow& row, const TriangleMesh& sheet, const BendingForce& bending) {
+Costs measure_costs(const SceneRow& row, const TriangleMesh& sheet, const BendingForce& bending,
+                    double seconds) {
   Scene scene = row.build(sheet);
   scene.start = waves(scene);
   const Points& X = scene.start;
   ElasticSheet elastic(scene.plate, bending);
   Points G = Points::Zero(X.rows(), 3);
   Costs costs;
-  costs.gradient = milliseconds(5, 0.05, [&] { elastic.bending->add_gradient(X, G); });
+  costs.gradient = milliseconds(5, seconds / 4, [&] { elastic.bending->add_gradient(X, G); });
   costs.hessian = milliseconds(
       5, 0.05, [&] { elastic.bending->add_hessian(X, HessianPart::exact, elastic.hessian); });
-  costs.explicit_step = milliseconds_of_steps("explicit", row, scene, bending, 0.1);
-  costs.implicit_step = milliseconds_of_steps("implicit", row, scene, bending, 0.3);
+  costs.explicit_step = milliseconds_of_steps("explicit", row, scene, bending, seconds / 2);
+  costs.implicit_step = milliseconds_of_steps("implicit", row, scene, bending, seconds);
   return costs;
 }
 
@@ -165,7 +168,8 @@ void print_timing_table(bool quick) {
       std::fflush(stdout);
       const TriangleMesh sheet = sheet_meshes()[column / 4].make(resolutions[column]);
       for (std::size_t model = 0; model < 2; ++model) {
-        costs[model].push_back(measure_costs(scenes()[s], sheet, bending_forces()[model]));
+        costs[model].push_back(
+            measure_costs(scenes()[s], sheet, bending_forces()[model], seconds_of_batch));
       }
     }
     fmt::print("\n");

@@ -15,13 +15,15 @@ struct Costs {
   double implicit_step = 0;
 };
 
-/// On one thread, the shortest of several batches each. The gradient and the Hessian are those of
-/// bending alone; the Hessian's cost is that of adding it to the Hessian of the sheet. An implicit
-/// step is one iteration of Newton's method: linearise, factor, solve, and search along the line.
-Costs measure_costs(const SceneRow& row, const TriangleMesh& sheet, const BendingForce& bending);
+/// The shortest of several batches of at least `seconds` each. The gradient and the Hessian are
+/// those of bending alone; the Hessian's cost is that of adding it to the Hessian of the sheet. An
+/// implicit step is one iteration of Newton's method: linearise, factor, solve, and search along
+/// the line.
+Costs measure_costs(const SceneRow& row, const TriangleMesh& sheet, const BendingForce& bending,
+                    double seconds);
 
-/// Measures and prints the table to standard output, beside the ratios of the paper. `quick` leaves
-/// the two finer resolutions out.
+/// Measures on one thread and prints the table to standard output, beside the ratios of the paper.
+/// `quick` leaves the two finer resolutions out.
 void print_timing_table(bool quick);
 
 }  // namespace ibmfair::cloth
