@@ -1,12 +1,15 @@
 #include "cloth/timing_table.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <cstdio>
+#include <memory>
 #include <vector>
 
 #include <fmt/format.h>
 
+#include "cloth/model_timer.h"
+#include "cloth/published_timings.h"
 #include "cloth/sheet_meshes.h"
 #include "ibmfair/base/stopwatch.h"
 #include "ibmfair/base/threads.h"
@@ -14,82 +17,38 @@
 namespace ibmfair::cloth {
 namespace {
 
-using Row = std::array<double, 8>;  // four resolutions, regular and irregular
+/// In the order of timed_quantities.
+constexpr std::array works{&ModelTimer::gradient, &ModelTimer::hessian, &ModelTimer::explicit_step,
+                           &ModelTimer::implicit_step, &ModelTimer::factor_and_solve};
+static_assert(works.size() == timed_quantities.size());
 
-struct Quantity {
-  std::string_view name;
-  double Costs::*cost;
-};
+constexpr int batches = 5;
+constexpr double batch_seconds = 0.1;
 
-constexpr std::array quantities{Quantity{"gradient", &Costs::gradient},
-                                Quantity{"Hessian", &Costs::hessian},
-                                Quantity{"explicit step", &Costs::explicit_step},
-                                Quantity{"implicit step", &Costs::implicit_step}};
+/// Rows of bending_forces().
+enum Model : std::size_t { hinge, ibm };
 
-constexpr std::array<Index, 8> resolutions{400, 1600, 6400, 25600, 450, 2100, 6500, 22500};
+using Values = std::vector<double>;  // one for each column of the table
 
-/// Figure 7, milliseconds on a Pentium D at 3.4 GHz: for each quantity hinge and IBM.
-constexpr std::array<std::array<std::array<Row, 2>, 4>, 2> paper{
-    {{{{{{0.937, 3.45, 16.4, 66.6, 1.10, 5.43, 17.6, 67.8},
-         {0.081, 0.338, 2.19, 9.15, 0.098, 0.494, 2.32, 9.68}}},
-       {{{12.8, 54.2, 218, 890, 15.2, 77.2, 246, 888},
-         {0.237, 0.963, 3.87, 15.7, 0.266, 1.28, 3.99, 13.6}}},
-       {{{3.81, 6.64, 27.5, 112, 2.16, 9.53, 31.4, 140},
-         {2.63, 2.90, 11.9, 48.8, 0.964, 4.35, 15.2, 76.5}}},
-       {{{28.6, 138, 470, 1730, 33.9, 219, 557, 1880},
-         {11.0, 62.7, 168, 505, 13.6, 103, 219, 612}}}}},
-     {{{{{0.975, 3.99, 16.0, 64.0, 1.10, 5.43, 17.8, 68.7},
-         {0.085, 0.341, 2.14, 8.75, 0.099, 0.490, 2.31, 9.28}}},
-       {{{13.4, 54.8, 212, 849, 15.2, 77.4, 247, 887},
-         {0.251, 0.974, 3.79, 14.99, 0.267, 1.30, 3.96, 13.7}}},
-       {{{1.73, 7.05, 27.7, 112, 1.97, 9.80, 32.7, 134},
-         {0.780, 3.26, 13.3, 53.4, 0.900, 4.54, 16.1, 70.0}}},
-       {{{27.6, 106, 420, 1680, 33.5, 155, 513, 1880},
-         {9.53, 32.9, 127, 490, 12.5, 50.4, 166, 608}}}}}}};
-
-constexpr double seconds_of_batch = 0.2;
-
-/// Milliseconds of one call: the shortest mean over `batches` of at least `seconds` each.
+/// Mean milliseconds of one call, over at least `seconds`.
 template <class Work>
-double milliseconds(int batches, double seconds, const Work& work) {
-  double shortest = INFINITY;
-  for (int batch = 0; batch < batches; ++batch) {
-    double spent = 0;
-    int calls = 0;
-    for (; spent < seconds || calls == 0; ++calls) {
-      const Stopwatch watch(spent);
-      work();
-    }
-    shortest = std::min(shortest, 1000 * spent / calls);
+double milliseconds(double seconds, const Work& work) {
+  double spent = 0;
+  int calls = 0;
+  for (; spent < seconds || calls == 0; ++calls) {
+    const Stopwatch watch(spent);
+    work();
   }
-  return shortest;
+  return 1000 * spent / calls;
 }
 
-/// A state in which nothing is flat: waves across the sheet.
-Points waves(const Scene& scene) {
-  const Points normals = scene.start;
-  const Vec3 across = scene.surroundings.sphere ? Vec3(0, 1, 0) : Vec3(0, 0, 1);
-  const Eigen::ArrayXd phase = 20 * (normals.rowwise().sum()).array();
-  return normals + 0.01 * phase.sin().matrix() * across.transpose();
+double median(Values values) {
+  std::sort(values.begin(), values.end());
+  const std::size_t half = values.size() / 2;
+  return values.size() % 2 == 1 ? values[half] : (values[half - 1] + values[half]) / 2;
 }
 
-std::unique_ptr<Integrator> bind(std::string_view name, const SceneRow& row, const Scene& scene,
-                                 const BendingForce& bending) {
-  StepOptions options;
-  options.newton_iterations = 1;
-  options.time_step = name == "implicit" ? row.time_step : 0;
-  return integrator(name).bind(scene.plate, scene.surroundings, bending, options);
-}
-
-double milliseconds_of_steps(std::string_view name, const SceneRow& row, const Scene& scene,
-                             const BendingForce& bending, double seconds) {
-  const auto stepper = bind(name, row, scene, bending);
-  Motion motion = at_rest(scene.start);
-  stepper->step(motion);  // analyses the pattern
-  return milliseconds(3, seconds, [&] { stepper->step(motion); });
-}
-
-void print_row(std::string_view label, const std::vector<double>& values, int digits) {
+void print_values(std::string_view label, const Values& values, int digits) {
   fmt::print("    {:<14}", label);
   for (const double value : values) {
     fmt::print("{:>9.{}f}", value, digits);
@@ -97,93 +56,98 @@ void print_row(std::string_view label, const std::vector<double>& values, int di
   fmt::print("\n");
 }
 
-double median(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
-  const std::size_t half = values.size() / 2;
-  return values.size() % 2 == 1 ? values[half] : (values[half - 1] + values[half]) / 2;
-}
-
 /// The columns of Figure 7 that are measured.
-std::vector<std::size_t> columns(bool quick) {
+std::vector<std::size_t> chosen_columns(bool quick) {
   return quick ? std::vector<std::size_t>{0, 1, 4, 5}
                : std::vector<std::size_t>{0, 1, 2, 3, 4, 5, 6, 7};
 }
 
-std::vector<double> ratio(const std::vector<double>& a, const std::vector<double>& b) {
-  std::vector<double> quotients;
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    quotients.push_back(a[i] / b[i]);
+/// Ratios of hinge to IBM, for the medians at the end.
+struct Ratios {
+  Values here, paper;
+};
+
+/// Prints one quantity of one scene; `costs` has a row for each column.
+void print_quantity(std::size_t quantity, const std::vector<std::vector<Costs>>& costs,
+                    Ratios& ratios) {
+  Values of_hinge, of_ibm, ratio;
+  for (const std::vector<Costs>& cost : costs) {
+    of_hinge.push_back(cost[hinge][quantity]);
+    of_ibm.push_back(cost[ibm][quantity]);
+    ratio.push_back(of_hinge.back() / of_ibm.back());
   }
-  return quotients;
+  fmt::print("  {}, ms\n", timed_quantities[quantity]);
+  print_values("hinge", of_hinge, 3);
+  print_values("ibm", of_ibm, 3);
+  print_values("ratio", ratio, 2);
+  ratios.here.insert(ratios.here.end(), ratio.begin(), ratio.end());
 }
 
-/// Prints one quantity of one scene; returns the ratios here and in the paper.
-std::array<std::vector<double>, 2> print_quantity(const Quantity& quantity,
-                                                  const std::array<std::vector<Costs>, 2>& costs,
-                                                  const std::array<Row, 2>& published,
-                                                  const std::vector<std::size_t>& chosen) {
-  fmt::print("  {}, ms\n", quantity.name);
-  std::array<std::vector<double>, 2> ours, theirs;
-  for (std::size_t model = 0; model < 2; ++model) {
-    for (std::size_t i = 0; i < chosen.size(); ++i) {
-      ours[model].push_back(costs[model][i].*quantity.cost);
-      theirs[model].push_back(published[model][chosen[i]]);
-    }
-    print_row(bending_forces()[model].name, ours[model], 3);
+void print_published(const PublishedTimings& timings, const std::vector<std::size_t>& columns,
+                     Ratios& ratios) {
+  Values ratio;
+  for (const std::size_t column : columns) {
+    ratio.push_back(timings.hinge[column] / timings.ibm[column]);
   }
-  std::array ratios{ratio(ours[0], ours[1]), ratio(theirs[0], theirs[1])};
-  print_row("ratio", ratios[0], 2);
-  print_row("in the paper", ratios[1], 2);
-  return ratios;
+  print_values("in the paper", ratio, 2);
+  ratios.paper.insert(ratios.paper.end(), ratio.begin(), ratio.end());
+}
+
+/// The row of costs for each column; prints the columns' heads on the way.
+std::vector<std::vector<Costs>> measure_scene(const SceneRow& row,
+                                              const std::vector<std::size_t>& columns) {
+  fmt::print("{}, regular and irregular meshes\n    {:<14}", row.name, "vertices");
+  std::vector<std::vector<Costs>> costs;
+  for (const std::size_t column : columns) {
+    const Index vertices = published_resolutions[column];
+    fmt::print("{:>9}", vertices);
+    std::fflush(stdout);
+    costs.push_back(measure_costs(row, sheet_meshes()[column / 4].make(vertices), batch_seconds));
+  }
+  fmt::print("\n");
+  return costs;
 }
 
 }  // namespace
 
-Costs measure_costs(const SceneRow& row, const TriangleMesh& sheet, const BendingForce& bending,
-                    double seconds) {
-  Scene scene = row.build(sheet);
-  scene.start = waves(scene);
-  const Points& X = scene.start;
-  ElasticSheet elastic(scene.plate, bending);
-  Points G = Points::Zero(X.rows(), 3);
-  Costs costs;
-  costs.gradient = milliseconds(5, seconds / 4, [&] { elastic.bending->add_gradient(X, G); });
-  costs.hessian = milliseconds(
-      5, 0.05, [&] { elastic.bending->add_hessian(X, HessianPart::exact, elastic.hessian); });
-  costs.explicit_step = milliseconds_of_steps("explicit", row, scene, bending, seconds / 2);
-  costs.implicit_step = milliseconds_of_steps("implicit", row, scene, bending, seconds);
+std::vector<Costs> measure_costs(const SceneRow& row, const TriangleMesh& sheet, double seconds) {
+  std::vector<std::unique_ptr<ModelTimer>> timers;
+  for (const BendingForce& bending : bending_forces()) {
+    timers.push_back(std::make_unique<ModelTimer>(row, sheet, bending));
+  }
+  Costs unknown;
+  unknown.fill(INFINITY);
+  std::vector<Costs> costs(timers.size(), unknown);
+  for (std::size_t quantity = 0; quantity < works.size(); ++quantity) {
+    for (int batch = 0; batch < batches; ++batch) {
+      for (std::size_t model = 0; model < timers.size(); ++model) {
+        ModelTimer& timer = *timers[model];
+        const double cost = milliseconds(seconds, [&] { (timer.*works[quantity])(); });
+        costs[model][quantity] = std::min(costs[model][quantity], cost);
+      }
+    }
+  }
   return costs;
 }
 
 void print_timing_table(bool quick) {
   set_thread_count(1);
-  const std::vector<std::size_t> chosen = columns(quick);
-  std::array<std::array<std::vector<double>, 2>, quantities.size()> all;
+  const std::vector<std::size_t> columns = chosen_columns(quick);
+  std::array<Ratios, timed_quantities.size()> ratios;
   for (std::size_t s = 0; s < scenes().size(); ++s) {
-    fmt::print("{}: {} and {} meshes\n    {:<14}", scenes()[s].name, sheet_meshes()[0].name,
-               sheet_meshes()[1].name, "vertices");
-    std::array<std::vector<Costs>, 2> costs;
-    for (const std::size_t column : chosen) {
-      fmt::print("{:>9}", resolutions[column]);
-      std::fflush(stdout);
-      const TriangleMesh sheet = sheet_meshes()[column / 4].make(resolutions[column]);
-      for (std::size_t model = 0; model < 2; ++model) {
-        costs[model].push_back(
-            measure_costs(scenes()[s], sheet, bending_forces()[model], seconds_of_batch));
-      }
-    }
-    fmt::print("\n");
-    for (std::size_t q = 0; q < quantities.size(); ++q) {
-      const auto ratios = print_quantity(quantities[q], costs, paper[s][q], chosen);
-      for (std::size_t i = 0; i < 2; ++i) {
-        all[q][i].insert(all[q][i].end(), ratios[i].begin(), ratios[i].end());
+    const auto costs = measure_scene(scenes()[s], columns);
+    for (std::size_t quantity = 0; quantity < timed_quantities.size(); ++quantity) {
+      print_quantity(quantity, costs, ratios[quantity]);
+      if (quantity < published_timings[s].size()) {
+        print_published(published_timings[s][quantity], columns, ratios[quantity]);
       }
     }
   }
-  fmt::print("median of the ratios hinge / ibm\n    {:<14}{:>9}{:>9}\n", "", "here", "paper");
-  for (std::size_t q = 0; q < quantities.size(); ++q) {
-    fmt::print("    {:<14}{:>9.2f}{:>9.2f}\n", quantities[q].name, median(all[q][0]),
-               median(all[q][1]));
+  fmt::print("median of the ratios\n    {:<14}{:>9}{:>9}\n", "", "here", "paper");
+  for (std::size_t quantity = 0; quantity < timed_quantities.size(); ++quantity) {
+    const Ratios& ratio = ratios[quantity];
+    fmt::print("    {:<14}{:>9.2f}", timed_quantities[quantity], median(ratio.here));
+    fmt::print("{}\n", ratio.paper.empty() ? "" : fmt::format("{:>9.2f}", median(ratio.paper)));
   }
 }
 
