@@ -2,35 +2,49 @@
 
 namespace ibmfair::cloth {
 
-std::array<Eigen::Matrix3d, 10> hessian(const BentHinge& hinge) {
-  std::array<Eigen::Matrix3d, 10> H;
-  H[8].setZero();  // no triangle has both x2 and x3
-  const double l = hinge.length;
-  const std::array<double, 3> s{-1, 1, 0};
-  for (int side = 0; side < 2; ++side) {
-    const double double_area = hinge.N[side].norm(), h = double_area / l, t = hinge.t[side];
+namespace {
+
+/// One triangle's part of the Hessian.
+struct Side {
+  Eigen::Matrix3d P;        // s_0 s_0 (m n^T + n m^T) / (2 l^2), with the sign of the sum
+  Vec3 u;                   // - n / h
+  std::array<double, 3> w;  // of x0, x1, opposite
+  std::array<Vec3, 3> a;
+
+  Side(const BentHinge& hinge, int side) {
+    const double l = hinge.length, double_area = hinge.N[side].norm(), h = double_area / l;
+    const double t = hinge.t[side];
     const Vec3 n = hinge.N[side] / double_area;
     const Vec3 m = side == 0 ? n.cross(hinge.e) : hinge.e.cross(n);
-    const std::array<double, 3> w{t - 1, -t, 1};
-    const Eigen::Matrix3d nm = n * m.transpose(), P = -(nm + nm.transpose());
-    const Eigen::Matrix3d Q = -1 / (h * l) * hinge.e * n.transpose();
-    // The pairs of x0, x1 and this side's opposite vertex among the ten.
-    const std::array<int, 6> place =
-        side == 0 ? std::array{0, 1, 2, 3, 4, 5} : std::array{0, 1, 2, 6, 7, 9};
-    for (int i = 0, k = 0; i < 3; ++i) {
-      for (int j = 0; j <= i; ++j, ++k) {
-        const Eigen::Matrix3d part = (w[i] * w[j] / (h * h) + s[i] * s[j] / (2 * l * l)) * P +
-                                     s[i] * w[j] * Q.transpose() + w[i] * s[j] * Q;
-        Eigen::Matrix3d& sum = H[place[k]];
-        if (side == 1 && k < 3) {
-          sum += part;
-        } else {
-          sum = part;
-        }
-      }
-    }
+    const Vec3 scaled = m / (-2 * l * l);
+    P = scaled * n.transpose();
+    P += P.transpose().eval();
+    u = n / -h;
+    w = {t - 1, -t, 1};
+    a = {w[0] / h * m - hinge.e / l, w[1] / h * m + hinge.e / l, m / h};
   }
-  return H;
+
+  /// Without P, which only pairs of x0 and x1 have.
+  Eigen::Matrix3d pair(int i, int j) const {
+    return u * (w[j] * a[i]).transpose() + (w[i] * a[j]) * u.transpose();
+  }
+};
+
+}  // namespace
+
+std::array<Eigen::Matrix3d, 10> hessian(const BentHinge& hinge) {
+  const Side one(hinge, 0), other(hinge, 1);
+  const Eigen::Matrix3d P = one.P + other.P;
+  return {one.pair(0, 0) + other.pair(0, 0) + P,
+          one.pair(1, 0) + other.pair(1, 0) - P,
+          one.pair(1, 1) + other.pair(1, 1) + P,
+          one.pair(2, 0),
+          one.pair(2, 1),
+          one.pair(2, 2),
+          other.pair(2, 0),
+          other.pair(2, 1),
+          Eigen::Matrix3d::Zero(),  // no triangle has both x2 and x3
+          other.pair(2, 2)};
 }
 
 }  // namespace ibmfair::cloth

@@ -8,10 +8,11 @@
 // edge, 0 at x0 and 1 at x1. With the edge's length l and unit vector e and, for the vertices
 // (x0, x1, opposite), w = (t - 1, -t, 1) and s = (-1, 1, 0),
 //
-//   grad_i phi    =   sum over both triangles of  w_i n / h
-//   hess_ij phi   = - sum over both triangles of  (w_i w_j / h^2 + s_i s_j / (2 l^2)) (m n^T + n
-//   m^T)
-//                                               + (s_i w_j n e^T + w_i s_j e n^T) / (h l)
+//   grad_i phi  =   sum over both triangles of  w_i n / h
+//   hess_ij phi = - sum over both triangles of  (n (w_j a_i)^T + w_i a_j n^T) / h
+//                                               + s_i s_j (m n^T + n m^T) / (2 l^2)
+//
+// where a_i = w_i m / h + s_i e / l.
 #pragma once
 
 #include <array>

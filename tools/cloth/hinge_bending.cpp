@@ -46,9 +46,16 @@ class HingeBending final : public EnergyTerm {
     for (Index h = 0; h < H_.rows(); ++h) {
       const BentHinge hinge = at(X, h);
       angle_[h] = hinge.angle;
-      add_first_order(h, hinge, H);
-      if (part == HessianPart::exact) {
-        add_second_order(h, hinge, H);
+      const auto g = hinge.gradient();
+      const Index* place = &places_[std::size_t{10} * h];
+      if (part == HessianPart::positive) {
+        add_pairs(
+            place, h, g, [](int) { return Block::Zero(); }, H);
+      } else {
+        const auto second = hessian(hinge);
+        const double moment = damped_moment(h);
+        add_pairs(
+            place, h, g, [&](int k) { return moment * second[k]; }, H);
       }
     }
   }
@@ -68,22 +75,15 @@ class HingeBending final : public EnergyTerm {
     return stiffness_[h] * (angle_[h] - rest_[h] + beta_ * (angle_[h] - angle_before_[h]));
   }
 
-  void add_first_order(Index h, const BentHinge& hinge, BlockHessian& H) const {
-    const auto g = hinge.gradient();
-    const Index* place = &places_[std::size_t{10} * h];
-    for (int i = 0; i < 4; ++i) {
+  /// Adds the product of first derivatives, and of pair k also `second_order(k)`.
+  template <class SecondOrder>
+  void add_pairs(const Index* place, Index h, const std::array<Vec3, 4>& g,
+                 const SecondOrder& second_order, BlockHessian& H) const {
+    for (int i = 0, k = 0; i < 4; ++i) {
       const Vec3 row = stiffness_[h] * (1 + beta_) * g[i];
-      for (int j = 0; j <= i; ++j) {
-        H.add(*place++, row * g[j].transpose());
+      for (int j = 0; j <= i; ++j, ++k) {
+        H.add(place[k], row * g[j].transpose() + second_order(k));
       }
-    }
-  }
-
-  void add_second_order(Index h, const BentHinge& hinge, BlockHessian& H) const {
-    const double moment = damped_moment(h);
-    const auto second = hessian(hinge);
-    for (int k = 0; k < 10; ++k) {
-      H.add(places_[std::size_t{10} * h + k], moment * second[k]);
     }
   }
 
