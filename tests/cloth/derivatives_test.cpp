@@ -61,18 +61,18 @@ class EnergyDerivatives : public testing::TestWithParam<DerivativeCase> {
   Points X_;
 };
 
-constexpr double step = 2e-5;  // metres; edges are a tenth
+constexpr double difference_step = 2e-5;  // metres; edges are a tenth
 
 TEST_P(EnergyDerivatives, GradientIsThatOfTheEnergyToSecondOrder) {
-  const double error = gradient_error(step);
+  const double error = gradient_error(difference_step);
   EXPECT_LE(error, 1e-5);
-  EXPECT_LE(error, 0.3 * gradient_error(2 * step) + 1e-8);
+  EXPECT_LE(error, 0.3 * gradient_error(2 * difference_step) + 1e-8);
 }
 
 TEST_P(EnergyDerivatives, HessianIsThatOfTheGradientToSecondOrder) {
-  const double error = hessian_error(step);
+  const double error = hessian_error(difference_step);
   EXPECT_LE(error, 1e-4);
-  EXPECT_LE(error, 0.3 * hessian_error(2 * step) + 1e-8);
+  EXPECT_LE(error, 0.3 * hessian_error(2 * difference_step) + 1e-8);
 }
 
 TEST_P(EnergyDerivatives, PositivePartOfTheHessianIsPositive) {

@@ -177,6 +177,32 @@ INSTANTIATE_TEST_SUITE_P(Tables, FreeSheetInExplicitSteps,
 INSTANTIATE_TEST_SUITE_P(Tables, FreeSheetInImplicitSteps,
                          testing::ValuesIn(motion_cases("implicit")), motion_name);
 
+class IntegratorsAgree : public testing::TestWithParam<BendingForce> {};
+
+TEST_P(IntegratorsAgree, AsTheImplicitStepGetsShorterToFirstOrder) {
+  const Material material{.young = 10, .bending = 1e-4, .mass_damping = 1, .strain_damping = 1e-3};
+  const Plate plate = test::small_plate(sheet_meshes()[1], material);
+  Surroundings surroundings;
+  surroundings.wind = {2, 0, 3};
+  surroundings.drag = 0.5;
+  const auto after = [&](std::string_view name, double h) {
+    Motion motion = at_rest(plate.rest);
+    motion.X.col(2) = 0.1 * test::crumpled(plate.rest).col(2);
+    const StepOptions options{.time_step = h, .tolerance = 1e-6};
+    advance(*integrator(name).bind(plate, surroundings, GetParam(), options), 0.04, motion);
+    return motion.X;
+  };
+  const Points fine = after("explicit", 4e-5);
+  const double long_steps = (after("implicit", 2e-3) - fine).norm();
+  const double short_steps = (after("implicit", 1e-3) - fine).norm();
+  EXPECT_LE(short_steps, 0.05 * (fine - plate.rest).norm());
+  EXPECT_NEAR(long_steps / short_steps, 2, 0.3);
+}
+
+INSTANTIATE_TEST_SUITE_P(Tables, IntegratorsAgree,
+                         testing::ValuesIn(bending_forces().begin(), bending_forces().end()),
+                         [](const auto& info) { return std::string(info.param.name); });
+
 TEST(StableTimeStep, IsStableAndTwoAndAHalfTimesItIsNot) {
   for (const BendingForce& bending : bending_forces()) {
     for (const double damping : {0.0, 1e-3}) {

@@ -9,7 +9,7 @@
 namespace ibmfair::cloth {
 namespace {
 
-constexpr std::array table{
+constexpr std::array bending_table{
     BendingForce{"hinge", "nonlinear hinge of discrete shells", bind_hinge_bending},
     BendingForce{"ibm", "isometric bending model, its Hessian precomputed", bind_isometric_bending},
 };
@@ -17,7 +17,7 @@ constexpr std::array table{
 }  // namespace
 
 std::span<const BendingForce> bending_forces() {
-  return table;
+  return bending_table;
 }
 
 const BendingForce& bending_force(std::string_view name) {

@@ -10,7 +10,7 @@
 namespace ibmfair::cloth {
 namespace {
 
-constexpr std::array table{
+constexpr std::array integrator_table{
     IntegratorRow{"implicit", "implicit Euler, by Newton's method with a line search",
                   bind_implicit_euler},
     IntegratorRow{"explicit", "symplectic Euler, in steps that are stable", bind_explicit_euler},
@@ -23,7 +23,7 @@ Motion at_rest(const Points& X) {
 }
 
 std::span<const IntegratorRow> integrators() {
-  return table;
+  return integrator_table;
 }
 
 const IntegratorRow& integrator(std::string_view name) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <ctime>
 #include <memory>
 #include <vector>
 
@@ -11,7 +12,6 @@
 #include "cloth/model_timer.h"
 #include "cloth/published_timings.h"
 #include "cloth/sheet_meshes.h"
-#include "ibmfair/base/stopwatch.h"
 #include "ibmfair/base/threads.h"
 
 namespace ibmfair::cloth {
@@ -30,14 +30,17 @@ enum Model : std::size_t { hinge, ibm };
 
 using Values = std::vector<double>;  // one for each column of the table
 
-/// Mean milliseconds of one call, over at least `seconds`.
+/// Mean milliseconds of one call, over at least `seconds`: of processor time, so that what else the
+/// machine does counts little.
 template <class Work>
 double milliseconds(double seconds, const Work& work) {
+  const std::clock_t start = std::clock();
   double spent = 0;
   int calls = 0;
-  for (; spent < seconds || calls == 0; ++calls) {
-    const Stopwatch watch(spent);
+  while (spent < seconds || calls == 0) {
     work();
+    ++calls;
+    spent = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
   }
   return 1000 * spent / calls;
 }

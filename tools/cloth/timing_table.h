@@ -15,7 +15,7 @@ namespace ibmfair::cloth {
 inline constexpr std::array<std::string_view, 5> timed_quantities{
     "gradient", "Hessian", "explicit step", "implicit step", "factor, solve"};
 
-/// Milliseconds of each of them.
+/// Milliseconds of processor time of each of them.
 using Costs = std::array<double, timed_quantities.size()>;
 
 /// Of each row of bending_forces(), the models taking turns: the shortest of several batches of at
