@@ -12,7 +12,7 @@ constexpr double unevenness = 0.03;  // 1/m^3
 /// Heavily damped: only where it comes to rest is of interest.
 Scene drape(const TriangleMesh& sheet) {
   const Material material{
-      .density = 0.2, .young = 1000, .bending = 3e-4, .mass_damping = 2, .strain_damping = 0.02};
+      .density = 0.2, .young = 1000, .bending = 3e-4, .mass_damping = 4, .strain_damping = 1e-3};
   Scene scene;
   Sphere sphere;
   sphere.radius = 0.2;
@@ -31,7 +31,7 @@ Scene drape(const TriangleMesh& sheet) {
 /// Its left side is held, and the wind blows along it and a little across.
 Scene flag(const TriangleMesh& sheet) {
   const Material material{
-      .density = 0.1, .young = 1000, .bending = 5e-4, .mass_damping = 0, .strain_damping = 1e-3};
+      .density = 0.1, .young = 1000, .bending = 5e-4, .mass_damping = 0, .strain_damping = 1e-4};
   Scene scene;
   std::vector<std::uint8_t> held;
   for (const double x : sheet.X.col(0)) {
