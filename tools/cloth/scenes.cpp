@@ -31,15 +31,15 @@ Scene drape(const TriangleMesh& sheet) {
 /// Its left side is held, and the wind blows along it and a little across.
 Scene flag(const TriangleMesh& sheet) {
   const Material material{
-      .density = 0.1, .young = 1000, .bending = 5e-4, .mass_damping = 0, .strain_damping = 1e-4};
+      .density = 0.1, .young = 1000, .bending = 2e-4, .mass_damping = 0, .strain_damping = 1e-4};
   Scene scene;
   std::vector<std::uint8_t> held;
   for (const double x : sheet.X.col(0)) {
     held.push_back(x == 0 ? 1 : 0);
   }
   scene.plate = make_plate(sheet.X, sheet.F, material, held);
-  scene.surroundings.wind = {10, 0, 1.5};
-  scene.surroundings.drag = 1;
+  scene.surroundings.wind = {15, 0, 0.5};
+  scene.surroundings.drag = 0.5;
   scene.start = sheet.X;
   return scene;
 }
