@@ -1,12 +1,17 @@
 // The sheets' meshes, contact, and the tables.
+#include <cmath>
+
 #include <gtest/gtest.h>
 
+#include "cloth/frames.h"
 #include "cloth/sphere_contact.h"
 #include "cloth/timing_table.h"
 #include "ibmfair/base/errors.h"
+#include "ibmfair/io/mesh_file.h"
 #include "ibmfair/mesh/geometry.h"
 #include "support/cloth_sheets.h"
 #include "support/states.h"
+#include "support/temporary_directory.h"
 
 namespace ibmfair::cloth {
 namespace {
@@ -93,6 +98,32 @@ TEST(Tables, NameWhatThereIsForNamesThatTheyLack) {
   } catch (const BadOption& error) {
     EXPECT_STREQ(error.what(), "unknown scene 'curtain' (there are drape, flag)");
   }
+}
+
+TEST(Frames, ReadBackAsTheyWere) {
+  const Scene built = scene("flag").build(regular_sheet(36));
+  const auto stepper =
+      integrator("implicit").bind(built.plate, built.surroundings, bending_force("ibm"), {});
+  const std::vector<Points> frames = run_frames(built, *stepper, 0.1);
+  ASSERT_EQ(frames.size(), 1 + std::lround(0.1 * frames_per_second));
+  EXPECT_EQ(frames.front(), built.start);
+  for (const std::string format : {"obj", "ply", "off"}) {
+    const test::TemporaryDirectory directory;
+    const std::string folder = directory / "frames";
+    write_frames(built, frames, folder, format);
+    for (std::size_t i = 0; i < frames.size(); ++i) {
+      EXPECT_EQ(read_mesh(frame_path(folder, i, format)).mesh().X, frames[i]) << format;
+    }
+  }
+}
+
+TEST(Frames, MakeOnePictureBesideTheOther) {
+  const SceneRow& row = scene("flag");
+  const Scene built = row.build(regular_sheet(36));
+  const Image one = picture_of(built, {built.start}, row.view, 1);
+  const Image two = picture_of(built, {built.start, built.start}, row.view, 2);
+  EXPECT_EQ(two.width, 2 * one.width);
+  EXPECT_EQ(two.height, one.height);
 }
 
 TEST(TimingTable, MeasuresEveryQuantityOfEveryModel) {
