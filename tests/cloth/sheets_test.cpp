@@ -117,13 +117,14 @@ TEST(Frames, ReadBackAsTheyWere) {
   }
 }
 
-TEST(Frames, MakeOnePictureBesideTheOther) {
+TEST(Frames, ArePutBesideEachOther) {
   const SceneRow& row = scene("flag");
   const Scene built = row.build(regular_sheet(36));
-  const Image one = picture_of(built, {built.start}, row.view, 1);
   const Image two = picture_of(built, {built.start, built.start}, row.view, 2);
-  EXPECT_EQ(two.width, 2 * one.width);
-  EXPECT_EQ(two.height, one.height);
+  EXPECT_EQ(two.width, 2 * picture_width);
+  EXPECT_LE(two.height, picture_width);
+  EXPECT_NE(two.at(picture_width / 2, two.height / 2), (Rgb{255, 255, 255}));
+  EXPECT_NE(two.at(3 * picture_width / 2, two.height / 2), (Rgb{255, 255, 255}));
 }
 
 TEST(TimingTable, MeasuresEveryQuantityOfEveryModel) {

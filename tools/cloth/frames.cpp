@@ -13,7 +13,6 @@ namespace ibmfair::cloth {
 namespace {
 
 constexpr Rgb cloth_colour{196, 92, 74}, sphere_colour{150, 156, 166};
-constexpr int picture_side = 560;  // pixels
 constexpr int sphere_levels = 5;
 
 /// The sheet and the sphere as one mesh.
@@ -78,7 +77,7 @@ Image picture_of(const Scene& scene, const std::vector<Points>& frames, const Vi
   }
   RenderOptions options;
   options.view = view;
-  options.width = options.height = picture_side;
+  options.width = options.height = picture_width;
   return render_side_by_side(meshes, options);
 }
 

@@ -10,6 +10,7 @@
 namespace ibmfair::cloth {
 
 inline constexpr double frames_per_second = 25;
+inline constexpr int picture_width = 560;  ///< pixels of one state
 
 /// Runs the scene for so many seconds; the first frame is its start.
 std::vector<Points> run_frames(const Scene& scene, Integrator& integrator, double seconds);
