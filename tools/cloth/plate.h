@@ -1,0 +1,41 @@
+// A thin plate: what it is made of, where it is held, and how much its vertices weigh.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "ibmfair/base/types.h"
+#include "ibmfair/mesh/topology.h"
+
+namespace ibmfair::cloth {
+
+/// Stiffnesses of a sheet, thickness included.
+struct Material {
+  double density = 0.2;       ///< kg/m^2, > 0
+  double young = 1000;        ///< N/m: Young's modulus times thickness, > 0
+  double poisson = 0.3;       ///< in [0, 0.5]
+  double bending = 2e-5;      ///< N m: the energy is this times [W07]'s E_b, >= 0
+  double mass_damping = 0;    ///< alpha_1 of [W07] equation (9), 1/s, >= 0
+  double strain_damping = 0;  ///< alpha_2 of the same, s, >= 0
+};
+
+/// A sheet at rest.
+struct Plate {
+  Points rest;  ///< #V x 3, metres
+  Topology topology;
+  Material material;
+  std::vector<std::uint8_t> held;  ///< #V, whether the vertex never moves
+  PerVertex mass;                  ///< #V, kg: [W07]'s rho M, lumped
+};
+
+/// `held` may be empty: nothing is.
+Plate make_plate(const Points& rest, const Triangles& F, const Material& material,
+                 std::vector<std::uint8_t> held = {});
+
+/// The vertices of each triangle, and of each hinge: what the terms of the energy are sums over.
+Rows triangle_rows(const Topology& topology);
+Rows hinge_rows(const Topology& topology);
+/// Both.
+Rows element_rows(const Topology& topology);
+
+}  // namespace ibmfair::cloth

@@ -1,0 +1,27 @@
+// Looking up a row of a table by its name.
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+
+#include <fmt/format.h>
+
+#include "ibmfair/base/errors.h"
+
+namespace ibmfair::cloth {
+
+/// The row of that name; throws BadOption, naming those there are.
+template <class Row>
+const Row& row_named(std::span<const Row> rows, std::string_view what, std::string_view name) {
+  std::string known;
+  for (const Row& row : rows) {
+    if (row.name == name) {
+      return row;
+    }
+    known += fmt::format("{}{}", known.empty() ? "" : ", ", row.name);
+  }
+  throw BadOption(fmt::format("unknown {} '{}' (there are {})", what, name, known));
+}
+
+}  // namespace ibmfair::cloth
