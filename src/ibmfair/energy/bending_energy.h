@@ -75,6 +75,10 @@ class BendingEnergy {
   /// The vertices of each stencil.
   virtual const Rows& stencils() const = 0;
 
+  /// How much of E_b(X) belongs to each vertex, #V: a stencil's energy to its vertices in equal
+  /// parts, unless the member knows better.
+  virtual PerVertex energy_by_vertex(const Points& X);
+
   /// The coefficients and weights at X, from which the Hessian S is assembled (energy/hessian.h).
   /// Where no fixed stencils give S, those of a nearby member do (energy/vertex_energy.h).
   virtual void linearise(const Points& X, StencilWeights& weights) = 0;

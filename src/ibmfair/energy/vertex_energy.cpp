@@ -112,6 +112,11 @@ double VertexEnergy::energy_and_gradient(const Points& X, Points& G) {
   return E;
 }
 
+PerVertex VertexEnergy::energy_by_vertex(const Points& X) {
+  energy(X);
+  return h_.cwiseProduct(y_).rowwise().sum() / 2;
+}
+
 void VertexEnergy::linearise(const Points& X, StencilWeights& weights) {
   weights.c.assign(stencils_.value.size(), 0);
   weights.w.resize(nodes_.size());

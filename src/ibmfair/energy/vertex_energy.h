@@ -31,6 +31,8 @@ class VertexEnergy final : public BendingEnergy {
   double energy(const Points& X) override;
   double energy_and_gradient(const Points& X, Points& G) override;
   const Rows& stencils() const override { return stencils_; }
+  /// 1/2 <h_v, y_v> at every vertex of U.
+  PerVertex energy_by_vertex(const Points& X) override;
   void linearise(const Points& X, StencilWeights& weights) override;
 
  private:
