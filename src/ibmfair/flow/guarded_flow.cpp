@@ -25,7 +25,7 @@ constexpr double heavier = 16, lighter = 4;    // factors of local damping
 constexpr double standstill = 1e12;            // local damping of a vertex that has gone far enough
 constexpr double culprit_share = 0.05;         // of the largest uphill slope, to be damped
 constexpr double local_share = 0.02;          // of the vertices: more culprits are no local trouble
-constexpr int longest_creep = 3;              // short steps that do no good, before that
+constexpr int longest_creep = 8;              // short steps in a row that do no good, before that
 constexpr int backtracks = 2;                 // halvings of a step before it is given up
 constexpr int fold_passes = 6;                // rounds of withholding moves that would fold
 constexpr double smallest_time_step = 1e-12;  // of the target, before giving up
@@ -128,7 +128,7 @@ class GuardedFlow {
     try {
       p_.jacobian().refactor(p_.X, h_);
     } catch (const FactorizationFailed&) {
-      if (h_ * time_step_cut < smallest_time_step * h_target_) {
+      if (p_.report.steps.empty() && h_ * time_step_cut < smallest_time_step * h_target_) {
         throw;
       }
       cut_time_step();
