@@ -282,13 +282,16 @@ void write_and_tell(const SmoothArguments& arguments, const OutputOptions& outpu
 
 /// The options of the flow as the mesh and other options have them.
 FlowOptions flow_options(const SmoothArguments& arguments, const MeshFile& file,
-                         const Console& console) {
+                         const Topology& topology, const Console& console) {
   FlowOptions options = arguments.flow;
   options.mass = arguments.mass.mass();
   options.mass_matrix = arguments.mass.name;
   options.metric = arguments.metric == "mass" ? Metric::mass : Metric::identity;
   options.guarded = !arguments.plain;
   options.relax = relaxes(arguments, file, console);
+  if (const std::vector<double>& a = arguments.anisotropy; !a.empty()) {
+    options.material_axes = material_axes(file.mesh().X, topology, Vec3(a[0], a[1], a[2]), a[3]);
+  }
   if (arguments.keep_sharp) {
     options.sharp_angle = *arguments.keep_sharp * std::numbers::pi / 180;
   }
@@ -308,7 +311,7 @@ ExitCode run_smooth(SmoothArguments arguments, const CLI::App& app, Console& con
   warn_of_defects(s.topology, arguments.strict, console);
   Report report(app);
   report.warnings = defect_list(s.before(), s.topology);
-  arguments.flow = flow_options(arguments, s.file, console);
+  arguments.flow = flow_options(arguments, s.file, s.topology, console);
   const FlowOptions& options = arguments.flow;
   if (arguments.dry_run) {
     progress.end();

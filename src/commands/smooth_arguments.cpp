@@ -54,6 +54,14 @@ void add_flow_options(CLI::App& app, SmoothArguments& a) {
           ->type_name(name_or_file_to_read);
   note_of(app, *h0).unit = "1 / mesh units";
   note_of(app, *h0).default_text = "0";
+  CLI::Option* anisotropy = add_parsed_option(
+      app, "--anisotropy", "X,Y,Z,FACTOR",
+      "the curvature along this direction, laid onto the surface as it is read, counts FACTOR "
+      "times: energy 1/2 integral (FACTOR kappa_1 + kappa_2)^2, with --laplacian lagrange",
+      [&a](const std::string& text) {
+        a.anisotropy = parse_reals_option("--anisotropy", text, 4, any_real);
+      });
+  note_of(app, *anisotropy).default_text = "none";
   add_mass_options(app, a.mass);
   app.add_option("--metric", a.metric,
                  "of the flow: mass (independent of the sampling) or identity")

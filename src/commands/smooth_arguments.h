@@ -28,6 +28,7 @@ struct SmoothArguments {
   std::optional<double> time_step;
   std::optional<Length> cutoff;
   std::optional<Length> max_move;
+  std::vector<double> anisotropy;  // X, Y, Z, FACTOR, or none
   std::optional<double> keep_sharp;  // degrees
   bool plain = false, dry_run = false;
   MassOptions mass;

@@ -38,6 +38,12 @@ LaplacianMatrices crouzeix_raviart_matrices(const Points& X, const Topology& top
 
 Bound lagrange(const Topology& topology, const EnergyOptions& options) {
   const MassMatrix& mass = mass_matrix(bending_model("lagrange"), options);
+  if (options.spontaneous_curvature.size() > 0 && !options.material_axes.empty()) {
+    throw BadOption("a spontaneous curvature does not go with material directions");
+  }
+  if (!options.material_axes.empty()) {
+    return std::make_unique<VertexEnergy>(topology, options, directional_laplacian, mass);
+  }
   if (mass.name == "barycentric" || mass.kind == MassMatrix::Kind::identity) {
     return fast_member<Lagrange>(topology, options, mass);
   }
@@ -88,6 +94,7 @@ constexpr std::array<BendingModel, 5> models{{
      .make = lagrange,
      .matrices = CotangentModel::matrices,
      .masses = vertex_masses,
+     .takes_material_axes = true,
      .takes_spontaneous_curvature = true},
     {.name = weighted_name,
      .summary = "dual edges between power centres of circles about the vertices",
@@ -121,6 +128,10 @@ void require_known(const BendingModel& model, const EnergyOptions& options) {
   if (options.sharp_angle > 0 && !model.keeps_sharp) {
     throw BadOption(fmt::format("the Laplacian {} cannot keep sharp hinges; these can: {}",
                                 model.name, names_with(&BendingModel::keeps_sharp)));
+  }
+  if (!options.material_axes.empty() && !model.takes_material_axes) {
+    throw BadOption(fmt::format("the Laplacian {} knows no material directions; these do: {}",
+                                model.name, names_with(&BendingModel::takes_material_axes)));
   }
   if (options.spontaneous_curvature.size() > 0 && !model.takes_spontaneous_curvature) {
     throw BadOption(fmt::format("the Laplacian {} takes no spontaneous curvature; these do: {}",

@@ -112,7 +112,7 @@ LaplacianMatrices edge_matrices(const Points& X, const Topology& topology, const
 LaplacianMatrices vertex_matrices(const Points& X, const Topology& topology,
                                   const EnergyOptions& options, const VertexLaplacian& laplacian,
                                   const MassMatrix& mass) {
-  VertexTriangles triangles(topology, laplacian, mass, options.vertex_weights, topology.usable);
+  VertexTriangles triangles(topology, laplacian, mass, options, topology.usable);
   triangles.measure(X);
   const Triangles& F = triangles.corners();
   LaplacianMatrices result;

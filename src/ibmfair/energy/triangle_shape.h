@@ -9,6 +9,8 @@
 
 namespace ibmfair {
 
+struct MaterialDirection;
+
 /// Three numbers of a triangle: one per corner, or one per edge by the corner opposite.
 template <class Number>
 using ByCorner = std::array<Number, 3>;
@@ -19,6 +21,7 @@ struct TriangleShape {
   ByCorner<Number> cot;      ///< cotangents of the angles
   Number area;
   ByCorner<Number> weight;  ///< of the vertices at the corners, length^2 (energy/weighted.h)
+  const std::array<MaterialDirection, 2>* axes = nullptr;  ///< where the formula sees any
 };
 
 /// Derivatives by the squared lengths (0 .. 2) and the weights of the vertices (3 .. 5).
@@ -30,7 +33,8 @@ inline TriangleShape<double> triangle_shape(const Vec3& x0, const Vec3& x1, cons
   return {{e0.squaredNorm(), e1.squaredNorm(), e2.squaredNorm()},
           {-e1.dot(e2) / double_area, -e2.dot(e0) / double_area, -e0.dot(e1) / double_area},
           double_area / 2,
-          {}};
+          {},
+          nullptr};
 }
 
 /// The shape as a function of its squared lengths l_j^2. From 4 A cot_i = l_j^2 + l_k^2 - l_i^2 and
@@ -39,6 +43,7 @@ inline TriangleShape<double> triangle_shape(const Vec3& x0, const Vec3& x1, cons
 inline TriangleShape<MetricJet> differentiated(const TriangleShape<double>& shape) {
   TriangleShape<MetricJet> result;
   result.area = shape.area;
+  result.axes = shape.axes;
   for (int i = 0; i < 3; ++i) {
     result.squared[i] = MetricJet::variable(shape.squared[i], i);
     result.weight[i] = MetricJet::variable(shape.weight[i], 3 + i);

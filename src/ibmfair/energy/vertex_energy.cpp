@@ -43,8 +43,7 @@ VertexEnergy::VertexEnergy(const Topology& topology, const EnergyOptions& option
                                              ? options.active
                                              : std::vector<std::uint8_t>{})),
       nodes_(first_of(stencils_)),
-      triangles_(topology, laplacian, mass, options.vertex_weights,
-                 usable_triangles_at(topology, nodes_)),
+      triangles_(topology, laplacian, mass, options, usable_triangles_at(topology, nodes_)),
       h_(Points::Zero(topology.vertex_count, 3)),
       y_(h_),
       m_(PerVertex::Ones(topology.vertex_count)) {}

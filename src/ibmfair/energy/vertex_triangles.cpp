@@ -4,6 +4,7 @@
 
 #include "ibmfair/base/errors.h"
 #include "ibmfair/base/parallel.h"
+#include "ibmfair/energy/bending_energy.h"
 #include "ibmfair/mesh/select.h"
 
 namespace ibmfair {
@@ -30,7 +31,7 @@ Triangles usable_triangles(const Topology& topology) {
 }
 
 VertexTriangles::VertexTriangles(const Topology& topology, const VertexLaplacian& laplacian,
-                                 const MassMatrix& mass, const std::vector<double>& vertex_weights,
+                                 const MassMatrix& mass, const EnergyOptions& options,
                                  const std::vector<std::uint8_t>& kept)
     : edge_weights_(laplacian.edge_weights), shares_(mass.shares), mesh_shares_(mass.shares) {
   if (laplacian.flips) {
@@ -41,15 +42,21 @@ VertexTriangles::VertexTriangles(const Topology& topology, const VertexLaplacian
     places_.first.resize(static_cast<std::size_t>(topology.vertex_count) + 1);
     return;
   }
-  corners_ =
-      topology.F(indices_where(topology.F.rows(), [&](Index t) { return kept[t]; }), Eigen::all);
+  const auto rows = indices_where(topology.F.rows(), [&](Index t) { return kept[t]; });
+  corners_ = topology.F(rows, Eigen::all);
   shapes_.resize(static_cast<std::size_t>(corners_.rows()));
   places_ = positions_by_value(entries(corners_), topology.vertex_count);
   if (laplacian.circle_weights) {
-    if (vertex_weights.empty()) {
+    if (options.vertex_weights.empty()) {
       circles_ = std::make_unique<CircleWeights>(topology);
     } else {
-      weights_ = checked(vertex_weights, topology.vertex_count);
+      weights_ = checked(options.vertex_weights, topology.vertex_count);
+    }
+  }
+  if (laplacian.axes) {
+    axes_.reserve(rows.size());
+    for (const Index t : rows) {
+      axes_.push_back(options.material_axes[t]);
     }
   }
 }
@@ -73,16 +80,39 @@ void VertexTriangles::measure(const Points& X) {
       if (weights_.size() > 0) {
         shape.weight = {weights_[x[0]], weights_[x[1]], weights_[x[2]]};
       }
+      shape.axes = axes_.empty() ? nullptr : &axes_[t];
     });
   }
   terms_.resize(shapes().size());
   parallel_for(corners().rows(), [&](std::int64_t t) { terms_[t] = terms_at(shapes()[t]); });
 }
 
+/// Those of the triangle with these vertices, in their order.
+MaterialAxes VertexTriangles::axes_of(Index v0, Index v1, Index v2) const {
+  MaterialAxes result{};
+  around(v0, [&](Index t, int i) {
+    const int j = next(i), k = previous(i);
+    const bool same = corners_(t, j) == v1 && corners_(t, k) == v2;
+    if (!same && !(corners_(t, j) == v2 && corners_(t, k) == v1)) {
+      return;
+    }
+    for (std::size_t d = 0; d < result.size(); ++d) {
+      const auto& [rate, factor] = axes_[t][d];
+      result[d] = {{rate[i], rate[same ? j : k], rate[same ? k : j]}, factor};
+    }
+  });
+  return result;
+}
+
 TriangleTerms VertexTriangles::terms_of(const Points& X, Index v0, Index v1, Index v2) const {
   TriangleShape<double> shape = triangle_shape(X.row(v0), X.row(v1), X.row(v2));
   if (weights_.size() > 0) {
     shape.weight = {weights_[v0], weights_[v1], weights_[v2]};
+  }
+  MaterialAxes axes;
+  if (!axes_.empty()) {
+    axes = axes_of(v0, v1, v2);
+    shape.axes = &axes;
   }
   return {edge_weights_.value(shape), mesh_shares_.value(shape)};
 }

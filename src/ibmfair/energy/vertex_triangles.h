@@ -30,10 +30,10 @@ struct TriangleSlopes {
 
 class VertexTriangles {
  public:
-  /// Of the triangles that are `kept` (#F); all usable ones where edges flip. `vertex_weights` is
-  /// that of EnergyOptions; throws BadOption where it has not one finite number for every vertex.
+  /// Of the triangles that are `kept` (#F); all usable ones where edges flip. Throws BadOption
+  /// where the options have not one finite weight for every vertex.
   VertexTriangles(const Topology& topology, const VertexLaplacian& laplacian,
-                  const MassMatrix& mass, const std::vector<double>& vertex_weights,
+                  const MassMatrix& mass, const EnergyOptions& options,
                   const std::vector<std::uint8_t>& kept);
 
   /// Goes to the state X. All below belongs to that state.
@@ -66,13 +66,15 @@ class VertexTriangles {
 
  private:
   TriangleTerms terms_at(const TriangleShape<double>& shape) const;
+  MaterialAxes axes_of(Index v0, Index v1, Index v2) const;
 
   TriangleFormula edge_weights_, shares_, mesh_shares_;
   Triangles corners_;
   std::vector<TriangleShape<double>> shapes_;
   std::vector<TriangleTerms> terms_;
-  Rows places_;        // #V rows of 3 t + i
-  PerVertex weights_;  // #V, or empty where the formula sees none
+  Rows places_;                     // #V rows of 3 t + i
+  std::vector<MaterialAxes> axes_;  // like corners_, or empty where the formula sees none
+  PerVertex weights_;               // #V, or empty where the formula sees none
   std::unique_ptr<CircleWeights> circles_;
   std::unique_ptr<IntrinsicDelaunay> delaunay_;
   Edges edges_;     // #E x 2, where edges flip

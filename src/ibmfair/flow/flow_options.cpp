@@ -44,6 +44,7 @@ void FlowOptions::validate() const {
 EnergyOptions FlowOptions::energy_options() const {
   return {.mass = mass,
           .mass_matrix = mass_matrix,
+          .material_axes = material_axes,
           .sharp_angle = sharp_angle,
           .spontaneous_curvature = spontaneous_curvature};
 }

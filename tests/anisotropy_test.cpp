@@ -1,0 +1,169 @@
+// Bending along material directions, [W07] (14).
+#include <cmath>
+#include <numbers>
+
+#include <gtest/gtest.h>
+
+#include "ibmfair/base/errors.h"
+#include "ibmfair/energy/bending_energy.h"
+#include "ibmfair/energy/hessian.h"
+#include "ibmfair/flow/held_vertices.h"
+#include "ibmfair/flow/time_scale.h"
+#include "ibmfair/flow/willmore_flow.h"
+#include "ibmfair/mesh/geometry.h"
+#include "ibmfair/shapes/shapes.h"
+#include "support/meshes.h"
+#include "support/states.h"
+
+namespace ibmfair::test {
+namespace {
+
+std::unique_ptr<BendingEnergy> directed(const State& state, const Points& reference,
+                                        const Vec3& direction, double factor,
+                                        const std::string& mass = {}) {
+  return bending_model("lagrange")
+      .bind(state.topology,
+            {.mass_matrix = mass,
+             .material_axes = material_axes(reference, state.topology, direction, factor)});
+}
+
+TEST(Anisotropy, WithoutAFactorIsTheCotangentLaplacian) {
+  for (const auto& [name, mesh] : good_meshes()) {
+    const State state(mesh);
+    const double E = bending_energy(state.X, state.topology);
+    const auto energy = directed(state, state.X, Vec3(1, 2, -1), 1);
+    EXPECT_NEAR(energy->energy(state.X), E, 1e-10 * E) << name;
+  }
+}
+
+TEST(Anisotropy, HasTheExactGradient) {
+  for (const auto& [name, mesh] : good_meshes()) {
+    const State state(mesh);
+    for (const char* mass : {"barycentric", "galerkin", "none"}) {
+      const auto energy = directed(state, state.X, Vec3(1, 2, -1), 5, mass);
+      if (energy->stencils().size() == 0) {
+        continue;
+      }
+      const Points X = shaken(state, 0.05);
+      Points G;
+      const double E = energy->energy_and_gradient(X, G);
+      const Points D = random_directions(X.rows(), 3);
+      const double exact = G.cwiseProduct(D).sum();
+      const double edge = mean_edge_length(X, state.topology.E);
+      const auto error = [&](double step) {
+        const double h = step * edge;
+        return std::abs((energy->energy(X + h * D) - energy->energy(X - h * D)) / (2 * h) - exact);
+      };
+      const double coarse = error(2e-3), fine = error(1e-3);
+      EXPECT_LT(fine, 3e-3 * (std::abs(exact) + E / edge)) << name << ", " << mass;
+      EXPECT_LT(fine, coarse / 3.5 + 1e-11 * E / (1e-3 * edge)) << name << ", " << mass;
+    }
+  }
+}
+
+TEST(Anisotropy, DoesNotDependOnPositionOrientationAndScale) {
+  for (const auto& [name, mesh] : good_meshes()) {
+    const State state(mesh);
+    const Points X = shaken(state, 0.05);
+    const double E = directed(state, state.X, Vec3::UnitX(), 4)->energy(X);
+    // The directions stay with the material when it is carried elsewhere.
+    const Eigen::Matrix3d R = Eigen::AngleAxisd(0.7, Vec3(1, -2, 0.5).normalized()).matrix();
+    const Points carried = (3 * X * R.transpose()).rowwise() + Eigen::RowVector3d(1, 2, 3);
+    EXPECT_NEAR(directed(state, state.X, Vec3::UnitX(), 4)->energy(carried), E, 1e-9 * E) << name;
+    const State mixed(with_mixed_orientation(in_triangles(mesh)));
+    const State plain(in_triangles(mesh));
+    EXPECT_NEAR(directed(mixed, mixed.X, Vec3::UnitX(), 4)->energy(mixed.X),
+                directed(plain, plain.X, Vec3::UnitX(), 4)->energy(plain.X), 1e-10 * E)
+        << name;
+  }
+}
+
+/// A unit square bent onto a cylinder of curvature 1 about the y axis, without stretching: its
+/// energy with directions of the flat square, over the energy without.
+double bent_ratio(Index squares, const Vec3& direction, double factor) {
+  const State flat(flat_sheet(squares, squares));
+  Points X = flat.X;
+  X.col(0) = flat.X.col(0).array().sin();
+  X.col(2) = flat.X.col(0).array().cos();
+  return directed(flat, flat.X, direction, factor)->energy(X) / bending_energy(X, flat.topology);
+}
+
+TEST(Anisotropy, OfABentSheetHasTheSquaredFactorOfTheBentDirection) {
+  // kappa_1 and kappa_2 are cos^2 and sin^2 of the angle to the bent direction.
+  constexpr double factor = 3;
+  for (const double angle : {0.0, 0.5, std::numbers::pi / 4, std::numbers::pi / 2}) {
+    const Vec3 direction(std::cos(angle), std::sin(angle), 0);
+    const double along = std::pow(std::cos(angle), 2), across = std::pow(std::sin(angle), 2);
+    const double exact = std::pow(factor * along + across, 2);
+    const double coarse = std::abs(bent_ratio(16, direction, factor) - exact);
+    const double fine = std::abs(bent_ratio(32, direction, factor) - exact);
+    EXPECT_LT(fine, 1e-3 * exact) << angle;
+    EXPECT_LT(fine, coarse / 3 + 1e-10) << angle;
+  }
+}
+
+TEST(Anisotropy, HessianIsThatOfTheEnergyOfASheet) {
+  const State sheet(flat_sheet(8, 6));
+  const auto energy = directed(sheet, sheet.X, Vec3(1, 0.3, 0), 7);
+  StencilWeights weights;
+  energy->linearise(sheet.X, weights);
+  for (const double w : weights.w) {
+    EXPECT_GT(w, 0);  // S = sum_s w_s c_s c_s^T is positive semi-definite
+  }
+  const Points D = random_directions(sheet.X.rows());
+  double exact = 0;
+  for (Index s = 0; s < energy->stencils().size(); ++s) {
+    const auto star = energy->stencils()[s];
+    double curvature = 0;
+    for (std::size_t i = 0; i < star.size(); ++i) {
+      curvature +=
+          weights.c[energy->stencils().first[s] + static_cast<std::int64_t>(i)] * D(star[i], 2);
+    }
+    exact += weights.w[s] * curvature * curvature / 2;
+  }
+  constexpr double height = 1e-5;
+  Points X = sheet.X;
+  X.col(2) += height * D.col(2);
+  EXPECT_NEAR(energy->energy(X) / (height * height), exact, 1e-4 * exact);
+}
+
+TEST(Anisotropy, SmoothsRipplesAcrossTheDirectionLess) {
+  // A sheet with ripples in both directions: those along which the curvature counts more go first.
+  State sheet(flat_sheet(40, 40));
+  for (Index v = 0; v < sheet.X.rows(); ++v) {
+    sheet.X(v, 2) = 0.005 * (std::cos(24 * sheet.X(v, 0)) + std::cos(24 * sheet.X(v, 1)));
+  }
+  FlowOptions options;
+  options.laplacian = "lagrange";
+  options.relax = false;
+  options.material_axes = material_axes(sheet.X, sheet.topology, Vec3::UnitX(), 4);
+  const double time = time_for_cutoff(4 * mean_edge_length(sheet.X, sheet.topology.E));
+  options.total_time = time_in_flow_units(time, sheet.X, sheet.topology, options);
+  Points X = sheet.X;
+  const auto report = willmore_flow(
+      X, sheet.topology, held_vertices(sheet.topology, BoundaryCondition::fixed), options);
+  EXPECT_EQ(report.status, FlowStatus::completed);
+  double along = 0, across = 0;
+  for (Index v = 0; v < X.rows(); ++v) {
+    const bool inside = (X.row(v).head<2>().array() - 0.5).abs().maxCoeff() < 0.3;
+    along += inside ? X(v, 2) * std::cos(24 * X(v, 0)) : 0;
+    across += inside ? X(v, 2) * std::cos(24 * X(v, 1)) : 0;
+  }
+  EXPECT_LT(along, 0.5 * across);
+}
+
+TEST(Anisotropy, RefusesWhatCannotBe) {
+  const State state(closed_meshes().front().mesh);
+  EXPECT_THROW(material_axes(state.X, state.topology, Vec3::Zero(), 2), BadOption);
+  EXPECT_THROW(material_axes(state.X, state.topology, Vec3::UnitX(), 0), BadOption);
+  const auto axes = material_axes(state.X, state.topology, Vec3::UnitX(), 2);
+  EXPECT_THROW(bending_model("umbrella").bind(state.topology, {.material_axes = axes}), BadOption);
+  EXPECT_THROW(
+      bending_model("lagrange")
+          .bind(state.topology, {.material_axes = axes,
+                                 .spontaneous_curvature = Eigen::VectorXd::Ones(state.X.rows())}),
+      BadOption);
+}
+
+}  // namespace
+}  // namespace ibmfair::test
