@@ -32,7 +32,7 @@ TEST(Anisotropy, WithoutAFactorIsTheCotangentLaplacian) {
     const State state(mesh);
     const double E = bending_energy(state.X, state.topology);
     const auto energy = directed(state, state.X, Vec3(1, 2, -1), 1);
-    EXPECT_NEAR(energy->energy(state.X), E, 1e-10 * E) << name;
+    EXPECT_NEAR(energy->energy(state.X), E, 1e-10 * E + 1e-24) << name;
   }
 }
 
@@ -137,18 +137,22 @@ TEST(Anisotropy, SmoothsRipplesAcrossTheDirectionLess) {
   options.laplacian = "lagrange";
   options.relax = false;
   options.material_axes = material_axes(sheet.X, sheet.topology, Vec3::UnitX(), 4);
-  const double time = time_for_cutoff(4 * mean_edge_length(sheet.X, sheet.topology.E));
+  const double time = time_for_cutoff(8 * mean_edge_length(sheet.X, sheet.topology.E));
   options.total_time = time_in_flow_units(time, sheet.X, sheet.topology, options);
   Points X = sheet.X;
   const auto report = willmore_flow(
       X, sheet.topology, held_vertices(sheet.topology, BoundaryCondition::fixed), options);
   EXPECT_EQ(report.status, FlowStatus::completed);
-  double along = 0, across = 0;
-  for (Index v = 0; v < X.rows(); ++v) {
-    const bool inside = (X.row(v).head<2>().array() - 0.5).abs().maxCoeff() < 0.3;
-    along += inside ? X(v, 2) * std::cos(24 * X(v, 0)) : 0;
-    across += inside ? X(v, 2) * std::cos(24 * X(v, 1)) : 0;
-  }
+  const auto amplitude = [](const Points& positions, int axis) {
+    double sum = 0;
+    for (const auto& x : positions.rowwise()) {
+      const bool inside = (x.head<2>().array() - 0.5).abs().maxCoeff() < 0.3;
+      sum += inside ? x[2] * std::cos(24 * x[axis]) : 0;
+    }
+    return sum;
+  };
+  const double along = amplitude(X, 0) / amplitude(sheet.X, 0);
+  const double across = amplitude(X, 1) / amplitude(sheet.X, 1);
   EXPECT_LT(along, 0.5 * across);
 }
 
