@@ -129,7 +129,7 @@ TEST(SpontaneousCurvature, OfZeroIsThePlainEnergy) {
 
 /// The energy of a unit sphere with that spontaneous curvature, and the speed at which the flow
 /// would take it elsewhere.
-std::pair<double, double> sphere(int subdivide, double H0) {
+std::pair<double, double> unit_sphere(int subdivide, double H0) {
   const State state(make_shape("icosphere", {.subdivide = subdivide}));
   Points G;
   const double E = bending_model("lagrange")
@@ -149,7 +149,7 @@ TEST(SpontaneousCurvature, OfASphereIsTwoOverItsRadius) {
   for (const double H0 : {2.0, 1.0, -1.0, 3.0}) {
     double last = 0;
     for (const int subdivide : {3, 4, 5}) {
-      const auto [E, outward] = sphere(subdivide, H0);
+      const auto [E, outward] = unit_sphere(subdivide, H0);
       const double error =
           std::abs(E - 2 * std::numbers::pi * std::pow(2 - H0, 2)) +
           std::abs(4 * std::numbers::pi * outward + 4 * std::numbers::pi * H0 * (2 - H0));

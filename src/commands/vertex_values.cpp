@@ -15,7 +15,7 @@
 namespace ibmfair::commands {
 namespace {
 
-std::optional<double> number_in(std::string_view word) {
+std::optional<double> finite_number(std::string_view word) {
   double value = 0;
   const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
   const bool whole = error == std::errc() && end == word.data() + word.size();
@@ -31,7 +31,7 @@ std::vector<double> read_values(const std::string& path, std::size_t count, doub
                                 const std::string& option) {
   std::vector<double> values;
   for_words(path, [&](std::string_view word, std::int64_t line) {
-    const std::optional<double> value = number_in(word);
+    const std::optional<double> value = finite_number(word);
     if (!value || *value < least) {
       throw BadFile(
           fmt::format("{}: {}:{}: '{}' is not {}", option, path, line, word, range_text(least)));
@@ -74,7 +74,7 @@ Eigen::VectorXd vertex_values(const MeshFile& file, const std::string& source, d
 
 Eigen::VectorXd vertex_values_or_number(const MeshFile& file, const std::string& source,
                                         const std::string& option) {
-  if (const std::optional<double> number = number_in(source)) {
+  if (const std::optional<double> number = finite_number(source)) {
     return Eigen::VectorXd::Constant(file.mesh().X.rows(), *number);
   }
   return vertex_values(file, source, -std::numeric_limits<double>::infinity(), option);
