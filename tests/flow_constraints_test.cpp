@@ -203,5 +203,25 @@ TEST(SpontaneousFlow, TakesASphereToTheRadiusItAsksFor) {
   }
 }
 
+TEST(SpontaneousFlow, LeavesACylinderOfItsCurvatureAlone) {
+  // H = 1 / r on a cylinder of radius r: the energy is at its least, 0, and nothing pulls at the
+  // boundary, which is held.
+  for (const double radius : {0.5, 2.0}) {
+    Mesh mesh = make_shape("cylinder", {.rows = 24, .columns = 64});
+    mesh.X *= radius;
+    const State state(mesh);
+    const auto largest_move = [&](double H0) {
+      FlowOptions options;
+      options.laplacian = "lagrange";
+      options.spontaneous_curvature = Eigen::VectorXd::Constant(state.X.rows(), H0);
+      const Points X = run(state, 20, options).X;
+      return (X - state.X).rowwise().norm().maxCoeff() / radius;
+    };
+    const double sign = enclosed_volume(state.X, state.topology.F) > 0 ? 1 : -1;
+    EXPECT_LT(largest_move(sign / radius), 0.05 * largest_move(0));
+    EXPECT_LT(largest_move(sign / radius), 0.05 * largest_move(2 * sign / radius));
+  }
+}
+
 }  // namespace
 }  // namespace ibmfair::test
