@@ -106,7 +106,8 @@ class ImplicitEuler final : public Integrator {
     solver_.solve(gradient_, direction_);
     const double slope = -gradient_.cwiseProduct(direction_).sum();
     const double start = potential(X);
-    for (double length = 1; length >= shortest_step; length /= 2) {
+    double length = 1;
+    while (length >= shortest_step) {
       trial_ = X - length * direction_;
       const double bound =
           start + sufficient_decrease * length * slope + rounding * std::abs(start);
@@ -114,6 +115,7 @@ class ImplicitEuler final : public Integrator {
         X.swap(trial_);
         return length * direction_.rowwise().norm().maxCoeff() > smallest_move_;
       }
+      length /= 2;
     }
     return false;
   }

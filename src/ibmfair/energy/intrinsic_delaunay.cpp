@@ -158,11 +158,12 @@ void IntrinsicDelaunay::flip(Index e, std::vector<Index>& waiting) {
 }
 
 void IntrinsicDelaunay::pull_back(std::vector<double>& by_squared) const {
-  for (auto flip = flips_.rbegin(); flip != flips_.rend(); ++flip) {
-    const double by_new = by_squared[flip->edge[0]];
-    by_squared[flip->edge[0]] = 0;
+  for (std::size_t last = flips_.size(); last-- > 0;) {
+    const auto& flip = flips_[last];
+    const double by_new = by_squared[flip.edge[0]];
+    by_squared[flip.edge[0]] = 0;
     for (int i = 0; i < 5; ++i) {
-      by_squared[flip->edge[i]] += flip->slope[i] * by_new;
+      by_squared[flip.edge[i]] += flip.slope[i] * by_new;
     }
   }
 }

@@ -166,7 +166,7 @@ Eigen::MatrixXd dense(const SymmetricMatrix& A) {
 void find_in_dense(const LaplacianMatrices& matrices, SpectrumEnds& ends) {
   const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> solver(
       dense(matrices.L), dense(matrices.M), Eigen::EigenvaluesOnly);
-  const Vector values = solver.eigenvalues();
+  const Vector& values = solver.eigenvalues();
   ends.largest = values[values.size() - 1];
   if (values[0] >= -noise * *ends.largest) {
     ends.smallest = values[ends.zeros];
