@@ -4,7 +4,7 @@
 
 #include "cloth/hinge_bending.h"
 #include "cloth/isometric_bending.h"
-#include "cloth/table.h"
+#include "ibmfair/base/named_row.h"
 
 namespace ibmfair::cloth {
 namespace {

@@ -5,7 +5,7 @@
 
 #include "cloth/explicit_euler.h"
 #include "cloth/implicit_euler.h"
-#include "cloth/table.h"
+#include "ibmfair/base/named_row.h"
 
 namespace ibmfair::cloth {
 namespace {

@@ -10,7 +10,6 @@
 
 #include "cloth/frames.h"
 #include "cloth/sheet_meshes.h"
-#include "cloth/table.h"
 #include "cloth/timing_table.h"
 #include "commands/program.h"
 #include "ibmfair/base/errors.h"

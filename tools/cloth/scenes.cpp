@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "cloth/table.h"
+#include "ibmfair/base/named_row.h"
 
 namespace ibmfair::cloth {
 namespace {

@@ -6,9 +6,7 @@
 #include <numbers>
 #include <string>
 
-#include <fmt/format.h>
-
-#include "ibmfair/base/errors.h"
+#include "ibmfair/base/named_row.h"
 #include "ibmfair/base/parallel.h"
 #include "ibmfair/measure/displacement.h"
 #include "ibmfair/measure/energy_density.h"
@@ -92,14 +90,7 @@ std::span<const SurfaceField> surface_fields() {
 }
 
 const SurfaceField& surface_field(std::string_view name) {
-  std::string known;
-  for (const SurfaceField& field : surface_fields()) {
-    if (field.name == name) {
-      return field;
-    }
-    known += fmt::format("{}{}", known.empty() ? "" : ", ", field.name);
-  }
-  throw BadOption(fmt::format("unknown field '{}'; there are {}", name, known));
+  return row_named(surface_fields(), "field", name);
 }
 
 ValueRange robust_range(const SurfaceField& field, const Eigen::VectorXd& values,

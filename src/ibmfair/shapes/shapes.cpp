@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "ibmfair/base/errors.h"
+#include "ibmfair/base/named_row.h"
 #include "ibmfair/shapes/grids.h"
 #include "ibmfair/shapes/polyhedra.h"
 #include "ibmfair/shapes/six_sided_hole.h"
@@ -109,17 +110,9 @@ std::span<const Shape> shapes() {
 }
 
 Mesh make_shape(std::string_view name, const ShapeSettings& settings) {
-  for (const Shape& shape : shapes()) {
-    if (shape.name == name) {
-      require_applicable(shape, settings);
-      return shape.make(settings);
-    }
-  }
-  std::string names;
-  for (const Shape& shape : shapes()) {
-    names.append(names.empty() ? "" : ", ").append(shape.name);
-  }
-  throw BadOption(fmt::format("unknown shape '{}': there are {}", name, names));
+  const Shape& shape = row_named(shapes(), "shape", name);
+  require_applicable(shape, settings);
+  return shape.make(settings);
 }
 
 }  // namespace ibmfair

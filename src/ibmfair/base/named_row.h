@@ -1,4 +1,4 @@
-// Looking up a row of a table by its name.
+// Finding a row of a table by its name.
 #pragma once
 
 #include <span>
@@ -9,7 +9,7 @@
 
 #include "ibmfair/base/errors.h"
 
-namespace ibmfair::cloth {
+namespace ibmfair {
 
 /// The row of that name; throws BadOption, naming those there are.
 template <class Row>
@@ -24,4 +24,4 @@ const Row& row_named(std::span<const Row> rows, std::string_view what, std::stri
   throw BadOption(fmt::format("unknown {} '{}' (there are {})", what, name, known));
 }
 
-}  // namespace ibmfair::cloth
+}  // namespace ibmfair
