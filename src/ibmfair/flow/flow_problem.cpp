@@ -50,10 +50,10 @@ double FlowProblem::energy_at(const Points& Y) {
 }
 
 void FlowProblem::update_gradient() {
-  if (!gradient_is_new_) {
+  if (!gradient_is_known_) {
     energy_ = energy_and_gradient_at(X, g_);
   }
-  gradient_is_new_ = false;
+  gradient_is_known_ = true;
 }
 
 double FlowProblem::try_state(const Points& Y) {
@@ -61,11 +61,16 @@ double FlowProblem::try_state(const Points& Y) {
   return next_energy_;
 }
 
+void FlowProblem::move_to(Points& Y) {
+  X.swap(Y);
+  gradient_is_known_ = false;
+}
+
 void FlowProblem::move_to_tried(Points& Y) {
   X.swap(Y);
   g_.swap(next_g_);
   energy_ = next_energy_;
-  gradient_is_new_ = true;
+  gradient_is_known_ = true;
 }
 
 Points FlowProblem::gradient_at(const Points& Y) {

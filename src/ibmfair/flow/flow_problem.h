@@ -32,13 +32,16 @@ class FlowProblem {
   double energy() const { return energy_; }
   double energy_at(const Points& Y);
 
-  /// Evaluates the energy and its gradient at the state, where that was not done on the way there.
+  /// Evaluates the energy and its gradient at the state, where they are not known.
   void update_gradient();
 
   /// The energy at another place, where the state is likely to be next.
   double try_state(const Points& Y);
 
-  /// Moves the state to Y, the last place that was tried, and leaves the one before in Y.
+  /// Moves the state to Y, and leaves the one before in Y.
+  void move_to(Points& Y);
+
+  /// The same where Y is the last place that was tried: its energy and gradient are known.
   void move_to_tried(Points& Y);
 
   /// The gradient at the state (by `update_gradient`), one row per unknown.
@@ -85,7 +88,7 @@ class FlowProblem {
   double energy_ = 0, next_energy_ = 0;
   Points G_;  // #V x 3, reused
   Points g_, next_g_;
-  bool gradient_is_new_ = false;
+  bool gradient_is_known_ = false;
 };
 
 }  // namespace ibmfair

@@ -25,7 +25,7 @@ constexpr double heavier = 16, lighter = 4;    // factors of local damping
 constexpr double standstill = 1e12;            // local damping of a vertex that has gone far enough
 constexpr double culprit_share = 0.05;         // of the largest uphill slope, to be damped
 constexpr double local_share = 0.02;          // of the vertices: more culprits are no local trouble
-constexpr int longest_creep = 8;              // short steps in a row that do no good, before that
+constexpr int longest_creep = 8;              // short steps in a row that do little good
 constexpr int backtracks = 2;                 // halvings of a step before it is given up
 constexpr int fold_passes = 6;                // rounds of withholding moves that would fold
 constexpr double smallest_time_step = 1e-12;  // of the target, before giving up
@@ -272,7 +272,7 @@ class GuardedFlow {
     left_ = std::max(0.0, left_ - record.time_step);
     record.time = p_.report.time_reached = p_.options.total_time - left_;
     p_.report.energy_after = trial_energy_;
-    p_.X.swap(Y_);
+    p_.move_to(Y_);
   }
 
   /// One sweep of tangential relaxation, shortened until the energy stays below that before the

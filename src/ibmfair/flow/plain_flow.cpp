@@ -18,7 +18,7 @@ void run_plain(FlowProblem& problem, const StepObserver& observer) {
       report.status = FlowStatus::diverged;
       return;
     }
-    problem.X.swap(Y);
+    problem.move_to(Y);
     report.energy_after = energy;
     report.time_reached = k * h;
     StepRecord record;
