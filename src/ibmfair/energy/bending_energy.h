@@ -102,8 +102,9 @@ struct BendingModel {
   bool keeps_sharp = false;                  ///< knows EnergyOptions::sharp_angle
   bool takes_spontaneous_curvature = false;  ///< knows EnergyOptions::spontaneous_curvature
 
-  /// The member on a mesh. Throws BadOption for options that it does not know and masses that do
-  /// not go with it; BadMesh for a spontaneous curvature on a mesh that has no two sides.
+  /// The member on a mesh. Throws BadOption for options that it does not know, for masses that do
+  /// not go with it and where there is not a value for every vertex or triangle; BadMesh for a
+  /// spontaneous curvature on a mesh that has no two sides.
   std::unique_ptr<BendingEnergy> bind(const Topology& topology, const EnergyOptions& options) const;
 };
 

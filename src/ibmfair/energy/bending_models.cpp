@@ -1,8 +1,10 @@
 #include <array>
+#include <iterator>
 
 #include <fmt/format.h>
 
 #include "ibmfair/base/errors.h"
+#include "ibmfair/base/named_row.h"
 #include "ibmfair/energy/bending_energy.h"
 #include "ibmfair/energy/crouzeix_raviart.h"
 #include "ibmfair/energy/lagrange.h"
@@ -140,11 +142,23 @@ void require_known(const BendingModel& model, const EnergyOptions& options) {
   }
 }
 
+void require_one_for_each(std::ptrdiff_t given, std::ptrdiff_t wanted, const char* what,
+                          const char* elements) {
+  if (given > 0 && given != wanted) {
+    throw BadOption(fmt::format("there must be a {} for each of the {} {}, not {}", what, wanted,
+                                elements, given));
+  }
+}
+
 }  // namespace
 
 std::unique_ptr<BendingEnergy> BendingModel::bind(const Topology& topology,
                                                   const EnergyOptions& options) const {
   require_known(*this, options);
+  require_one_for_each(options.spontaneous_curvature.size(), topology.vertex_count,
+                       "spontaneous curvature", "vertices");
+  require_one_for_each(std::ssize(options.material_axes), topology.F.rows(),
+                       "pair of material directions", "triangles");
   if (options.spontaneous_curvature.size() > 0 && !topology.orientable) {
     throw BadMesh("a spontaneous curvature needs a mesh with two sides");
   }
@@ -156,15 +170,7 @@ std::span<const BendingModel> bending_models() {
 }
 
 const BendingModel& bending_model(std::string_view name) {
-  std::string known;
-  for (const BendingModel& model : models) {
-    if (model.name == name) {
-      return model;
-    }
-    known += known.empty() ? "" : ", ";
-    known += model.name;
-  }
-  throw BadOption(fmt::format("unknown Laplacian '{}'; there are: {}", name, known));
+  return row_named(bending_models(), "Laplacian", name);
 }
 
 double bending_energy(const Points& X, const Topology& topology, std::string_view model) {
