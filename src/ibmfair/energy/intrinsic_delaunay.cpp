@@ -19,28 +19,23 @@ constexpr std::size_t most_flips_per_edge = 100;  // rounding must not make it e
 
 IntrinsicDelaunay::IntrinsicDelaunay(const Topology& topology)
     : mesh_corners_(usable_triangles(topology)),
-      mesh_sides_(mesh_corners_.rows(), 3),
+      mesh_sides_(usable_sides(topology)),
       mesh_places_(static_cast<std::size_t>(topology.E.rows()), Sides{-1, -1}),
       mesh_twisted_(mesh_places_.size(), 0) {
-  std::vector<Index> number(static_cast<std::size_t>(topology.F.rows()), -1);
-  for (Index t = 0, count = 0; t < topology.F.rows(); ++t) {
-    number[t] = topology.usable[t] ? count++ : -1;
+  for (Index t = 0; t < mesh_sides_.rows(); ++t) {
+    for (int i = 0; i < 3; ++i) {
+      Sides& places = mesh_places_[mesh_sides_(t, i)];
+      places[places[0] < 0 ? 0 : 1] = 3 * t + i;
+    }
   }
   for (Index e = 0; e < topology.E.rows(); ++e) {
-    const Index a = topology.E(e, 0), b = topology.E(e, 1);
-    Sides places{-1, -1};
-    const auto around = topology.edge_triangles[e];
-    for (std::size_t k = 0; k < around.size(); ++k) {
-      if (const Index t = number[around[k]]; t >= 0) {
-        const int i = place_of(mesh_corners_, t, opposite_vertex(mesh_corners_, t, a, b));
-        mesh_sides_(t, i) = e;
-        places[k % 2] = 3 * t + i;
-      }
-    }
-    if (around.size() == 2 && places[0] >= 0 && places[1] >= 0) {
-      mesh_places_[e] = places;
+    Sides& places = mesh_places_[e];
+    if (topology.edge_triangles[e].size() == 2 && places[1] >= 0) {
+      const Index a = topology.E(e, 0), b = topology.E(e, 1);
       mesh_twisted_[e] = runs_along(mesh_corners_, places[0] / 3, a, b) ==
                          runs_along(mesh_corners_, places[1] / 3, a, b);
+    } else {
+      places = {-1, -1};  // never flips
     }
   }
 }

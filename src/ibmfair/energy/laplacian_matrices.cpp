@@ -3,7 +3,6 @@
 #include <Eigen/SparseCore>
 
 #include "ibmfair/energy/vertex_triangles.h"
-#include "ibmfair/mesh/corners.h"
 #include "ibmfair/mesh/union_find.h"
 
 namespace ibmfair {
@@ -58,24 +57,6 @@ std::vector<Index> occurring(const Triangles& table, Index count, std::vector<In
   return nodes;
 }
 
-/// The edges opposite the corners of the usable triangles, rows of Topology::E.
-Triangles opposite_edges(const Topology& topology) {
-  Triangles sides = Triangles::Constant(topology.F.rows(), 3, -1);
-  for (Index e = 0; e < topology.E.rows(); ++e) {
-    for (const Index t : topology.edge_triangles[e]) {
-      const Index apex = opposite_vertex(topology.F, t, topology.E(e, 0), topology.E(e, 1));
-      sides(t, place_of(topology.F, t, apex)) = e;
-    }
-  }
-  Triangles usable(usable_triangles(topology).rows(), 3);
-  for (Index t = 0, count = 0; t < topology.F.rows(); ++t) {
-    if (topology.usable[t]) {
-      usable.row(count++) = sides.row(t);
-    }
-  }
-  return usable;
-}
-
 void make_identity(SymmetricMatrix& M) {
   TriangleSum sum(static_cast<Index>(M.size()));
   for (Index i = 0; i < M.size(); ++i) {
@@ -87,7 +68,7 @@ void make_identity(SymmetricMatrix& M) {
 }  // namespace
 
 LaplacianMatrices edge_matrices(const Points& X, const Topology& topology, const MassMatrix& mass) {
-  const Triangles F = usable_triangles(topology), sides = opposite_edges(topology);
+  const Triangles F = usable_triangles(topology), sides = usable_sides(topology);
   LaplacianMatrices result;
   result.edge_based = true;
   std::vector<Index> place;

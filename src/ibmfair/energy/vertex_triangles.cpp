@@ -5,6 +5,7 @@
 #include "ibmfair/base/errors.h"
 #include "ibmfair/base/parallel.h"
 #include "ibmfair/energy/bending_energy.h"
+#include "ibmfair/mesh/corners.h"
 #include "ibmfair/mesh/select.h"
 
 namespace ibmfair {
@@ -23,11 +24,26 @@ PerVertex checked(const std::vector<double>& weights, Index vertex_count) {
   return result;
 }
 
+Triangles usable_rows(const Topology& topology, const Triangles& table) {
+  return table(indices_where(table.rows(), [&](Index t) { return topology.usable[t]; }),
+               Eigen::all);
+}
+
 }  // namespace
 
 Triangles usable_triangles(const Topology& topology) {
-  return topology.F(indices_where(topology.F.rows(), [&](Index t) { return topology.usable[t]; }),
-                    Eigen::all);
+  return usable_rows(topology, topology.F);
+}
+
+Triangles usable_sides(const Topology& topology) {
+  Triangles sides = Triangles::Constant(topology.F.rows(), 3, -1);
+  for (Index e = 0; e < topology.E.rows(); ++e) {
+    for (const Index t : topology.edge_triangles[e]) {
+      const Index apex = opposite_vertex(topology.F, t, topology.E(e, 0), topology.E(e, 1));
+      sides(t, place_of(topology.F, t, apex)) = e;
+    }
+  }
+  return usable_rows(topology, sides);
 }
 
 VertexTriangles::VertexTriangles(const Topology& topology, const VertexLaplacian& laplacian,

@@ -17,6 +17,9 @@ namespace ibmfair {
 /// The triangles that may carry a stencil, in their order.
 Triangles usable_triangles(const Topology& topology);
 
+/// Their sides: the edges opposite their corners, rows of Topology::E.
+Triangles usable_sides(const Topology& topology);
+
 /// What a triangle adds to L, by the edges opposite its corners, and to M, by its corners.
 struct TriangleTerms {
   ByCorner<double> edge, corner;
