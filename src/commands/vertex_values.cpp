@@ -1,6 +1,5 @@
 #include "commands/vertex_values.h"
 
-#include <charconv>
 #include <cmath>
 #include <filesystem>
 #include <limits>
@@ -11,15 +10,15 @@
 
 #include "commands/text_words.h"
 #include "ibmfair/base/errors.h"
+#include "ibmfair/io/numbers.h"
 
 namespace ibmfair::commands {
 namespace {
 
 std::optional<double> finite_number(std::string_view word) {
   double value = 0;
-  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-  const bool whole = error == std::errc() && end == word.data() + word.size();
-  return whole && std::isfinite(value) ? std::optional(value) : std::nullopt;
+  const char* end = word.data() + word.size();
+  return parse_real(word.data(), end, value) == end ? std::optional(value) : std::nullopt;
 }
 
 std::string range_text(double least) {
