@@ -7,6 +7,7 @@
 
 #include "ibmfair/base/errors.h"
 #include "ibmfair/base/parallel.h"
+#include "ibmfair/mesh/corners.h"
 #include "ibmfair/mesh/geometry.h"
 
 namespace ibmfair {
@@ -46,9 +47,8 @@ Points gradient_of(const Quantity& quantity, const Points& X, const Topology& to
     const Index v = unknowns.vertex[u];
     Vec3 sum = Vec3::Zero();
     for (const Index t : topology.stars[v]) {
-      const auto x = topology.F.row(t);
-      const int i = x[0] == v ? 0 : x[1] == v ? 1 : 2;
-      sum += quantity.derivative(X.row(x[i]), X.row(x[(i + 1) % 3]), X.row(x[(i + 2) % 3]));
+      const auto [y, z] = other_corners(topology.F, t, v);
+      sum += quantity.derivative(X.row(v), X.row(y), X.row(z));
     }
     gradient.row(u) = sum;
   });
