@@ -63,9 +63,8 @@ BoundaryCondition boundary_condition(const std::string& name) {
                               : BoundaryCondition::free;
 }
 
-/// Which vertices do not move. Weights of zero are among them, and become ones.
 std::vector<std::uint8_t> held(const SmoothArguments& arguments, const MeshFile& file,
-                               const Topology& topology, Eigen::VectorXd& weights) {
+                               const Topology& topology, const Eigen::VectorXd& weights) {
   auto result = held_vertices(topology, boundary_condition(arguments.boundary));
   if (!arguments.fix_file.empty()) {
     for (const Index v : read_vertex_list(arguments.fix_file, topology.vertex_count)) {
@@ -79,10 +78,7 @@ std::vector<std::uint8_t> held(const SmoothArguments& arguments, const MeshFile&
     }
   }
   for (Eigen::Index v = 0; v < weights.size(); ++v) {
-    if (weights[v] == 0) {
-      result[v] = 1;
-      weights[v] = 1;
-    }
+    result[v] |= weights[v] > 0 ? 0 : 1;
   }
   return result;
 }

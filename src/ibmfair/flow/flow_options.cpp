@@ -36,8 +36,6 @@ void FlowOptions::validate() const {
           "volume and area cannot be kept where moves are bounded");
   require(sharp_angle >= 0 && sharp_angle <= std::numbers::pi,
           "the angle of sharp hinges must be between 0 and 180 degrees");
-  require(cutoff_factor.size() == 0 || (cutoff_factor.minCoeff() > 0 && cutoff_factor.allFinite()),
-          "the weights of moving vertices must be positive and finite");
   require(spontaneous_curvature.allFinite(), "the spontaneous curvature must be finite");
 }
 

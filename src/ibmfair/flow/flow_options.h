@@ -31,7 +31,7 @@ struct FlowOptions {
   double sharp_angle = 0;
   Eigen::VectorXd spontaneous_curvature = {};  ///< H0, #V or empty: EnergyOptions
   /// For each vertex a factor of the wavelength up to which it is smoothed, #V or empty for 1: its
-  /// time runs faster by the fourth power. Positive.
+  /// time runs faster by the fourth power. Positive and finite where vertices move.
   Eigen::VectorXd cutoff_factor = {};
   bool keep_volume = false;  ///< of a closed mesh, exactly
   bool keep_area = false;    ///< of a closed mesh, exactly

@@ -1,5 +1,7 @@
 #include "ibmfair/flow/willmore_flow.h"
 
+#include <cmath>
+
 #include "ibmfair/base/errors.h"
 #include "ibmfair/flow/flow_problem.h"
 #include "ibmfair/flow/guarded_flow.h"
@@ -8,8 +10,18 @@
 namespace ibmfair {
 namespace {
 
-void require_usable(const Points& X, const FlowOptions& options) {
+void require_usable(const Points& X, const std::vector<std::uint8_t>& held,
+                    const FlowOptions& options) {
   options.validate();
+  const Eigen::VectorXd& factor = options.cutoff_factor;
+  if (factor.size() > 0 && factor.size() != X.rows()) {
+    throw BadOption("there must be a weight for every vertex");
+  }
+  for (Eigen::Index v = 0; v < factor.size(); ++v) {
+    if (!held[v] && !(factor[v] > 0 && std::isfinite(factor[v]))) {
+      throw BadOption("the weights of moving vertices must be positive and finite");
+    }
+  }
   if (!X.allFinite()) {
     throw BadMesh("a coordinate is not finite");
   }
@@ -19,7 +31,7 @@ void require_usable(const Points& X, const FlowOptions& options) {
 
 FlowReport willmore_flow(Points& X, const Topology& topology, const std::vector<std::uint8_t>& held,
                          const FlowOptions& options, const StepObserver& observer) {
-  require_usable(X, options);
+  require_usable(X, held, options);
   FlowProblem problem(X, topology, held, options);
   if (problem.unknowns.size() > 0) {
     (options.guarded ? run_guarded : run_plain)(problem, observer);
@@ -30,7 +42,7 @@ FlowReport willmore_flow(Points& X, const Topology& topology, const std::vector<
 
 FlowForecast forecast_flow(const Points& X, const Topology& topology,
                            const std::vector<std::uint8_t>& held, const FlowOptions& options) {
-  require_usable(X, options);
+  require_usable(X, held, options);
   FlowProblem problem(X, topology, held, options);
   FlowForecast forecast;
   forecast.unknowns = problem.unknowns.size();
