@@ -2,6 +2,7 @@
 #include <cmath>
 #include <numbers>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "ibmfair/base/errors.h"
@@ -12,6 +13,7 @@
 #include "ibmfair/flow/willmore_flow.h"
 #include "ibmfair/mesh/geometry.h"
 #include "ibmfair/shapes/shapes.h"
+#include "support/gradient_law.h"
 #include "support/meshes.h"
 #include "support/states.h"
 
@@ -45,18 +47,8 @@ TEST(Anisotropy, HasTheExactGradient) {
         continue;
       }
       const Points X = shaken(state, 0.05);
-      Points G;
-      const double E = energy->energy_and_gradient(X, G);
-      const Points D = random_directions(X.rows(), 3);
-      const double exact = G.cwiseProduct(D).sum();
-      const double edge = mean_edge_length(X, state.topology.E);
-      const auto error = [&](double step) {
-        const double h = step * edge;
-        return std::abs((energy->energy(X + h * D) - energy->energy(X - h * D)) / (2 * h) - exact);
-      };
-      const double coarse = error(2e-3), fine = error(1e-3);
-      EXPECT_LT(fine, 3e-3 * (std::abs(exact) + E / edge)) << name << ", " << mass;
-      EXPECT_LT(fine, coarse / 3.5 + 1e-11 * E / (1e-3 * edge)) << name << ", " << mass;
+      expect_exact_gradient(*energy, X, mean_edge_length(X, state.topology.E), 2e-3, 3e-3,
+                            fmt::format("{}, {}", name, mass));
     }
   }
 }

@@ -9,6 +9,7 @@
 #include "ibmfair/energy/bending_energy.h"
 #include "ibmfair/mesh/geometry.h"
 #include "ibmfair/shapes/shapes.h"
+#include "support/gradient_law.h"
 #include "support/meshes.h"
 #include "support/states.h"
 
@@ -16,22 +17,6 @@ namespace ibmfair::test {
 namespace {
 
 constexpr double degree = std::numbers::pi / 180;
-
-/// E by central differences along D, with steps in mean edge lengths, against its gradient.
-void expect_gradient(BendingEnergy& energy, const Points& X, double edge, const std::string& name) {
-  Points G;
-  const double E = energy.energy_and_gradient(X, G);
-  EXPECT_NEAR(E, energy.energy(X), 1e-12 * E) << name;
-  const Points D = random_directions(X.rows(), 3);
-  const double exact = G.cwiseProduct(D).sum();
-  const auto error = [&](double step) {
-    const double h = step * edge;
-    return std::abs((energy.energy(X + h * D) - energy.energy(X - h * D)) / (2 * h) - exact);
-  };
-  const double coarse = error(2e-3), fine = error(1e-3);
-  EXPECT_LT(fine, 3e-3 * (std::abs(exact) + E / edge)) << name;
-  EXPECT_LT(fine, coarse / 3.5 + 1e-11 * E / (1e-3 * edge)) << name;
-}
 
 TEST(SharpHinges, HaveTheExactGradient) {
   for (const auto& [name, mesh] : good_meshes()) {
@@ -41,7 +26,7 @@ TEST(SharpHinges, HaveTheExactGradient) {
       const auto energy =
           bending_model("crouzeix-raviart").bind(state.topology, {.sharp_angle = angle * degree});
       if (energy->stencils().size() > 0) {
-        expect_gradient(*energy, X, mean_edge_length(X, state.topology.E), name);
+        expect_exact_gradient(*energy, X, mean_edge_length(X, state.topology.E), 2e-3, 3e-3, name);
       }
     }
   }
@@ -112,7 +97,7 @@ TEST(SpontaneousCurvature, HasTheExactGradient) {
     }
     const auto energy = bending_model("lagrange").bind(state.topology, options);
     if (energy->stencils().size() > 0) {
-      expect_gradient(*energy, X, edge, name);
+      expect_exact_gradient(*energy, X, edge, 2e-3, 3e-3, name);
     }
   }
 }
