@@ -1,6 +1,7 @@
 #include "ibmfair/io/atomic_file.h"
 
 #include <cerrno>
+#include <cstring>
 #include <filesystem>
 
 #include <fcntl.h>
@@ -9,7 +10,6 @@
 #include <unistd.h>
 
 #include "ibmfair/base/errors.h"
-#include "ibmfair/io/numbers.h"
 
 namespace ibmfair {
 namespace {
@@ -46,12 +46,11 @@ bool is_written_directly(const std::string& path, const struct stat& status) {
 
 }  // namespace
 
-AtomicFile::AtomicFile(const std::string& path, bool overwrite)
+AtomicFile::AtomicFile(const std::string& path, bool overwrite, Sharing sharing)
     : name_(path == "-"    ? "standard output"
             : path.empty() ? "''"
                            : path),
       overwrite_(overwrite) {
-  buffer_ = std::make_unique_for_overwrite<char[]>(capacity);
   if (path == "-") {
     fd_ = STDOUT_FILENO;
     return;
@@ -75,7 +74,8 @@ AtomicFile::AtomicFile(const std::string& path, bool overwrite)
   }
   if (exists && access(path.c_str(), W_OK) != 0) fail(errno);
   target_ = follow_links(path);
-  if (const int error = temporary_.create(directory_of(target_)); error != 0) fail(error);
+  const bool named = sharing == Sharing::by_name;
+  if (const int error = temporary_.create(directory_of(target_), named); error != 0) fail(error);
   fd_ = temporary_.descriptor();
   // Best effort: only root may give a file to its former owner.
   if (exists && fchown(fd_, status.st_uid, status.st_gid) != 0) errno = 0;
@@ -86,27 +86,13 @@ AtomicFile::~AtomicFile() {
   if (target_.empty() && fd_ > STDERR_FILENO) close(fd_);
 }
 
-void AtomicFile::write_real(double value) {
-  char buffer[real_text_capacity];
-  write(real_text(value, buffer));
-}
-
-void AtomicFile::write_through(std::string_view bytes) {
-  flush();
+void AtomicFile::take(std::string_view bytes) {
   while (!bytes.empty()) {
     const ssize_t count = ::write(fd_, bytes.data(), bytes.size());
     if (count < 0 && errno == EINTR) continue;
     if (count < 0) fail(errno);
-    flushed_ += count;
     bytes.remove_prefix(static_cast<std::size_t>(count));
   }
-}
-
-void AtomicFile::flush() {
-  if (used_ == 0) return;
-  const std::string_view pending(buffer_.get(), used_);
-  used_ = 0;
-  write_through(pending);
 }
 
 void AtomicFile::commit() {

@@ -2,11 +2,10 @@
 #pragma once
 
 #include <cstdint>
-#include <cstring>
-#include <memory>
 #include <string>
 #include <string_view>
 
+#include "ibmfair/io/byte_sink.h"
 #include "ibmfair/io/temporary_file.h"
 
 namespace ibmfair {
@@ -17,38 +16,23 @@ namespace ibmfair {
 /// keeps its permissions. Standard output ("-"), devices and pipes are written directly.
 ///
 /// Every member throws CannotWrite, naming the target and the reason.
-class AtomicFile {
+class AtomicFile final : public ByteSink {
  public:
+  /// Whether other processes can write to the temporary file, too, by its name.
+  enum class Sharing : std::uint8_t { none, by_name };
+
   /// Refuses an existing file unless `overwrite`, one that is write-protected always.
-  AtomicFile(const std::string& path, bool overwrite);
-  ~AtomicFile();
-  AtomicFile(const AtomicFile&) = delete;
-  AtomicFile& operator=(const AtomicFile&) = delete;
+  AtomicFile(const std::string& path, bool overwrite, Sharing sharing = Sharing::none);
+  ~AtomicFile() override;
 
-  /// Appends to the output.
-  void write(std::string_view bytes) {
-    if (bytes.size() > capacity - used_) {
-      write_through(bytes);
-    } else if (!bytes.empty()) {
-      std::memcpy(buffer_.get() + used_, bytes.data(), bytes.size());
-      used_ += bytes.size();
-    }
-  }
-
-  /// Appends the shortest text that reads back to the same double.
-  void write_real(double value);
+  /// The temporary file's name with Sharing::by_name; empty where the output is written directly.
+  const std::string& shared_name() const { return temporary_.name(); }
 
   /// Makes the output the target. Nothing may be written afterwards.
   void commit();
 
-  /// Bytes written so far.
-  std::int64_t bytes() const { return flushed_ + static_cast<std::int64_t>(used_); }
-
  private:
-  static constexpr std::size_t capacity = std::size_t{1} << 18;
-
-  void write_through(std::string_view bytes);
-  void flush();
+  void take(std::string_view bytes) override;
   [[noreturn]] void fail(int error) const;
 
   std::string name_;    // as messages name the target
@@ -56,9 +40,6 @@ class AtomicFile {
   TemporaryFile temporary_;
   bool overwrite_;
   int fd_ = -1;  // of what is written to
-  std::unique_ptr<char[]> buffer_;
-  std::size_t used_ = 0;
-  std::int64_t flushed_ = 0;
 };
 
 /// Throws what writing to `path` would throw at once (it exists, its directory is missing or

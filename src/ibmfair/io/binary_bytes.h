@@ -7,7 +7,7 @@
 #include <cstring>
 #include <string_view>
 
-#include "ibmfair/io/atomic_file.h"
+#include "ibmfair/io/byte_sink.h"
 
 namespace ibmfair {
 
@@ -39,7 +39,7 @@ std::string_view bytes_of(T value, bool swapped, char (&buffer)[size]) {
 
 /// Writes the bytes of `value`, in reverse order if `swapped`.
 template <class T>
-void store(AtomicFile& out, T value, bool swapped) {
+void store(ByteSink& out, T value, bool swapped) {
   char buffer[sizeof(T)];
   out.write(bytes_of(value, swapped, buffer));
 }

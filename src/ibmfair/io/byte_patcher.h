@@ -3,7 +3,7 @@
 
 #include <string_view>
 
-#include "ibmfair/io/atomic_file.h"
+#include "ibmfair/io/byte_sink.h"
 #include "ibmfair/io/source_bytes.h"
 
 namespace ibmfair {
@@ -11,7 +11,7 @@ namespace ibmfair {
 /// Replacements must come in the order of the file; everything between them is copied as it is.
 class BytePatcher {
  public:
-  BytePatcher(const SourceBytes& source, AtomicFile& out)
+  BytePatcher(const SourceBytes& source, ByteSink& out)
       : copied_(source.begin()), end_(source.end()), out_(out) {}
 
   /// Puts the shortest text of `value` in the place of [first, last).
@@ -44,7 +44,7 @@ class BytePatcher {
  private:
   const char* copied_;
   const char* end_;
-  AtomicFile& out_;
+  ByteSink& out_;
 };
 
 }  // namespace ibmfair

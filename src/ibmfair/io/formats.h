@@ -14,7 +14,7 @@
 
 namespace ibmfair {
 
-class AtomicFile;
+class ByteSink;
 struct Extension;  // io/extension.h
 
 /// What a format's reader finds.
@@ -66,8 +66,8 @@ struct Format {
   std::optional<std::vector<double>> (*vertex_values)(const SourceBytes& source,
                                                       std::string_view name) = nullptr;
   /// Both return notes for the user.
-  std::vector<std::string> (*patch)(const PatchRequest& request, AtomicFile& out) = nullptr;
-  std::vector<std::string> (*generate)(const GenerateRequest& request, AtomicFile& out) = nullptr;
+  std::vector<std::string> (*patch)(const PatchRequest& request, ByteSink& out) = nullptr;
+  std::vector<std::string> (*generate)(const GenerateRequest& request, ByteSink& out) = nullptr;
 };
 
 /// Every format, our own first.

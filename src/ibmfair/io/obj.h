@@ -33,10 +33,10 @@ bool is_face_statement(std::string_view keyword);
 MeshAttributes read_attributes(const SourceBytes& source, const Mesh& mesh);
 std::vector<std::uint8_t> vertex_mask(const SourceBytes& source, const Mesh& mesh,
                                       std::string_view name);
-std::vector<std::string> patch(const PatchRequest& request, AtomicFile& out);
+std::vector<std::string> patch(const PatchRequest& request, ByteSink& out);
 
 /// Writes what stands behind the source's text: the request's extension. Returns notes.
-std::vector<std::string> append(const PatchRequest& request, bool with_normals, AtomicFile& out);
-std::vector<std::string> generate(const GenerateRequest& request, AtomicFile& out);
+std::vector<std::string> append(const PatchRequest& request, bool with_normals, ByteSink& out);
+std::vector<std::string> generate(const GenerateRequest& request, ByteSink& out);
 
 }  // namespace ibmfair::obj

@@ -12,7 +12,7 @@ namespace ibmfair::obj {
 namespace {
 
 /// Ends the last line, and the statement on it where a backslash would continue it.
-void end_text(std::string_view text, std::string_view line_end, AtomicFile& out) {
+void end_text(std::string_view text, std::string_view line_end, ByteSink& out) {
   const std::size_t last = text.find_last_not_of("\r\n");
   if (last == text.size() - 1) out.write(line_end);
   // Behind a carriage return a line feed would only make the pair that is one end.
@@ -42,7 +42,7 @@ class Appender {
     if (with_normals) extend_normals();
   }
 
-  std::vector<std::string> run(AtomicFile& out) const {
+  std::vector<std::string> run(ByteSink& out) const {
     const std::string_view text = request_.source.view();
     end_text(text, first_line_end(text), out);
     ObjLines lines(out, first_line_end(text));
@@ -154,7 +154,7 @@ class Appender {
 
 }  // namespace
 
-std::vector<std::string> append(const PatchRequest& request, bool with_normals, AtomicFile& out) {
+std::vector<std::string> append(const PatchRequest& request, bool with_normals, ByteSink& out) {
   return Appender(request, with_normals).run(out);
 }
 

@@ -1,5 +1,5 @@
 // Writes an OBJ text from the model.
-#include "ibmfair/io/atomic_file.h"
+#include "ibmfair/io/byte_sink.h"
 #include "ibmfair/io/generate.h"
 #include "ibmfair/io/normals.h"
 #include "ibmfair/io/obj.h"
@@ -29,7 +29,7 @@ void write_faces(const GenerateRequest& request, ObjLines& lines) {
 
 }  // namespace
 
-std::vector<std::string> generate(const GenerateRequest& request, AtomicFile& out) {
+std::vector<std::string> generate(const GenerateRequest& request, ByteSink& out) {
   const Points& X = request.mesh.X;
   const MeshAttributes& attributes = request.attributes;
   ObjLines lines(out, "\n");

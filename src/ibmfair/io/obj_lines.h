@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "ibmfair/base/types.h"
-#include "ibmfair/io/atomic_file.h"
+#include "ibmfair/io/byte_sink.h"
 
 namespace ibmfair::obj {
 
@@ -19,7 +19,7 @@ struct Corner {
 
 class ObjLines {
  public:
-  ObjLines(AtomicFile& out, std::string_view line_end) : out_(out), line_end_(line_end) {}
+  ObjLines(ByteSink& out, std::string_view line_end) : out_(out), line_end_(line_end) {}
 
   /// A keyword and numbers.
   void row(std::string_view keyword, std::span<const double> values) {
@@ -56,7 +56,7 @@ class ObjLines {
     out_.write({text, static_cast<std::size_t>(result.ptr - text)});
   }
 
-  AtomicFile& out_;
+  ByteSink& out_;
   std::string_view line_end_;
 };
 

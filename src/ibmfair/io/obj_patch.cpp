@@ -83,7 +83,7 @@ void remove_normals(ObjScanner& scan, BytePatcher& text) {
 }
 
 /// Copies the text with moved vertices and stale normals replaced, or without any normals.
-void patch_text(const PatchRequest& request, const NormalPlan& normals, AtomicFile& out) {
+void patch_text(const PatchRequest& request, const NormalPlan& normals, ByteSink& out) {
   BytePatcher text(request.source, out);
   ObjScanner scan(request.source);
   Eigen::Index vertex = 0;
@@ -114,7 +114,7 @@ void patch_text(const PatchRequest& request, const NormalPlan& normals, AtomicFi
 
 }  // namespace
 
-std::vector<std::string> patch(const PatchRequest& request, AtomicFile& out) {
+std::vector<std::string> patch(const PatchRequest& request, ByteSink& out) {
   NormalPlan normals;
   std::vector<std::string> notes;
   if (request.any_moved) {

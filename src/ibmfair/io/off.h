@@ -70,12 +70,12 @@ void append_fraction(std::string& line, double value);
 
 /// Writes the patch of a binary file. Returns notes.
 std::vector<std::string> patch_binary(const PatchRequest& request, const Layout& layout,
-                                      AtomicFile& out);
+                                      ByteSink& out);
 
 bool recognises(std::string_view bytes);
 ParsedMesh read(const SourceBytes& source, std::string_view extension);
 MeshAttributes read_attributes(const SourceBytes& source, const Mesh& mesh);
-std::vector<std::string> patch(const PatchRequest& request, AtomicFile& out);
-std::vector<std::string> generate(const GenerateRequest& request, AtomicFile& out);
+std::vector<std::string> patch(const PatchRequest& request, ByteSink& out);
+std::vector<std::string> generate(const GenerateRequest& request, ByteSink& out);
 
 }  // namespace ibmfair::off

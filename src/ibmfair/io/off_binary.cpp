@@ -95,7 +95,7 @@ void read_face(const SourceBytes& source, const Layout& layout, std::int64_t f, 
 /// Copies the rows of the vertices with moved positions and stale normals replaced; fills `at_rim`
 /// (#rim x extra columns) with what follows the positions of `rim`, in ascending order.
 void patch_vertices(const PatchRequest& request, const Layout& layout,
-                    const std::vector<Index>& rim, Eigen::MatrixXd& at_rim, AtomicFile& out) {
+                    const std::vector<Index>& rim, Eigen::MatrixXd& at_rim, ByteSink& out) {
   std::optional<RenewedNormals> normals;
   if (layout.normal && request.any_moved) {
     normals.emplace(request.mesh.faces, request.mesh.X, request.X, request.moved);
@@ -130,7 +130,7 @@ void patch_vertices(const PatchRequest& request, const Layout& layout,
 
 void append_vertices(const PatchRequest& request, const Layout& layout,
                      const std::vector<Index>& sorted_rim, const Eigen::MatrixXd& at_sorted_rim,
-                     AtomicFile& out) {
+                     ByteSink& out) {
   const Extension& extension = *request.extension;
   const Eigen::MatrixXd columns =
       extend_columns(request, layout, in_order_of_rim(extension, sorted_rim, at_sorted_rim));
@@ -144,7 +144,7 @@ void append_vertices(const PatchRequest& request, const Layout& layout,
 
 /// Copies the rows of the faces and writes the new ones behind them, with the colours of their
 /// model faces.
-const char* append_faces(const PatchRequest& request, const Layout& layout, AtomicFile& out) {
+const char* append_faces(const PatchRequest& request, const Layout& layout, ByteSink& out) {
   const Extension& extension = *request.extension;
   const std::vector<Index> models = sorted_once(extension.model_face);
   std::vector<std::string_view> colours;
@@ -191,7 +191,7 @@ Mesh read_binary_body(const SourceBytes& source, Layout& layout) {
 }
 
 std::vector<std::string> patch_binary(const PatchRequest& request, const Layout& header,
-                                      AtomicFile& out) {
+                                      ByteSink& out) {
   const SourceBytes& source = request.source;
   Layout layout = header;
   find_dialect(source, layout);

@@ -1,7 +1,7 @@
 // Writes a text OFF file from the model.
 #include <fmt/format.h>
 
-#include "ibmfair/io/atomic_file.h"
+#include "ibmfair/io/byte_sink.h"
 #include "ibmfair/io/generate.h"
 #include "ibmfair/io/normals.h"
 #include "ibmfair/io/numbers.h"
@@ -27,7 +27,7 @@ void append_colour(std::string& line, const MeshAttributes& attributes, std::siz
   }
 }
 
-void write_vertices(const GenerateRequest& request, bool with_texture, AtomicFile& out) {
+void write_vertices(const GenerateRequest& request, bool with_texture, ByteSink& out) {
   const Points& X = request.mesh.X;
   const MeshAttributes& attributes = request.attributes;
   Points normals;
@@ -57,7 +57,7 @@ void append_fraction(std::string& line, double value) {
   if (line.find_first_of(".e", line.rfind(' ')) == std::string::npos) line += ".0";
 }
 
-std::vector<std::string> generate(const GenerateRequest& request, AtomicFile& out) {
+std::vector<std::string> generate(const GenerateRequest& request, ByteSink& out) {
   const MeshAttributes& attributes = request.attributes;
   const Polygons& faces = request.mesh.faces;
   const bool has_texture = !attributes.texture_coordinates.empty();

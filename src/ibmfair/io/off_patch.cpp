@@ -17,7 +17,7 @@ using Token = std::string_view;
 
 class TextPatcher {
  public:
-  TextPatcher(const PatchRequest& request, const Layout& layout, AtomicFile& out)
+  TextPatcher(const PatchRequest& request, const Layout& layout, ByteSink& out)
       : request_(request),
         layout_(layout),
         cursor_(request.source, layout.body, true),
@@ -173,7 +173,7 @@ class TextPatcher {
   Layout layout_;
   TokenCursor cursor_;
   BytePatcher file_;
-  AtomicFile& out_;
+  ByteSink& out_;
   std::vector<Token> row_;  // the numbers of the vertex at hand
   std::optional<RenewedNormals> normals_;
   std::vector<Index> rim_;  // in ascending order
@@ -184,7 +184,7 @@ class TextPatcher {
 
 }  // namespace
 
-std::vector<std::string> patch(const PatchRequest& request, AtomicFile& out) {
+std::vector<std::string> patch(const PatchRequest& request, ByteSink& out) {
   const Layout layout = read_layout(request.source);
   if (layout.binary) return patch_binary(request, layout, out);
   TextPatcher(request, layout, out).run();

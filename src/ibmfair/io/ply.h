@@ -43,6 +43,9 @@ inline bool contains(std::span<const int> properties, std::size_t property) {
 /// Reads the header and finds the mesh in it. Throws BadFile where there is none.
 Layout read_layout(const SourceBytes& source);
 
+/// Finds the mesh in a header that has been read from `source`. Throws BadFile where there is none.
+Layout find_layout(const SourceBytes& source, Header header);
+
 bool recognises(std::string_view bytes);
 ParsedMesh read(const SourceBytes& source, std::string_view extension);
 
@@ -55,7 +58,7 @@ MeshAttributes read_attributes(const SourceBytes& source, const Mesh& mesh);
 std::vector<std::uint8_t> vertex_mask(const SourceBytes& source, const Mesh& mesh,
                                       std::string_view name);
 std::optional<std::vector<double>> vertex_values(const SourceBytes& source, std::string_view name);
-std::vector<std::string> patch(const PatchRequest& request, AtomicFile& out);
-std::vector<std::string> generate(const GenerateRequest& request, AtomicFile& out);
+std::vector<std::string> patch(const PatchRequest& request, ByteSink& out);
+std::vector<std::string> generate(const GenerateRequest& request, ByteSink& out);
 
 }  // namespace ibmfair::ply

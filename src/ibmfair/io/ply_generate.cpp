@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include "ibmfair/io/atomic_file.h"
+#include "ibmfair/io/byte_sink.h"
 #include "ibmfair/io/generate.h"
 #include "ibmfair/io/normals.h"
 #include "ibmfair/io/ply.h"
@@ -122,7 +122,7 @@ void write_faces(const GenerateRequest& request, const Contents& contents, RowWr
 
 }  // namespace
 
-std::vector<std::string> generate(const GenerateRequest& request, AtomicFile& out) {
+std::vector<std::string> generate(const GenerateRequest& request, ByteSink& out) {
   const Encoding encoding =
       request.source != nullptr ? read_header(*request.source).encoding : Encoding::little_endian;
   const Contents contents = plan(request);

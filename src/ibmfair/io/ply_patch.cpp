@@ -47,7 +47,7 @@ class Patcher {
     new_faces_.emplace(request, layout_);
   }
 
-  std::vector<std::string> run(AtomicFile& out) {
+  std::vector<std::string> run(ByteSink& out) {
     BytePatcher file(request_.source, out);
     patch_header(file);
     if (layout_.header.encoding == Encoding::ascii) {
@@ -167,7 +167,7 @@ class Patcher {
   }
 
   template <class Body>
-  void patch_body(Body body, BytePatcher& file, AtomicFile& out) {
+  void patch_body(Body body, BytePatcher& file, ByteSink& out) {
     const std::vector<Element>& elements = layout_.header.elements;
     for (std::size_t e = 0; e < elements.size(); ++e) {
       if (e == layout_.vertex) {
@@ -215,7 +215,7 @@ class Patcher {
 
   /// Calls write(row) behind the rows that have just been walked over.
   template <class Body, class Write>
-  void insert_rows(Body& body, BytePatcher& file, AtomicFile& out, Write&& write) const {
+  void insert_rows(Body& body, BytePatcher& file, ByteSink& out, Write&& write) const {
     const bool ascii = layout_.header.encoding == Encoding::ascii;
     std::string_view line_end = body.take_line_end();
     file.copy_up_to(body.after_value());
@@ -310,7 +310,7 @@ class Patcher {
 
 }  // namespace
 
-std::vector<std::string> patch(const PatchRequest& request, AtomicFile& out) {
+std::vector<std::string> patch(const PatchRequest& request, ByteSink& out) {
   return Patcher(request).run(out);
 }
 

@@ -8,8 +8,8 @@
 #include <string_view>
 #include <type_traits>
 
-#include "ibmfair/io/atomic_file.h"
 #include "ibmfair/io/binary_bytes.h"
+#include "ibmfair/io/byte_sink.h"
 #include "ibmfair/io/numbers.h"
 #include "ibmfair/io/ply_body.h"
 
@@ -18,7 +18,7 @@ namespace ibmfair::ply {
 /// Writes values one after the other, as text with blanks between them or as bytes.
 class RowWriter {
  public:
-  RowWriter(AtomicFile& out, Encoding encoding, std::string_view line_end = "\n")
+  RowWriter(ByteSink& out, Encoding encoding, std::string_view line_end = "\n")
       : out_(out),
         ascii_(encoding == Encoding::ascii),
         swapped_(is_swapped(encoding)),
@@ -60,7 +60,7 @@ class RowWriter {
   }
 
  private:
-  AtomicFile& out_;
+  ByteSink& out_;
   bool ascii_;
   bool swapped_;
   std::string_view line_end_;
