@@ -76,10 +76,10 @@ void TemporaryFile::forget_name() {
   name_.clear();
 }
 
-int TemporaryFile::create(const std::string& directory) {
+int TemporaryFile::create(const std::string& directory, bool named) {
   directory_ = directory;
   // A file without a name gets one through /proc, which is not everywhere.
-  if (access("/proc/self/fd", X_OK) == 0) {
+  if (!named && access("/proc/self/fd", X_OK) == 0) {
     fd_ = open(directory.c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, 0666);
     if (fd_ >= 0) return 0;
     if (errno != EOPNOTSUPP && errno != EISDIR && errno != EINVAL) return errno;

@@ -17,8 +17,12 @@ class TemporaryFile {
   TemporaryFile(const TemporaryFile&) = delete;
   TemporaryFile& operator=(const TemporaryFile&) = delete;
 
-  /// Makes the file, for writing only. Returns 0 or the system's error number.
-  int create(const std::string& directory);
+  /// Makes the file, for writing only; with a name from the start if `named`. Returns 0 or the
+  /// system's error number.
+  int create(const std::string& directory, bool named = false);
+
+  /// Empty while it has none.
+  const std::string& name() const { return name_; }
 
   /// Gives the file the name `target`, in the same directory; what has that name is replaced only
   /// if `overwrite`. Returns 0 or the system's error number.
@@ -32,7 +36,7 @@ class TemporaryFile {
   void forget_name();
 
   std::string directory_;
-  std::string name_;                           // empty while it has none
+  std::string name_;
   std::atomic<const char*>* noted_ = nullptr;  // where remove_temporary_files finds the name
   int fd_ = -1;
 };
