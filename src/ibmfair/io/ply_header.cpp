@@ -227,4 +227,8 @@ Header read_header(const SourceBytes& source) {
   return header;
 }
 
+Header read_lone_header(const SourceBytes& source) {
+  return HeaderReader(source).run();
+}
+
 }  // namespace ibmfair::ply

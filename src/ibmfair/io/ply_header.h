@@ -63,4 +63,7 @@ struct Header {
 /// anything is allocated for them. Throws BadFile.
 Header read_header(const SourceBytes& source);
 
+/// Reads a header whose rows stand elsewhere. Throws BadFile.
+Header read_lone_header(const SourceBytes& source);
+
 }  // namespace ibmfair::ply

@@ -186,8 +186,12 @@ void read_body(const Layout& layout, Body body, Mesh& mesh) {
 }  // namespace
 
 Layout read_layout(const SourceBytes& source) {
+  return find_layout(source, read_header(source));
+}
+
+Layout find_layout(const SourceBytes& source, Header header) {
   Layout layout;
-  layout.header = read_header(source);
+  layout.header = std::move(header);
   const Element* vertex = layout.header.find("vertex");
   if (vertex == nullptr || vertex->count == 0) fail_in_file(source, "the mesh has no vertices");
   layout.vertex = static_cast<std::size_t>(vertex - layout.header.elements.data());
