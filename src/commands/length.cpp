@@ -1,16 +1,16 @@
 #include "commands/length.h"
 
 #include "commands/documentation.h"
-#include "ibmfair/mesh/geometry.h"
+#include "ibmfair/flow/part_measures.h"
 
 namespace ibmfair::commands {
 
-double Length::on(const Points& X, const Topology& topology) const {
+double Length::on(const Points& X, const Topology& topology, const MeshParts& parts) const {
   switch (unit) {
     case Unit::edges:
-      return value * mean_edge_length(X, topology.E);
+      return value * mean_edge_length(X, topology, parts);
     case Unit::diagonal:
-      return value / 100 * bounding_box_size(X).norm();
+      return value / 100 * diagonal(X, parts);
     case Unit::absolute:
       break;
   }

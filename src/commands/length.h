@@ -7,6 +7,7 @@
 
 #include "commands/numeric_options.h"
 #include "ibmfair/base/types.h"
+#include "ibmfair/flow/mesh_parts.h"
 #include "ibmfair/mesh/topology.h"
 
 namespace ibmfair::commands {
@@ -19,7 +20,8 @@ struct Length {
   Unit unit = Unit::edges;
 
   /// In the units of the coordinates.
-  double on(const Points& X, const Topology& topology) const;
+  double on(const Points& X, const Topology& topology,
+            const MeshParts& parts = MeshParts::one()) const;
 };
 
 /// A positive number followed by `e`, `%`, `u` or nothing, which means `unit`. Throws BadOption

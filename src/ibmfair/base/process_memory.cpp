@@ -98,6 +98,10 @@ double resident_bytes() {
   return kilobyte * entry("/proc/self/status", "VmRSS:").value_or(0);
 }
 
+double peak_resident_bytes() {
+  return kilobyte * entry("/proc/self/status", "VmHWM:").value_or(0);
+}
+
 double available_bytes(const std::string& root) {
   const auto system = entry(root + "/proc/meminfo", "MemAvailable:");
   return std::min({system ? kilobyte * *system : std::numeric_limits<double>::infinity(),

@@ -8,6 +8,9 @@ namespace ibmfair {
 /// Bytes of memory that the process holds now; 0 where the system does not tell.
 double resident_bytes();
 
+/// The most that it has held.
+double peak_resident_bytes();
+
 /// Bytes that the process could still get without swapping: what the system has left, or the
 /// control groups that the process is in (containers, batch systems), or its limit of address space
 /// (ulimit -v), whichever is least; infinite where nothing tells. `root` stands before the names of

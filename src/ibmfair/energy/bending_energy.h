@@ -58,6 +58,10 @@ struct EnergyOptions {
   /// which is positive on a sphere whose triangles look outward. Only for members with
   /// BendingModel::takes_spontaneous_curvature.
   Eigen::VectorXd spontaneous_curvature = {};
+  /// #V and #F, or empty for all: what belongs to this part of a mesh in several
+  /// (flow/mesh_parts.h). Only its energy is summed: of a stencil at a vertex that of its centre,
+  /// of a hinge half of it at either triangle. Only for members with BendingModel::knows_parts.
+  std::vector<std::uint8_t> own_vertices = {}, own_triangles = {};
 };
 
 /// One member of the family on one connectivity. Evaluations reuse buffers of the object, so one
@@ -101,6 +105,8 @@ struct BendingModel {
   bool takes_material_axes = false;          ///< knows EnergyOptions::material_axes
   bool keeps_sharp = false;                  ///< knows EnergyOptions::sharp_angle
   bool takes_spontaneous_curvature = false;  ///< knows EnergyOptions::spontaneous_curvature
+  /// Knows EnergyOptions::own_vertices: what is at a vertex depends on the vertices near it alone.
+  bool knows_parts = false;
 
   /// The member on a mesh. Throws BadOption for options that it does not know, for masses that do
   /// not go with it and where there is not a value for every vertex or triangle; BadMesh for a

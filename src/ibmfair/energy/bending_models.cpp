@@ -90,14 +90,16 @@ constexpr std::array<BendingModel, 5> models{{
      .make = crouzeix_raviart,
      .matrices = crouzeix_raviart_matrices,
      .masses = edge_masses,
-     .keeps_sharp = true},
+     .keeps_sharp = true,
+     .knows_parts = true},
     {.name = lagrange_name,
      .summary = "vertex-based cotangent Laplacian; consistent, for stationary limits",
      .make = lagrange,
      .matrices = CotangentModel::matrices,
      .masses = vertex_masses,
      .takes_material_axes = true,
-     .takes_spontaneous_curvature = true},
+     .takes_spontaneous_curvature = true,
+     .knows_parts = true},
     {.name = weighted_name,
      .summary = "dual edges between power centres of circles about the vertices",
      .make = WeightedModel::make,
@@ -112,7 +114,8 @@ constexpr std::array<BendingModel, 5> models{{
      .summary = "graph Laplacian; evens edges out, and is not zero on planes",
      .make = UmbrellaModel::make,
      .matrices = UmbrellaModel::matrices,
-     .masses = umbrella_masses},
+     .masses = umbrella_masses,
+     .knows_parts = true},
 }};
 
 /// The names of the members that have a property, for messages.
@@ -139,6 +142,15 @@ void require_known(const BendingModel& model, const EnergyOptions& options) {
     throw BadOption(fmt::format("the Laplacian {} takes no spontaneous curvature; these do: {}",
                                 model.name,
                                 names_with(&BendingModel::takes_spontaneous_curvature)));
+  }
+  if (!options.own_vertices.empty() && !model.knows_parts) {
+    throw BadOption(fmt::format("the Laplacian {} needs the mesh in one piece; these do not: {}",
+                                model.name, names_with(&BendingModel::knows_parts)));
+  }
+  if (!options.own_vertices.empty() &&
+      mass_matrix(model, options).kind == MassMatrix::Kind::consistent) {
+    throw BadOption(
+        fmt::format("the mass {} needs the mesh in one piece", mass_matrix(model, options).name));
   }
 }
 

@@ -41,7 +41,8 @@ Rows rows_of_four(const Hinges& H, const std::vector<Index>& hinges) {
 }
 
 /// The triangles of the hinges, each with the others.
-MeshBlocks hinge_blocks(const Topology& topology, const std::vector<Index>& hinges) {
+MeshBlocks hinge_blocks(const Topology& topology, const std::vector<Index>& hinges,
+                        const std::vector<std::uint8_t>& counted) {
   const auto triangles = static_cast<std::size_t>(topology.F.rows());
   std::vector<std::uint8_t> kept(triangles, 0);
   Neighbours neighbours(3 * triangles, no_triangle);
@@ -53,7 +54,7 @@ MeshBlocks hinge_blocks(const Topology& topology, const std::vector<Index>& hing
     neighbours[3 * std::size_t(t1) + place_of(topology.F, t1, x[3])] = agree ? t0 : ~t0;
     kept[t0] = kept[t1] = 1;
   }
-  return mesh_blocks(topology, kept, neighbours);
+  return mesh_blocks(topology, kept, neighbours, counted);
 }
 
 /// Of the energy 3 |e|^2 / A (1 + cos theta) of a hinge of equilateral triangles; 0 for no bound.
@@ -68,7 +69,7 @@ CrouzeixRaviart::CrouzeixRaviart(const Topology& topology, const EnergyOptions& 
     : terms_{options.mass, inverse_bound(options.sharp_angle)} {
   const std::vector<Index> hinges = active_hinges(topology, options.active);
   stencils_ = rows_of_four(topology.H, hinges);
-  blocks_ = hinge_blocks(topology, hinges);
+  blocks_ = hinge_blocks(topology, hinges, options.own_triangles);
 }
 
 double CrouzeixRaviart::block_energy(const MeshBlock& b, const Points& X, bool gradient,

@@ -24,11 +24,15 @@ Points multiply(const SymmetricMatrix& J, const Points& X) {
   return Y;
 }
 
-Unknowns::Unknowns(const std::vector<std::uint8_t>& fixed) : unknown(fixed.size(), -1) {
+Unknowns::Unknowns(const std::vector<std::uint8_t>& fixed, const std::vector<std::uint8_t>& own)
+    : unknown(fixed.size(), -1) {
+  Index next = 0;
   for (std::size_t v = 0; v < fixed.size(); ++v) {
     if (!fixed[v]) {
-      unknown[v] = size();
-      vertex.push_back(static_cast<Index>(v));
+      unknown[v] = next++;
+      if (own.empty() || own[v]) {
+        vertex.push_back(static_cast<Index>(v));
+      }
     }
   }
 }

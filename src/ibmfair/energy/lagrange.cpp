@@ -32,8 +32,10 @@ Lagrange::Lagrange(const Topology& topology, const EnergyOptions& options)
   const std::vector<std::uint8_t> centre = is_centre(stencils_, topology.vertex_count);
   blocks_ = mesh_blocks(topology, triangles_around(topology, centre));
   carries_.reserve(blocks_.owned.size());
+  counts_.reserve(blocks_.owned.size());
   for (const Index v : blocks_.owned) {
     carries_.push_back(centre[v]);
+    counts_.push_back(centre[v] && (options.own_vertices.empty() || options.own_vertices[v]));
   }
   if (options.spontaneous_curvature.size() > 0) {
     spontaneous_.reserve(blocks_.owned.size());
@@ -63,7 +65,7 @@ double Lagrange::block_curvature(const MeshBlock& b, const Points& X, BlockScrat
     const double inverse = mass_ ? 3 / h.w : 1;
     const BlockRow row{h.x * inverse, h.y * inverse, h.z * inverse, 0};
     const double energy = (h.x * row.x + h.y * row.y + h.z * row.z) / 2;
-    E += carries ? energy : 0;
+    E += counts_[b.first_owned + i] != 0 ? energy : 0;
     if (y != nullptr) {
       const double q = mass_ ? (row.x * row.x + row.y * row.y + row.z * row.z) / 6 : 0;
       y[i] = carries ? BlockRow{row.x, row.y, row.z, q} : BlockRow{};

@@ -42,6 +42,7 @@ class Lagrange final : public BendingEnergy {
   Rows stencils_;                      // #U: the centre, then its ring in the order it is walked
   MeshBlocks blocks_;                  // of the triangles around U
   std::vector<std::uint8_t> carries_;  // like blocks_.owned, whether the vertex is in U
+  std::vector<std::uint8_t> counts_;   // and, too, whether it belongs to this part of the mesh
   std::vector<double> spontaneous_;    // like blocks_.owned: H0, or empty for none
   std::vector<BlockRow> y_;            // like blocks_.owned
   BlockLoop loop_;

@@ -22,10 +22,12 @@ std::size_t place_of_corner(std::size_t slot, int i) {
 class Builder {
  public:
   Builder(const Topology& topology, const std::vector<std::uint8_t>& kept,
-          const Neighbours& neighbours, MeshBlocks& blocks)
+          const Neighbours& neighbours, const std::vector<std::uint8_t>& counted,
+          MeshBlocks& blocks)
       : topology_(topology),
         kept_(kept),
         neighbours_(neighbours),
+        counted_(counted),
         out_(blocks),
         position_(static_cast<std::size_t>(topology.vertex_count), -1),
         number_(position_.size()),
@@ -81,7 +83,8 @@ class Builder {
       for (const Index t : topology_.stars[v]) {
         if (kept_[t] && triangle_[t].stamp != stamp_) {
           triangle_[t].stamp = stamp_;
-          const bool own = number_[topology_.F(t, 0)].stamp == stamp_;
+          const bool own =
+              number_[topology_.F(t, 0)].stamp == stamp_ && (counted_.empty() || counted_[t] != 0);
           (own ? own_ : shared_).push_back(t);
         }
       }
@@ -158,6 +161,7 @@ class Builder {
   const Topology& topology_;
   const std::vector<std::uint8_t>& kept_;
   const Neighbours& neighbours_;
+  const std::vector<std::uint8_t>& counted_;
   MeshBlocks& out_;
   std::vector<Index> position_;   // #V, in owned
   std::vector<Number> number_;    // #V
@@ -229,11 +233,11 @@ void MeshBlocks::prepare(Points& G) const {
 }
 
 MeshBlocks mesh_blocks(const Topology& topology, const std::vector<std::uint8_t>& kept,
-                       const Neighbours& neighbours) {
+                       const Neighbours& neighbours, const std::vector<std::uint8_t>& counted) {
   MeshBlocks blocks;
   Rows vertices = vertex_blocks(topology, kept);
   blocks.owned = std::move(vertices.value);
-  Builder builder(topology, kept, neighbours, blocks);
+  Builder builder(topology, kept, neighbours, counted, blocks);
   const auto triangles = static_cast<std::size_t>(std::count(kept.begin(), kept.end(), 1));
   blocks.corners.reserve(3 * triangles + triangles / 2);
   blocks.neighbours.reserve(neighbours.empty() ? 0 : blocks.corners.capacity());

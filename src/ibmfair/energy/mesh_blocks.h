@@ -44,7 +44,7 @@ struct MeshBlock {
   std::int64_t first_halo = 0;       ///< in MeshBlocks::halo
   std::int64_t first_corner = 0;     ///< in MeshBlocks::corners
   std::int64_t first_neighbour = 0;  ///< in MeshBlocks::neighbours
-  std::int64_t own_groups = 0;       ///< of triangles: each is among these in one block only
+  std::int64_t own_groups = 0;       ///< of triangles: each that counts is in these of one block
   std::int64_t groups = 0;           ///< and of all others at its own vertices
   std::int64_t framed_groups = 0;    ///< and of the neighbours of both
 };
@@ -79,8 +79,10 @@ struct MeshBlocks {
 };
 
 /// Blocks of the triangles that are `kept` (#F). With `neighbours`, they have the triangles next to
-/// their own as well; these must be kept.
+/// their own as well; these must be kept. Those that are not `counted` (#F, or empty for all) are
+/// in no block's `own_groups`.
 MeshBlocks mesh_blocks(const Topology& topology, const std::vector<std::uint8_t>& kept,
-                       const Neighbours& neighbours = {});
+                       const Neighbours& neighbours = {},
+                       const std::vector<std::uint8_t>& counted = {});
 
 }  // namespace ibmfair

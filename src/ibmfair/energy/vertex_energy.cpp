@@ -43,6 +43,7 @@ VertexEnergy::VertexEnergy(const Topology& topology, const EnergyOptions& option
                                              ? options.active
                                              : std::vector<std::uint8_t>{})),
       nodes_(first_of(stencils_)),
+      own_vertices_(options.own_vertices),
       triangles_(topology, laplacian, mass, options, usable_triangles_at(topology, nodes_)),
       h_(Points::Zero(topology.vertex_count, 3)),
       y_(h_),
@@ -69,8 +70,11 @@ double VertexEnergy::energy(const Points& X) {
   if (mass_ == MassMatrix::Kind::consistent) {
     solve_consistent_mass(triangles_, nodes_, m_, h_, y_);
   }
-  return parallel_sum(count,
-                      [&](std::int64_t u) { return h_.row(nodes_[u]).dot(y_.row(nodes_[u])) / 2; });
+  return parallel_sum(count, [&](std::int64_t u) {
+    const Index v = nodes_[u];
+    const bool own = own_vertices_.empty() || own_vertices_[v] != 0;
+    return own ? h_.row(v).dot(y_.row(v)) / 2 : 0;
+  });
 }
 
 /// The derivatives of E by what triangle t adds to L and to M.

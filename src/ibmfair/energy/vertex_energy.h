@@ -41,6 +41,7 @@ class VertexEnergy final : public BendingEnergy {
   MassMatrix::Kind mass_;
   Rows stencils_;             // #U: the vertex, then its ring in the order it is walked
   std::vector<Index> nodes_;  // U
+  std::vector<std::uint8_t> own_vertices_;  // EnergyOptions
   VertexTriangles triangles_;
   Points h_, y_;  // #V x 3, zero outside U
   PerVertex m_;   // #V, lumped

@@ -13,6 +13,9 @@ namespace {
 /// The largest relative residual of a solve. Refining once would leave its square.
 constexpr double good_enough = 1e-3;
 
+/// Who asks for a smaller residual than this gets a factor in float64.
+constexpr double float32_tolerance = 1e-4;
+
 /// Where an entry of diag(J) is more than this times that of D, float32 would lose D next to it.
 constexpr double widest_float32 = 1e6;
 
@@ -66,7 +69,10 @@ SolverForecast forecast_direct(const JacobianShape& shape, const JacobianParts& 
 }
 
 DirectJacobian::DirectJacobian(const JacobianShape& shape)
-    : shape_(shape), assembler_(shape.stencils, shape.unknowns), J_(assembler_.pattern()) {}
+    : shape_(shape),
+      assembler_(shape.stencils, shape.unknowns),
+      J_(assembler_.pattern()),
+      needs_float64_(shape.options.solver_tolerance < float32_tolerance) {}
 
 void DirectJacobian::update(const JacobianParts& parts) {
   {

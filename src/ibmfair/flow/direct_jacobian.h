@@ -9,7 +9,8 @@
 namespace ibmfair {
 
 /// J is inexact by design ([W07] section 3.2), so float32 does for its factor as long as solves are
-/// good to a part in a thousand; where that cannot be expected, or is not found, it is float64.
+/// good to a part in a thousand; where that cannot be expected, or is not found, or where
+/// `FlowOptions::solver_tolerance` asks for more, it is float64.
 class DirectJacobian final : public JacobianSolver {
  public:
   explicit DirectJacobian(const JacobianShape& shape);
@@ -25,8 +26,8 @@ class DirectJacobian final : public JacobianSolver {
   HessianAssembler assembler_;
   SymmetricMatrix J_;
   Precision precision_ = Precision::float32;
-  bool needs_float64_ = false;  // float32 was not enough once
-  bool tried_ = false;          // the factor has solved well
+  bool needs_float64_;  // it was asked for, or float32 was not enough once
+  bool tried_ = false;  // the factor has solved well
   std::optional<SymbolicCholesky> symbolic_;
   std::optional<CholeskyFactor> factor_;
   std::optional<CholeskySolver> solver_;

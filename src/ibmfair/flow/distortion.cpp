@@ -21,7 +21,7 @@ using Sums = Eigen::Array3d;  // roughness, strain, edges
 }  // namespace
 
 void own_moves(const Points& step, const Rows& rings, const Unknowns& unknowns, Points& own) {
-  own.resize(step.rows(), 3);
+  own.resize(unknowns.size(), 3);
   parallel_for(unknowns.size(), [&](std::int64_t u) {
     const auto ring = rings[unknowns.vertex[u]];
     Vec3 shared = Vec3::Zero();
@@ -33,8 +33,8 @@ void own_moves(const Points& step, const Rows& rings, const Unknowns& unknowns, 
 }
 
 double distortion(const Points& step, const Points& own, const Rows& rings,
-                  const Unknowns& unknowns, const PerVertex& edge_length) {
-  const Sums sums = parallel_sum(unknowns.size(), Sums(Sums::Zero()), [&](std::int64_t u) -> Sums {
+                  const Unknowns& unknowns, const PerVertex& edge_length, const MeshParts& parts) {
+  Sums sums = parallel_sum(unknowns.size(), Sums(Sums::Zero()), [&](std::int64_t u) -> Sums {
     const Index v = unknowns.vertex[u];
     const double squared_length = edge_length[v] * edge_length[v];
     Sums at_vertex(own.row(u).squaredNorm() / squared_length, 0, 0);
@@ -47,10 +47,12 @@ double distortion(const Points& step, const Points& own, const Rows& rings,
     }
     return at_vertex;
   });
+  sums = sums.unaryExpr([&parts](double x) { return parts.sum(x); });
+  const double count = parts.sum(unknowns.size());
   if (sums[2] == 0) {
     return 0;
   }
-  return std::max(std::sqrt(sums[0] / unknowns.size()) / largest_roughness,
+  return std::max(std::sqrt(sums[0] / count) / largest_roughness,
                   std::sqrt(sums[1] / sums[2]) / largest_strain);
 }
 

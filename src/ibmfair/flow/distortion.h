@@ -2,13 +2,14 @@
 #pragma once
 
 #include "ibmfair/energy/hessian.h"
+#include "ibmfair/flow/mesh_parts.h"
 #include "ibmfair/mesh/topology.h"
 
 namespace ibmfair {
 
 /// The part of each unknown's move that its neighbours do not share: `step` (one row per unknown,
-/// length) minus the mean of the neighbours' moves, held ones being 0. `rings` are those of
-/// vertex_rings.
+/// those of other parts included, length) minus the mean of the neighbours' moves, held ones being
+/// 0. `rings` are those of vertex_rings.
 void own_moves(const Points& step, const Rows& rings, const Unknowns& unknowns, Points& own);
 
 /// A measure of what `step` does to the triangles; 1 is as much as one time step should. It is the
@@ -21,6 +22,6 @@ void own_moves(const Points& step, const Rows& rings, const Unknowns& unknowns, 
 /// scans (tools/denoise_table) and on smooth shapes that change a lot (tools/figure9_table).
 /// `own` is what own_moves gives, `edge_length` (#V) the mean length of the edges at each vertex.
 double distortion(const Points& step, const Points& own, const Rows& rings,
-                  const Unknowns& unknowns, const PerVertex& edge_length);
+                  const Unknowns& unknowns, const PerVertex& edge_length, const MeshParts& parts);
 
 }  // namespace ibmfair

@@ -42,8 +42,9 @@ struct FlowOptions {
   bool guarded = true;        ///< false: the scheme of [W07] as published
   bool relax = true;          ///< a sweep of tangential relaxation after each guarded step
   double max_move = std::numeric_limits<double>::infinity();  ///< from the start, length
-  std::string solver = "auto";     ///< a name from jacobian_backends(), or "auto"
-  double solver_tolerance = 0.05;  ///< of the residual, for iterative solvers; below 1
+  std::string solver = "auto";  ///< a name from jacobian_backends(), or "auto"
+  /// Of the residual, for iterative solvers; below 1. Below 1e-4 factors are float64.
+  double solver_tolerance = 0.05;
   double memory_limit = std::numeric_limits<double>::infinity();  ///< of the whole process, bytes
   Ordering ordering = Ordering::automatic;
   StageObserver on_stage = {};  ///< told when a stage begins that may take long

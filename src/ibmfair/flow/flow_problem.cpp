@@ -18,35 +18,40 @@ std::vector<std::uint8_t> opposite(const std::vector<std::uint8_t>& flags) {
 }
 
 std::unique_ptr<BendingEnergy> bind_energy(const Topology& topology, const FlowOptions& options,
-                                           const std::vector<std::uint8_t>& held) {
+                                           const std::vector<std::uint8_t>& held,
+                                           const MeshParts& parts) {
   EnergyOptions energy = options.energy_options();
   energy.active = opposite(held);
+  energy.own_vertices = parts.own_vertices();
+  energy.own_triangles = parts.own_triangles();
   return bending_model(options.laplacian).bind(topology, energy);
 }
 
 }  // namespace
 
 FlowProblem::FlowProblem(const Points& X_start, const Topology& mesh_topology,
-                         const std::vector<std::uint8_t>& held, const FlowOptions& flow_options)
+                         const std::vector<std::uint8_t>& held, const FlowOptions& flow_options,
+                         const MeshParts& mesh_parts)
     : topology(mesh_topology),
       options(flow_options),
-      unknowns(held),
+      parts(mesh_parts),
+      unknowns(held, parts.own_vertices()),
       X(X_start),
       start_(X_start),
       bound_(start_, flow_options.max_move),
       conserved_(X, topology, unknowns, options),
-      bending_(bind_energy(topology, options, held)),
-      jacobian_(std::make_unique<Jacobian>(*bending_, topology, unknowns, options, report)) {
+      bending_(bind_energy(topology, options, held, parts)),
+      jacobian_(std::make_unique<Jacobian>(*bending_, topology, unknowns, options, parts, report)) {
   energy_ = energy_at(X);
   if (!std::isfinite(energy_)) {
     throw BadMesh("the bending energy of the mesh is not finite: coordinates are too large");
   }
   report.energy_before = report.energy_after = energy_;
-  report.unknowns = unknowns.size();
+  report.unknowns = static_cast<std::int64_t>(parts.sum(unknowns.size()));
 }
 
 double FlowProblem::energy_at(const Points& Y) {
-  return bending_->energy(Y);
+  return parts.sum(bending_->energy(Y));
 }
 
 void FlowProblem::update_gradient() {
@@ -89,7 +94,7 @@ double FlowProblem::evaluate(const Points& Y, Points& gradient) {
   gradient.resize(unknowns.size(), 3);
   parallel_for(unknowns.size(),
                [&](std::int64_t u) { gradient.row(u) = G_.row(unknowns.vertex[u]); });
-  return energy;
+  return parts.sum(energy);
 }
 
 Points FlowProblem::newton_step() {
@@ -110,6 +115,24 @@ Points FlowProblem::newton_step() {
   return step;
 }
 
+const Points& FlowProblem::with_others(const Points& move) {
+  if (parts.is_whole()) {
+    return move;
+  }
+  by_vertex_.resize(X.rows(), 3);
+  for (Index u = 0; u < unknowns.size(); ++u) {
+    by_vertex_.row(unknowns.vertex[u]) = move.row(u);
+  }
+  parts.refresh(by_vertex_);
+  with_others_.resize(X.rows(), 3);
+  for (Eigen::Index v = 0; v < X.rows(); ++v) {
+    if (const Index u = unknowns.unknown[v]; u >= 0) {
+      with_others_.row(u) = by_vertex_.row(v);
+    }
+  }
+  return with_others_;
+}
+
 FlowProblem::Landing FlowProblem::displace(const Points& move, Points& Y) const {
   Y.resize(X.rows(), 3);
   const bool bounded = bound_.bounds();
@@ -117,7 +140,7 @@ FlowProblem::Landing FlowProblem::displace(const Points& move, Points& Y) const 
     const Vec3 from = X.row(v);
     Y.row(v) = from;
     const Index u = unknowns.unknown[v];
-    if (u < 0) {
+    if (u < 0 || u >= unknowns.size()) {
       return 0;
     }
     const Vec3 to = from + move.row(u).transpose();
@@ -125,10 +148,11 @@ FlowProblem::Landing FlowProblem::displace(const Points& move, Points& Y) const 
     Y.row(v) = reached;
     return reached != to ? 1 : 0;
   });
+  parts.refresh(Y);
   if (!conserved_.empty() && !conserved_.restore(Y)) {
     return Landing::nowhere;
   }
-  return stopped > 0 ? Landing::short_of_it : Landing::as_asked;
+  return parts.sum(stopped) > 0 ? Landing::short_of_it : Landing::as_asked;
 }
 
 std::vector<Index> FlowProblem::stopped() const {
@@ -142,10 +166,14 @@ std::vector<Index> FlowProblem::stopped() const {
   return result;
 }
 
+double FlowProblem::longest(const Points& move) const {
+  return parts.max(move.rows() > 0 ? move.rowwise().norm().maxCoeff() : 0);
+}
+
 double FlowProblem::gradient_norm() const {
   const Eigen::VectorXd& D = jacobian_->metric();
   const Points speed = conserved_.speed(g_, D);
-  return std::sqrt((D.asDiagonal() * speed).cwiseProduct(speed).sum());
+  return std::sqrt(parts.sum((D.asDiagonal() * speed).cwiseProduct(speed).sum()));
 }
 
 }  // namespace ibmfair

@@ -11,6 +11,7 @@
 #include "ibmfair/flow/conserved_quantities.h"
 #include "ibmfair/flow/flow_options.h"
 #include "ibmfair/flow/jacobian.h"
+#include "ibmfair/flow/mesh_parts.h"
 #include "ibmfair/flow/move_bound.h"
 #include "ibmfair/mesh/topology.h"
 
@@ -20,15 +21,16 @@ class FlowProblem {
  public:
   /// Everything referred to must outlive the problem. The flow starts at `X`.
   FlowProblem(const Points& X, const Topology& topology, const std::vector<std::uint8_t>& held,
-              const FlowOptions& options);
+              const FlowOptions& options, const MeshParts& parts);
 
   const Topology& topology;
   const FlowOptions& options;
+  const MeshParts& parts;
   const Unknowns unknowns;
   FlowReport report;
   Points X;  ///< #V x 3, the state
 
-  /// E_b over the stencils that touch an unknown, at the state and at another place.
+  /// E_b over the stencils that touch an unknown, of all parts, at the state and at another place.
   double energy() const { return energy_; }
   double energy_at(const Points& Y);
 
@@ -57,6 +59,9 @@ class FlowProblem {
   /// `options.newton_iterations` inexact Newton iterations: one row per unknown, length.
   Points newton_step();
 
+  /// The move (one row per unknown) with rows for the unknowns of other parts behind its own.
+  const Points& with_others(const Points& move);
+
   /// How a move ended.
   enum class Landing : std::uint8_t {
     as_asked,
@@ -70,6 +75,9 @@ class FlowProblem {
 
   /// The unknowns that the bound on moves keeps from going where the gradient sends them.
   std::vector<Index> stopped() const;
+
+  /// The longest row of a move.
+  double longest(const Points& move) const;
 
   /// The rate of the flow, sqrt(<g, D^-1 g>).
   double gradient_norm() const;
@@ -88,6 +96,7 @@ class FlowProblem {
   double energy_ = 0, next_energy_ = 0;
   Points G_;  // #V x 3, reused
   Points g_, next_g_;
+  Points by_vertex_, with_others_;  // reused
   bool gradient_is_known_ = false;
 };
 

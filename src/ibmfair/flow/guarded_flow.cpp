@@ -71,13 +71,14 @@ class GuardedFlow {
       return true;
     }
     Points step = p_.newton_step();
-    slope_ = -p_.gradient().cwiseProduct(step).sum();
-    metric_part_ = (p_.jacobian().metric().asDiagonal() * step).cwiseProduct(step).sum() /
-                   p_.jacobian().time_step();
+    slope_ = -p_.parts.sum(p_.gradient().cwiseProduct(step).sum());
+    metric_part_ =
+        p_.parts.sum((p_.jacobian().metric().asDiagonal() * step).cwiseProduct(step).sum()) /
+        p_.jacobian().time_step();
     StepRecord record;
     record.refactored = fresh;
     record.gradient_norm = p_.gradient_norm();
-    record.held_back = (p_.jacobian().damping().array() > 1).count();
+    record.held_back = count((p_.jacobian().damping().array() > 1).count());
     fraction_ = std::min(1.0, left_ / p_.jacobian().time_step());
     // g^T (D/h + S)^-1 g grows with h no faster than h does.
     const double longer = h_target_ / p_.jacobian().time_step();
@@ -146,8 +147,9 @@ class GuardedFlow {
 
   bool distorts(const Points& step) {
     const Stopwatch watch(p_.report.seconds.guard);
-    own_moves(step, rings_, p_.unknowns, own_);
-    distortion_ = fraction_ * distortion(step, own_, rings_, p_.unknowns, edge_length_);
+    const Points& all = p_.with_others(step);
+    own_moves(all, rings_, p_.unknowns, own_);
+    distortion_ = fraction_ * distortion(all, own_, rings_, p_.unknowns, edge_length_, p_.parts);
     return distortion_ > 1;
   }
 
@@ -163,8 +165,11 @@ class GuardedFlow {
       step.row(u) -= (1 - limit / length) * own_.row(u);
       return 1;
     });
-    return static_cast<std::int64_t>(shortened);
+    return count(shortened);
   }
+
+  /// Over all parts.
+  std::int64_t count(double here) const { return static_cast<std::int64_t>(p_.parts.sum(here)); }
 
   /// Displaces into Y_, withholding the moves of vertices whose hinges would fold over; false where
   /// folds remain.
@@ -175,11 +180,11 @@ class GuardedFlow {
         return false;
       }
       const std::vector<Index> folding = folds_.new_folds(Y_);
-      if (folding.empty()) {
+      if (!p_.parts.any(!folding.empty())) {
         return true;
       }
       for (const Index v : folding) {
-        if (const Index u = p_.unknowns.unknown[v]; u >= 0) {
+        if (const Index u = p_.unknowns.unknown[v]; u >= 0 && u < p_.unknowns.size()) {
           move.row(u).setZero();
           ++withheld;
         }
@@ -199,7 +204,7 @@ class GuardedFlow {
         const double promised = promised_decrease();
         record.decrease_ratio = (p_.energy() - trial_energy_) / promised;
         if (promised > 0 && record.decrease_ratio >= least_decrease) {
-          record.held_back += withheld;
+          record.held_back += count(static_cast<double>(withheld));
           return true;
         }
       }
@@ -226,7 +231,7 @@ class GuardedFlow {
       const Index v = p_.unknowns.vertex[u];
       return -p_.gradient().row(u).dot(Y_.row(v) - p_.X.row(v));
     });
-    return std::min(slope / 2, p_.energy());
+    return std::min(p_.parts.sum(slope) / 2, p_.energy());
   }
 
   /// A step failed. A stale Jacobian is renewed; with a fresh one, vertices at which the trial runs
@@ -246,29 +251,35 @@ class GuardedFlow {
   /// gradient; false where there are none, or so many that the trouble is not local.
   bool damp_culprits(const Points& gradient, const Points& step) {
     const Eigen::VectorXd slope = gradient.cwiseProduct(step).rowwise().sum();
-    const double steepest =
-        slope.unaryExpr([](double s) { return std::isfinite(s) ? s : 0; }).maxCoeff();
+    double steepest = 0;
+    for (const double s : slope) {
+      steepest = std::isfinite(s) ? std::max(steepest, s) : steepest;
+    }
+    steepest = p_.parts.max(steepest);
     std::vector<std::uint8_t> culprits(static_cast<std::size_t>(p_.topology.vertex_count), 0);
-    std::int64_t count = 0;
+    std::int64_t found = 0;
     for (Index u = 0; u < p_.unknowns.size(); ++u) {
       if (!(slope[u] <= culprit_share * steepest)) {  // not a number is a culprit, too
         culprits[p_.unknowns.vertex[u]] = 1;
-        ++count;
+        ++found;
       }
     }
+    p_.parts.refresh(culprits);
     culprits = grow_one_ring(p_.topology, culprits);
     for (Index u = 0; u < p_.unknowns.size(); ++u) {
       p_.jacobian().damping()[u] *= culprits[p_.unknowns.vertex[u]] ? heavier : 1;
     }
     keep_damping_ = true;
-    return count > 0 && static_cast<double>(count) <= local_share * p_.unknowns.size();
+    found = count(static_cast<double>(found));
+    return found > 0 &&
+           static_cast<double>(found) <= local_share * static_cast<double>(p_.report.unknowns);
   }
 
   void accept(StepRecord& record) {
     energy_before_step_ = p_.energy();
     record.step = static_cast<int>(p_.report.steps.size()) + 1;
     record.time_step = fraction_ * p_.jacobian().time_step();
-    record.largest_move = move_.rowwise().norm().maxCoeff();
+    record.largest_move = p_.longest(move_);
     left_ = std::max(0.0, left_ - record.time_step);
     record.time = p_.report.time_reached = p_.options.total_time - left_;
     p_.report.energy_after = trial_energy_;

@@ -15,11 +15,12 @@ constexpr int patience = 8;
 }  // namespace
 
 Jacobian::Jacobian(BendingEnergy& energy, const Topology& topology, const Unknowns& unknowns,
-                   const FlowOptions& options, FlowReport& report)
+                   const FlowOptions& options, const MeshParts& parts, FlowReport& report)
     : energy_(energy),
       topology_(topology),
       unknowns_(unknowns),
       options_(options),
+      parts_(parts),
       report_(report),
       D_(Eigen::VectorXd::Ones(unknowns.size())),
       damping_(D_) {}
@@ -46,7 +47,7 @@ JacobianShape Jacobian::shape() const {
 void Jacobian::refactor(const Points& X, double h) {
   const JacobianParts parts = linearise(X, h);
   if (!solver_) {
-    take(choose_backend(shape(), parts));
+    choose_solver(parts);
   }
   h_ = 0;
   try {
@@ -54,7 +55,7 @@ void Jacobian::refactor(const Points& X, double h) {
   } catch (const FactorizationFailed&) {
     // With a shorter time step, which the flow tries next, the matrix may have a factor.
     const JacobianBackend* other =
-        ++failures_ > patience ? without_factor(shape(), parts) : nullptr;
+        parts_.is_whole() && ++failures_ > patience ? without_factor(shape(), parts) : nullptr;
     if (other == nullptr || other->name == report_.solver) {
       throw;
     }
@@ -62,6 +63,15 @@ void Jacobian::refactor(const Points& X, double h) {
     solver_->update(parts);
   }
   h_ = h;
+}
+
+void Jacobian::choose_solver(const JacobianParts& parts) {
+  if (parts_.is_whole()) {
+    take(choose_backend(shape(), parts));
+  } else {
+    solver_ = parts_.make_solver(shape());
+    report_.solver = options_.solver;
+  }
 }
 
 void Jacobian::take(const JacobianBackend& backend) {

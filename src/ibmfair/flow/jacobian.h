@@ -8,6 +8,7 @@
 #include "ibmfair/energy/hessian.h"
 #include "ibmfair/flow/flow_options.h"
 #include "ibmfair/flow/jacobian_solver.h"
+#include "ibmfair/flow/mesh_parts.h"
 
 namespace ibmfair {
 
@@ -15,7 +16,7 @@ namespace ibmfair {
 class Jacobian {
  public:
   Jacobian(BendingEnergy& energy, const Topology& topology, const Unknowns& unknowns,
-           const FlowOptions& options, FlowReport& report);
+           const FlowOptions& options, const MeshParts& parts, FlowReport& report);
 
   /// Takes `X` as the reference and `h` as the time step. Throws FactorizationFailed, OutOfMemory.
   /// The first call chooses the backend where the options leave that open; then one that has no
@@ -42,12 +43,14 @@ class Jacobian {
  private:
   JacobianParts linearise(const Points& X, double h);
   JacobianShape shape() const;
+  void choose_solver(const JacobianParts& parts);
   void take(const JacobianBackend& backend);
 
   BendingEnergy& energy_;
   const Topology& topology_;
   const Unknowns& unknowns_;
   const FlowOptions& options_;
+  const MeshParts& parts_;
   FlowReport& report_;
   std::unique_ptr<JacobianSolver> solver_;
   StencilWeights weights_;

@@ -14,7 +14,7 @@ void run_plain(FlowProblem& problem, const StepObserver& observer) {
     const Points step = problem.newton_step();
     const bool lands = problem.displace(step, Y) != FlowProblem::Landing::nowhere;
     const double energy = problem.energy_at(Y);
-    if (!lands || !std::isfinite(energy) || !Y.allFinite()) {
+    if (!lands || !std::isfinite(energy) || problem.parts.any(!Y.allFinite())) {
       report.status = FlowStatus::diverged;
       return;
     }
@@ -27,7 +27,7 @@ void run_plain(FlowProblem& problem, const StepObserver& observer) {
     record.time_step = h;
     record.energy = energy;
     record.gradient_norm = problem.gradient_norm();
-    record.largest_move = step.rowwise().norm().maxCoeff();
+    record.largest_move = problem.longest(step);
     record.refactored = k == 1;
     report.steps.push_back(record);
     if (observer && !observer(record)) {

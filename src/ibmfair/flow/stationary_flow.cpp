@@ -37,7 +37,7 @@ Points unknown_normals(const Points& X, const Topology& topology, const Unknowns
 StationaryFlow::StationaryFlow(const Points& X, const Topology& topology,
                                const std::vector<std::uint8_t>& held, const FlowOptions& options,
                                double h, double h_limit, bool normal_only)
-    : problem_(X, topology, held, options),
+    : problem_(X, topology, held, options, MeshParts::one()),
       rings_(vertex_rings(topology)),
       folds_(X, topology, problem_.unknowns),
       h_(h),

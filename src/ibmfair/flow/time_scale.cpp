@@ -4,7 +4,7 @@
 #include <numbers>
 
 #include "ibmfair/energy/bending_energy.h"
-#include "ibmfair/mesh/geometry.h"
+#include "ibmfair/flow/part_measures.h"
 
 namespace ibmfair {
 
@@ -13,23 +13,31 @@ double time_for_cutoff(double cutoff) {
 }
 
 double time_in_flow_units(double time, const Points& X, const Topology& topology,
-                          const FlowOptions& options) {
-  const double area = surface_area(X, topology.F);
+                          const FlowOptions& options, const MeshParts& parts) {
+  const double area = surface_area(X, topology, parts);
   if (!(area > 0)) {
     return time;
   }
+  double own_vertices = 0;
+  for (Index v = 0; v < topology.vertex_count; ++v) {
+    own_vertices += parts.owns_vertex(v) ? 1 : 0;
+  }
   if (options.metric == Metric::identity) {
-    time *= static_cast<double>(topology.vertex_count) / area;
+    time *= parts.sum(own_vertices) / area;
   }
   if (!options.mass) {
     const auto energy = bending_model(options.laplacian).bind(topology, {});
     StencilWeights weights;
     energy->linearise(X, weights);
-    double mass = 0;
-    for (const double w : weights.w) {
-      mass += 1 / w;
+    double mass = 0, count = 0;
+    for (Index s = 0; s < energy->stencils().size(); ++s) {
+      const double share = own_share(energy->stencils()[s], parts);
+      mass += share / weights.w[s];
+      count += share;
     }
-    time *= weights.w.empty() ? 1 : static_cast<double>(weights.w.size()) / mass;
+    mass = parts.sum(mass);
+    count = parts.sum(count);
+    time *= count > 0 ? count / mass : 1;
   }
   return time;
 }

@@ -3,6 +3,7 @@
 
 #include "ibmfair/base/types.h"
 #include "ibmfair/flow/flow_options.h"
+#include "ibmfair/flow/mesh_parts.h"
 #include "ibmfair/mesh/topology.h"
 
 namespace ibmfair {
@@ -15,6 +16,6 @@ double time_for_cutoff(double cutoff);
 /// mean masses of the mesh: the identity metric leaves out the mass of a vertex, an energy without
 /// mass matrix that of a stencil. On evenly sampled meshes all variants then smooth alike.
 double time_in_flow_units(double time, const Points& X, const Topology& topology,
-                          const FlowOptions& options);
+                          const FlowOptions& options, const MeshParts& parts = MeshParts::one());
 
 }  // namespace ibmfair

@@ -11,8 +11,11 @@ namespace ibmfair {
 namespace {
 
 void require_usable(const Points& X, const std::vector<std::uint8_t>& held,
-                    const FlowOptions& options) {
+                    const FlowOptions& options, const MeshParts& parts) {
   options.validate();
+  if (!parts.is_whole() && (options.keep_volume || options.keep_area)) {
+    throw BadOption("volume and area can be kept of a mesh in one piece only");
+  }
   const Eigen::VectorXd& factor = options.cutoff_factor;
   if (factor.size() > 0 && factor.size() != X.rows()) {
     throw BadOption("there must be a weight for every vertex");
@@ -30,10 +33,11 @@ void require_usable(const Points& X, const std::vector<std::uint8_t>& held,
 }  // namespace
 
 FlowReport willmore_flow(Points& X, const Topology& topology, const std::vector<std::uint8_t>& held,
-                         const FlowOptions& options, const StepObserver& observer) {
-  require_usable(X, held, options);
-  FlowProblem problem(X, topology, held, options);
-  if (problem.unknowns.size() > 0) {
+                         const FlowOptions& options, const StepObserver& observer,
+                         const MeshParts& parts) {
+  require_usable(X, held, options, parts);
+  FlowProblem problem(X, topology, held, options, parts);
+  if (problem.report.unknowns > 0) {
     (options.guarded ? run_guarded : run_plain)(problem, observer);
     X.swap(problem.X);
   }
@@ -42,8 +46,9 @@ FlowReport willmore_flow(Points& X, const Topology& topology, const std::vector<
 
 FlowForecast forecast_flow(const Points& X, const Topology& topology,
                            const std::vector<std::uint8_t>& held, const FlowOptions& options) {
-  require_usable(X, held, options);
-  FlowProblem problem(X, topology, held, options);
+  const MeshParts& parts = MeshParts::one();
+  require_usable(X, held, options, parts);
+  FlowProblem problem(X, topology, held, options, parts);
   FlowForecast forecast;
   forecast.unknowns = problem.unknowns.size();
   if (forecast.unknowns > 0) {

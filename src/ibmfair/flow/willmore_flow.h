@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "ibmfair/flow/flow_options.h"
+#include "ibmfair/flow/mesh_parts.h"
 #include "ibmfair/mesh/topology.h"
 
 namespace ibmfair {
@@ -23,8 +24,12 @@ namespace ibmfair {
 /// Lets `X` (#V x 3) flow for `options.total_time`, all but the vertices with `held[v]` (#V); those
 /// keep their bits. Throws BadOption, FactorizationFailed, OutOfMemory; BadMesh where a coordinate
 /// or the energy at the start is not finite.
+///
+/// Where the mesh is in several `parts`, X, topology and held are those of a piece; the report is
+/// that of the whole mesh. Volume and area are kept of a mesh in one piece only: BadOption.
 FlowReport willmore_flow(Points& X, const Topology& topology, const std::vector<std::uint8_t>& held,
-                         const FlowOptions& options, const StepObserver& observer = {});
+                         const FlowOptions& options, const StepObserver& observer = {},
+                         const MeshParts& parts = MeshParts::one());
 
 /// What such a flow would take.
 struct FlowForecast {
