@@ -239,6 +239,10 @@ CommandLine::CommandLine(std::string_view command) : parts_(std::make_unique<Par
   parts_->declare(*row, false);
 }
 
+CommandLine::CommandLine(const Command& command) : parts_(std::make_unique<Parts>()) {
+  parts_->declare(command, false);
+}
+
 CommandLine::~CommandLine() = default;
 
 std::optional<std::string> CommandLine::parse(std::vector<std::string> words) {

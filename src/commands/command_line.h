@@ -28,6 +28,9 @@ class CommandLine {
   /// none.
   explicit CommandLine(std::string_view command);
 
+  /// Declares this command alone.
+  explicit CommandLine(const Command& command);
+
   ~CommandLine();
   CommandLine(const CommandLine&) = delete;
   CommandLine& operator=(const CommandLine&) = delete;

@@ -25,33 +25,43 @@ std::span<const ExitCodeMeaning> exit_code_meanings() {
   return table;
 }
 
-ExitCode tell_of_current_exception(const Console& console) {
-  const auto tell = [&console](ExitCode code, const char* message) {
-    console.error(message);
-    return code;
-  };
+ExitCode exit_code_of_current_exception() {
   try {
     throw;
-  } catch (const BadOption& error) {
-    return tell(ExitCode::usage, error.what());
-  } catch (const BadFile& error) {
-    return tell(ExitCode::bad_file, error.what());
-  } catch (const BadMesh& error) {
-    return tell(ExitCode::bad_mesh, error.what());
-  } catch (const FactorizationFailed& error) {
-    return tell(ExitCode::bad_mesh, error.what());
-  } catch (const OutOfMemory& error) {
-    return tell(ExitCode::out_of_memory, error.what());
+  } catch (const BadOption&) {
+    return ExitCode::usage;
+  } catch (const BadFile&) {
+    return ExitCode::bad_file;
+  } catch (const BadMesh&) {
+    return ExitCode::bad_mesh;
+  } catch (const FactorizationFailed&) {
+    return ExitCode::bad_mesh;
+  } catch (const OutOfMemory&) {
+    return ExitCode::out_of_memory;
   } catch (const std::bad_alloc&) {
-    return tell(ExitCode::out_of_memory, "not enough memory for this mesh");
-  } catch (const CannotWrite& error) {
-    return tell(ExitCode::cannot_write, error.what());
-  } catch (const std::exception& error) {
-    console.error("internal error, please report it:");
-    return tell(ExitCode::internal_error, error.what());
+    return ExitCode::out_of_memory;
+  } catch (const CannotWrite&) {
+    return ExitCode::cannot_write;
   } catch (...) {
-    return tell(ExitCode::internal_error, "internal error of unknown kind, please report it");
+    return ExitCode::internal_error;
   }
+}
+
+ExitCode tell_of_current_exception(const Console& console) {
+  const ExitCode code = exit_code_of_current_exception();
+  try {
+    throw;
+  } catch (const std::bad_alloc&) {
+    console.error("not enough memory for this mesh");
+  } catch (const std::exception& error) {
+    if (code == ExitCode::internal_error) {
+      console.error("internal error, please report it:");
+    }
+    console.error(error.what());
+  } catch (...) {
+    console.error("internal error of unknown kind, please report it");
+  }
+  return code;
 }
 
 }  // namespace ibmfair::commands

@@ -28,6 +28,9 @@ struct ExitCodeMeaning {
 
 std::span<const ExitCodeMeaning> exit_code_meanings();
 
+/// The code of the exception being handled; call it in a catch block only. It needs no memory.
+ExitCode exit_code_of_current_exception();
+
 /// Says what the exception being handled is about, and returns its exit code; call it in a catch
 /// block only. It needs no memory.
 ExitCode tell_of_current_exception(const Console& console);

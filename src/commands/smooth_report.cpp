@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "commands/figure_list.h"
+#include "commands/signals.h"
 #include "commands/sparkline.h"
 #include "commands/stage_times.h"
 #include "ibmfair/base/process_memory.h"
@@ -110,6 +111,18 @@ std::string effort(const FlowReport& flow) {
                                            flow.factorizations == 1 ? "" : "s");
 }
 
+/// What is left of the flow, in time steps of about the same length.
+std::string way_on(const SmoothFigures& figures, int steps) {
+  const double left = figures.total_time - figures.flow.time_reached;
+  const double share = left / figures.total_time;
+  if (!(share > 1e-9)) {
+    return "the flow was complete";
+  }
+  const double count = std::max(1.0, std::ceil(share * steps - 1e-6));
+  return fmt::format("`smooth` goes on from it with --steps {:.0f} --time-step {}, no --cutoff",
+                     count, left / count);
+}
+
 }  // namespace
 
 MeshFigures mesh_figures(const Points& X, const Topology& topology, const FlowOptions& options) {
@@ -133,7 +146,7 @@ ordered_json mesh_state_json(const Points& X, const Topology& topology,
   return json;
 }
 
-std::string smooth_table(const SmoothFigures& figures, const Topology& topology, bool detailed) {
+std::string smooth_table(const SmoothFigures& figures, bool detailed) {
   const FlowReport& flow = figures.flow;
   const MeshFigures &before = figures.before, &after = figures.after;
   const double edge = figures.mean_edge_length;
@@ -141,8 +154,7 @@ std::string smooth_table(const SmoothFigures& figures, const Topology& topology,
       fmt::format("  {:<16}{:<10}{:>12}{:>12}{:>13}\n", "", "unit", "before", "after", "change");
   text += row("bending energy", "1", before.energy, after.energy);
   text += row("area", "u^2", before.area, after.area);
-  text += row(topology.boundary_loops.empty() ? "volume" : "volume (cone)", "u^3", before.volume,
-              after.volume);
+  text += row(figures.closed ? "volume" : "volume (cone)", "u^3", before.volume, after.volume);
   text += row("smallest angle", "degrees", before.smallest_angle, after.smallest_angle);
   text += fmt::format("  {:<16}{:<10}{:>12}{:>12}{:>+13}\n", "folds", "hinges", before.folds,
                       after.folds, after.folds - before.folds);
@@ -185,8 +197,7 @@ ordered_json forecast_json(const FlowForecast& forecast) {
   return {{"unknowns", forecast.unknowns}, {"solver", forecast.solver}, {"solvers", backends}};
 }
 
-void add_smooth_figures(const SmoothFigures& figures, const Topology& topology,
-                        const FlowOptions& options, Report& report) {
+void add_smooth_figures(const SmoothFigures& figures, const FlowOptions& options, Report& report) {
   const FlowReport& flow = figures.flow;
   ordered_json& json = report.figures;
   json["status"] = name_of(flow.status);
@@ -203,8 +214,8 @@ void add_smooth_figures(const SmoothFigures& figures, const Topology& topology,
       {"solver_tolerance", options.solver_tolerance},
       {"guarded", options.guarded},
       {"tangential", options.guarded && options.relax ? "relax" : "none"}};
-  json["mesh"] = {{"vertices", topology.vertex_count},
-                  {"triangles", topology.F.rows()},
+  json["mesh"] = {{"vertices", figures.vertices},
+                  {"triangles", figures.triangles},
                   {"unknowns", flow.unknowns},
                   {"mean_edge_length", figures.mean_edge_length}};
   json["before"] = mesh_figures_json(figures.before);
@@ -230,6 +241,30 @@ void add_smooth_figures(const SmoothFigures& figures, const Topology& topology,
     report.table->rows.push_back(step_json(step));
   }
   json["seconds"] = seconds_json(figures);
+}
+
+std::string remark_on(const SmoothFigures& figures, const std::string& output, int steps) {
+  switch (figures.flow.status) {
+    case FlowStatus::completed:
+      return steps > 0 && figures.flow.unknowns == 0
+                 ? "no vertex is free to move: the mesh is written as it was read"
+                 : "";
+    case FlowStatus::interrupted:
+      return fmt::format("interrupted; {} holds the state that was reached: {}", output,
+                         way_on(figures, steps));
+    case FlowStatus::stalled:
+      return "the flow stalled before its time was up; the state it reached was written";
+    case FlowStatus::diverged:
+      return "the flow diverged; the last finite state was written (smaller steps, or no --plain)";
+  }
+  return {};
+}
+
+ExitCode exit_code_of(FlowStatus status) {
+  return status == FlowStatus::completed ? ExitCode::done
+         : status == FlowStatus::interrupted
+             ? static_cast<ExitCode>(128 + PostponedEnd::signal_number())
+             : ExitCode::not_reached;
 }
 
 }  // namespace ibmfair::commands

@@ -5,6 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "commands/exit_code.h"
 #include "commands/report/report.h"
 #include "ibmfair/flow/willmore_flow.h"
 #include "ibmfair/mesh/topology.h"
@@ -25,6 +26,8 @@ struct SmoothFigures {
   double mean_edge_length = 0;            ///< before
   double cutoff = 0;                      ///< length that the total time corresponds to
   double total_time = 0;                  ///< that the flow was to run for, in its unit
+  std::int64_t vertices = 0, triangles = 0;
+  bool closed = true;
   double seconds_read = 0, seconds_topology = 0, seconds_write = 0;
   FlowReport flow;
 };
@@ -38,14 +41,19 @@ nlohmann::ordered_json mesh_state_json(const Points& X, const Topology& topology
 
 /// Aligned lines, ending in a line feed: figures before and after, and what the run took. With
 /// `detailed`, the energy after each step as a curve, too, and all stages.
-std::string smooth_table(const SmoothFigures& figures, const Topology& topology, bool detailed);
+std::string smooth_table(const SmoothFigures& figures, bool detailed);
+
+/// What is to be said about the end of the flow, whose state is in the file `output`; empty: it
+/// went as it should.
+std::string remark_on(const SmoothFigures& figures, const std::string& output, int steps);
+
+ExitCode exit_code_of(FlowStatus status);
 
 /// What a run would take, as aligned lines and as JSON.
 std::string forecast_table(const FlowForecast& forecast);
 nlohmann::ordered_json forecast_json(const FlowForecast& forecast);
 
 /// The fields of the report that the run fills, and its steps as a table.
-void add_smooth_figures(const SmoothFigures& figures, const Topology& topology,
-                        const FlowOptions& options, Report& report);
+void add_smooth_figures(const SmoothFigures& figures, const FlowOptions& options, Report& report);
 
 }  // namespace ibmfair::commands

@@ -1,0 +1,102 @@
+#include "commands/smooth_setup.h"
+
+#include <cmath>
+#include <numbers>
+
+#include <fmt/format.h>
+
+#include "ibmfair/base/errors.h"
+#include "ibmfair/flow/held_vertices.h"
+#include "ibmfair/flow/part_measures.h"
+#include "ibmfair/flow/time_scale.h"
+
+namespace ibmfair::commands {
+namespace {
+
+/// Without --cutoff and --time-step, this many steps make this cut-off, and more smooth more.
+constexpr int default_steps = 16;
+constexpr double default_cutoff_edges = 8;
+
+/// The total time in the flow's unit. Its step is --time-step, or what spreads --cutoff evenly.
+double total_time(const SmoothArguments& arguments, const Points& X, const Topology& topology,
+                  const MeshParts& parts) {
+  if (arguments.time_step) {
+    return *arguments.time_step * arguments.flow.steps;
+  }
+  const Length cutoff = arguments.cutoff.value_or(Length{default_cutoff_edges});
+  const double time = time_for_cutoff(cutoff.on(X, topology, parts));
+  const double shares = arguments.cutoff ? arguments.flow.steps : default_steps;
+  const double total =
+      time_in_flow_units(time, X, topology, arguments.flow, parts) / shares * arguments.flow.steps;
+  if (!(total > 0 && std::isfinite(total))) {
+    throw BadMesh(fmt::format("edges of mean length {} are too {} to smooth",
+                              mean_edge_length(X, topology, parts), total > 0 ? "long" : "short"));
+  }
+  return total;
+}
+
+/// The cut-off that the total time corresponds to: the inverse of time_for_cutoff.
+double cutoff_of(double time, double unit) {
+  return std::pow(time / unit, 0.25) / std::pow(time_for_cutoff(1), 0.25);
+}
+
+BoundaryCondition boundary_condition(const std::string& name) {
+  return name == "fixed"      ? BoundaryCondition::fixed
+         : name == "position" ? BoundaryCondition::position
+                              : BoundaryCondition::free;
+}
+
+}  // namespace
+
+void set_flow_options(const SmoothArguments& arguments, bool has_texture_coordinates,
+                      const Console& console, FlowOptions& options) {
+  options.mass = arguments.mass.mass();
+  options.mass_matrix = arguments.mass.name;
+  options.metric = arguments.metric == "mass" ? Metric::mass : Metric::identity;
+  options.guarded = !arguments.plain;
+  options.relax = arguments.tangential != "none";
+  if (arguments.tangential.empty() && has_texture_coordinates && options.guarded) {
+    console.note("the mesh has texture coordinates: no tangential relaxation (--tangential relax)");
+    options.relax = false;
+  }
+  if (arguments.keep_sharp) {
+    options.sharp_angle = *arguments.keep_sharp * std::numbers::pi / 180;
+  }
+}
+
+void set_scale(const SmoothArguments& arguments, const Points& X, const Topology& topology,
+               const MeshParts& parts, FlowOptions& options, SmoothFigures& figures) {
+  options.total_time = total_time(arguments, X, topology, parts);
+  figures.cutoff =
+      cutoff_of(options.total_time, time_in_flow_units(1, X, topology, arguments.flow, parts));
+  if (arguments.max_move) {
+    options.max_move = arguments.max_move->on(X, topology, parts);
+  }
+}
+
+std::vector<std::uint8_t> held_by(const SmoothArguments& arguments, const Topology& topology,
+                                  const std::vector<Index>& listed,
+                                  const std::vector<std::uint8_t>& mask,
+                                  const Eigen::VectorXd& weights) {
+  auto held = held_vertices(topology, boundary_condition(arguments.boundary));
+  for (const Index v : listed) {
+    held[v] = 1;
+  }
+  for (std::size_t v = 0; v < mask.size(); ++v) {
+    held[v] |= mask[v] ? 0 : 1;
+  }
+  for (Eigen::Index v = 0; v < weights.size(); ++v) {
+    held[v] |= weights[v] > 0 ? 0 : 1;
+  }
+  return held;
+}
+
+void measure_moves(const Points& before, const Points& after, SmoothFigures& figures) {
+  if (before.rows() > 0) {
+    const Eigen::VectorXd squared = (after - before).rowwise().squaredNorm();
+    figures.largest_move = std::sqrt(squared.maxCoeff());
+    figures.rms_move = std::sqrt(squared.mean());
+  }
+}
+
+}  // namespace ibmfair::commands
