@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "commands/command_line.h"
+#include "commands/engine.h"
 #include "commands/many_files.h"
 #include "commands/process.h"
 #include "ibmfair/base/errors.h"
@@ -63,7 +64,9 @@ int run_program(int argc, const char* const* argv) {
   ExitCode code = ExitCode::done;
   try {
     choose_kernels();
-    code = parse_and_run({argv + (argc > 0 ? 1 : 0), argv + argc}, console);
+    const std::vector<std::string> words{argv + (argc > 0 ? 1 : 0), argv + argc};
+    become_engine(words, argv);
+    code = parse_and_run(words, console);
   } catch (...) {
     code = tell_of_current_exception(console);
   }

@@ -1,8 +1,5 @@
-#include <algorithm>
 #include <array>
-#include <cmath>
 #include <memory>
-#include <numbers>
 #include <optional>
 
 #include <fmt/format.h>
@@ -10,18 +7,18 @@
 
 #include "commands/command.h"
 #include "commands/defect_warnings.h"
+#include "commands/engine.h"
 #include "commands/page/mesh_scene.h"
 #include "commands/progress.h"
 #include "commands/report/report_formats.h"
 #include "commands/signals.h"
 #include "commands/smooth_arguments.h"
 #include "commands/smooth_report.h"
+#include "commands/smooth_setup.h"
 #include "commands/vertex_list.h"
 #include "commands/vertex_values.h"
 #include "ibmfair/base/errors.h"
 #include "ibmfair/base/stopwatch.h"
-#include "ibmfair/flow/held_vertices.h"
-#include "ibmfair/flow/time_scale.h"
 #include "ibmfair/flow/willmore_flow.h"
 #include "ibmfair/mesh/geometry.h"
 #include "ibmfair/page/scene_lines.h"
@@ -29,85 +26,17 @@
 namespace ibmfair::commands {
 namespace {
 
-/// Without --cutoff and --time-step, this many steps make this cut-off, and more smooth more.
-constexpr int default_steps = 16;
-constexpr double default_cutoff_edges = 8;
-
-/// The total time in the flow's unit. Its step is --time-step, or what spreads --cutoff evenly.
-double total_time(const SmoothArguments& arguments, const Points& X, const Topology& topology) {
-  if (arguments.time_step) {
-    return *arguments.time_step * arguments.flow.steps;
-  }
-  const Length cutoff = arguments.cutoff.value_or(Length{default_cutoff_edges});
-  const double parts = arguments.cutoff ? arguments.flow.steps : default_steps;
-  const double time = time_for_cutoff(cutoff.on(X, topology));
-  const double total =
-      time_in_flow_units(time, X, topology, arguments.flow) / parts * arguments.flow.steps;
-  if (!(total > 0 && std::isfinite(total))) {
-    throw BadMesh(fmt::format("edges of mean length {} are too {} to smooth",
-                              mean_edge_length(X, topology.E), total > 0 ? "long" : "short"));
-  }
-  return total;
-}
-
-/// The cut-off that the total time corresponds to: the inverse of time_for_cutoff.
-double cutoff_of(double time, const Points& X, const Topology& topology,
-                 const FlowOptions& options) {
-  const double unit = time_in_flow_units(1, X, topology, options);
-  return std::pow(time / unit, 0.25) / std::pow(time_for_cutoff(1), 0.25);
-}
-
-BoundaryCondition boundary_condition(const std::string& name) {
-  return name == "fixed"      ? BoundaryCondition::fixed
-         : name == "position" ? BoundaryCondition::position
-                              : BoundaryCondition::free;
-}
-
 std::vector<std::uint8_t> held(const SmoothArguments& arguments, const MeshFile& file,
                                const Topology& topology, const Eigen::VectorXd& weights) {
-  auto result = held_vertices(topology, boundary_condition(arguments.boundary));
+  std::vector<Index> listed;
   if (!arguments.fix_file.empty()) {
-    for (const Index v : read_vertex_list(arguments.fix_file, topology.vertex_count)) {
-      result[v] = 1;
-    }
+    listed = read_vertex_list(arguments.fix_file, topology.vertex_count);
   }
+  std::vector<std::uint8_t> mask;
   if (!arguments.mask.empty()) {
-    const std::vector<std::uint8_t> chosen = file.vertex_mask(arguments.mask);
-    for (std::size_t v = 0; v < chosen.size(); ++v) {
-      result[v] |= chosen[v] ? 0 : 1;
-    }
+    mask = file.vertex_mask(arguments.mask);
   }
-  for (Eigen::Index v = 0; v < weights.size(); ++v) {
-    result[v] |= weights[v] > 0 ? 0 : 1;
-  }
-  return result;
-}
-
-/// Sliding vertices within the surface would drag a texture over it.
-bool relaxes(const SmoothArguments& arguments, const MeshFile& file, const Console& console) {
-  if (arguments.tangential.empty() && file.has_texture_coordinates() && !arguments.plain) {
-    console.note("the mesh has texture coordinates: no tangential relaxation (--tangential relax)");
-    return false;
-  }
-  return arguments.tangential != "none";
-}
-
-void measure_moves(const Points& before, const Points& after, SmoothFigures& figures) {
-  if (before.rows() > 0) {
-    const Eigen::VectorXd squared = (after - before).rowwise().squaredNorm();
-    figures.largest_move = std::sqrt(squared.maxCoeff());
-    figures.rms_move = std::sqrt(squared.mean());
-  }
-}
-
-/// Sets what depends on the mesh.
-void resolve(const SmoothArguments& arguments, const Points& X, const Topology& topology,
-             FlowOptions& options, SmoothFigures& figures) {
-  options.total_time = total_time(arguments, X, topology);
-  figures.cutoff = cutoff_of(options.total_time, X, topology, options);
-  if (arguments.max_move) {
-    options.max_move = arguments.max_move->on(X, topology);
-  }
+  return held_by(arguments, topology, listed, mask, weights);
 }
 
 void draw(const SmoothArguments& arguments, const Topology& topology, const Points& before,
@@ -164,13 +93,16 @@ Smoothing read_smoothing(const SmoothArguments& arguments, const Console& consol
   progress.begin("connect");
   const Stopwatch watch(s.figures.seconds_topology);
   s.topology = build_topology(s.before(), triangulate(s.file.mesh()).F);
+  s.figures.vertices = s.topology.vertex_count;
+  s.figures.triangles = s.topology.F.rows();
+  s.figures.closed = s.topology.boundary_loops.empty();
   s.X = s.before();
   return s;
 }
 
 void run_flow(const SmoothArguments& arguments, FlowOptions options, Smoothing& s,
               Progress& progress) {
-  resolve(arguments, s.before(), s.topology, options, s.figures);
+  set_scale(arguments, s.before(), s.topology, MeshParts::one(), options, s.figures);
   s.held = held(arguments, s.file, s.topology, options.cutoff_factor);
   std::optional<PostponedEnd> postponed;
   if (!arguments.checkpoint.empty()) {
@@ -189,7 +121,7 @@ ExitCode forecast(const SmoothArguments& arguments, FlowOptions options, Smoothi
                   Report& report, Console& console) {
   FlowForecast forecast;
   if (options.steps > 0) {
-    resolve(arguments, s.before(), s.topology, options, s.figures);
+    set_scale(arguments, s.before(), s.topology, MeshParts::one(), options, s.figures);
     forecast = forecast_flow(s.X, s.topology,
                              held(arguments, s.file, s.topology, options.cutoff_factor), options);
   }
@@ -200,43 +132,6 @@ ExitCode forecast(const SmoothArguments& arguments, FlowOptions options, Smoothi
                            forecast.unknowns, s.topology.vertex_count, options.steps),
                forecast_table(forecast));
   return ExitCode::done;
-}
-
-/// What is left of the flow, in time steps of about the same length.
-std::string way_on(const SmoothFigures& figures, int steps) {
-  const double left = figures.total_time - figures.flow.time_reached;
-  const double share = left / figures.total_time;
-  if (!(share > 1e-9)) {
-    return "the flow was complete";
-  }
-  const double count = std::max(1.0, std::ceil(share * steps - 1e-6));
-  return fmt::format("`smooth` goes on from it with --steps {:.0f} --time-step {}, no --cutoff",
-                     count, left / count);
-}
-
-/// What is to be said about the end of the flow; empty: it went as it should.
-std::string remark_on(const SmoothFigures& figures, const OutputOptions& output, int steps) {
-  switch (figures.flow.status) {
-    case FlowStatus::completed:
-      return steps > 0 && figures.flow.unknowns == 0
-                 ? "no vertex is free to move: the mesh is written as it was read"
-                 : "";
-    case FlowStatus::interrupted:
-      return fmt::format("interrupted; {} holds the state that was reached: {}", output.path,
-                         way_on(figures, steps));
-    case FlowStatus::stalled:
-      return "the flow stalled before its time was up; the state it reached was written";
-    case FlowStatus::diverged:
-      return "the flow diverged; the last finite state was written (smaller steps, or no --plain)";
-  }
-  return {};
-}
-
-ExitCode exit_code_of(FlowStatus status) {
-  return status == FlowStatus::completed ? ExitCode::done
-         : status == FlowStatus::interrupted
-             ? static_cast<ExitCode>(128 + PostponedEnd::signal_number())
-             : ExitCode::not_reached;
 }
 
 /// The mesh before and after, and the border of what was held.
@@ -268,28 +163,21 @@ void write_and_tell(const SmoothArguments& arguments, const OutputOptions& outpu
   progress.end();
   report.figures["input"] = arguments.input;
   report.figures["output"] = output.path;
-  add_smooth_figures(s.figures, s.topology, arguments.flow, report);
+  add_smooth_figures(s.figures, arguments.flow, report);
   report.figures["defects"] = defects_json(s.topology);
   report.figures["moved_vertices"] = written.moved_vertices;
   console.note(fmt::format("{} -> {}, {} of {} vertices moved", arguments.input, output.path,
                            written.moved_vertices, s.X.rows()),
-               smooth_table(s.figures, s.topology, console.level() == Console::Level::verbose));
+               smooth_table(s.figures, console.level() == Console::Level::verbose));
 }
 
 /// The options of the flow as the mesh and other options have them.
 FlowOptions flow_options(const SmoothArguments& arguments, const MeshFile& file,
                          const Topology& topology, const Console& console) {
   FlowOptions options = arguments.flow;
-  options.mass = arguments.mass.mass();
-  options.mass_matrix = arguments.mass.name;
-  options.metric = arguments.metric == "mass" ? Metric::mass : Metric::identity;
-  options.guarded = !arguments.plain;
-  options.relax = relaxes(arguments, file, console);
+  set_flow_options(arguments, file.has_texture_coordinates(), console, options);
   if (const std::vector<double>& a = arguments.anisotropy; !a.empty()) {
     options.material_axes = material_axes(file.mesh().X, topology, Vec3(a[0], a[1], a[2]), a[3]);
-  }
-  if (arguments.keep_sharp) {
-    options.sharp_angle = *arguments.keep_sharp * std::numbers::pi / 180;
   }
   if (!arguments.weights.empty()) {
     options.cutoff_factor = vertex_values(file, arguments.weights, 0, "--weights");
@@ -301,6 +189,7 @@ FlowOptions flow_options(const SmoothArguments& arguments, const MeshFile& file,
 }
 
 ExitCode run_smooth(SmoothArguments arguments, const CLI::App& app, Console& console) {
+  require_single_engine(arguments.engine);
   check_outputs(arguments);
   Progress progress(console);
   Smoothing s = read_smoothing(arguments, console, progress);
@@ -327,7 +216,8 @@ ExitCode run_smooth(SmoothArguments arguments, const CLI::App& app, Console& con
   const OutputOptions output =
       status == FlowStatus::interrupted ? checkpoint_of(arguments) : arguments.output;
   write_and_tell(arguments, output, s, report, console, progress);
-  if (const std::string remark = remark_on(s.figures, output, options.steps); !remark.empty()) {
+  if (const std::string remark = remark_on(s.figures, output.path, options.steps);
+      !remark.empty()) {
     console.warning(remark);
     report.warnings.push_back({remark});
   }

@@ -6,6 +6,7 @@
 
 #include "commands/argument_roles.h"
 #include "commands/documentation.h"
+#include "commands/engine.h"
 #include "commands/numeric_options.h"
 #include "ibmfair/flow/jacobian_solver.h"
 
@@ -17,6 +18,7 @@ std::vector<std::string> solver_names() {
   for (const JacobianBackend& backend : jacobian_backends()) {
     names.emplace_back(backend.name);
   }
+  names.emplace_back("mumps");
   return names;
 }
 
@@ -81,15 +83,23 @@ void add_flow_options(CLI::App& app, SmoothArguments& a) {
 
 void add_solver_options(CLI::App& app, SmoothArguments& a) {
   begin_group(app, groups::solver_and_memory);
+  a.engine = single_engine;
+  app.add_option("--engine", a.engine,
+                 "single: this process; petsc: all processes that mpirun starts share one mesh, "
+                 "and take PETSc's options behind all others")
+      ->check(CLI::IsMember({single_engine, petsc_engine}))
+      ->capture_default_str();
   app.add_option("--solver", a.flow.solver,
                  "of the linear systems: cholmod (factored once for many steps), cg (conjugate "
-                 "gradients: least memory) or auto (the one predicted to be quicker)")
+                 "gradients: least memory) or auto (the one predicted to be quicker); with "
+                 "--engine petsc cg, mumps (factored) or auto")
       ->check(CLI::IsMember(solver_names()))
       ->capture_default_str();
   CLI::Option* tolerance =
       add_real(app, "--solver-tolerance", a.flow.solver_tolerance, positive,
                "residual at which conjugate gradients stop: 0.3 halves the time, and leaves "
-               "ripples near the cut-off where there are few steps");
+               "ripples near the cut-off where there are few steps; below 1e-4 a factor is in "
+               "double precision");
   note_of(app, *tolerance).unit = "times the residual at their start";
   CLI::Option* memory =
       add_bytes(app, "--memory", a.flow.memory_limit,

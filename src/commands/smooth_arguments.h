@@ -24,11 +24,12 @@ struct SmoothArguments {
   PictureOptions picture;
   std::string checkpoint;
 
+  std::string engine;
   FlowOptions flow;
   std::optional<double> time_step;
   std::optional<Length> cutoff;
   std::optional<Length> max_move;
-  std::vector<double> anisotropy;  // X, Y, Z, FACTOR, or none
+  std::vector<double> anisotropy;    // X, Y, Z, FACTOR, or none
   std::optional<double> keep_sharp;  // degrees
   bool plain = false, dry_run = false;
   MassOptions mass;

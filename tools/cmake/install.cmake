@@ -1,7 +1,8 @@
 # What `cmake --install` puts in place. Component `program`: the program with man pages and
 # completions for shells, its helper, the schema of its reports, a mesh to try it on. Component
-# `development`: the library with its headers, and the package by which other projects find it:
-# find_package(ibmfair), target ibmfair::ibmfair.
+# `petsc`: its engine for one mesh on many machines. Component `development`: the library with its
+# headers, and the package by which other projects find it: find_package(ibmfair), target
+# ibmfair::ibmfair.
 include(CMakePackageConfigHelpers)
 
 set(package_directory ${CMAKE_INSTALL_LIBDIR}/cmake/ibmfair)
@@ -9,6 +10,10 @@ set(package_directory ${CMAKE_INSTALL_LIBDIR}/cmake/ibmfair)
 install(TARGETS ibmfair RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT program)
 install(TARGETS ibmfair_assimp RUNTIME DESTINATION ${CMAKE_INSTALL_LIBEXECDIR}/ibmfair
         COMPONENT program)
+if(IBMFAIR_PETSC)
+  install(TARGETS ibmfair_petsc RUNTIME DESTINATION ${CMAKE_INSTALL_LIBEXECDIR}/ibmfair
+          COMPONENT petsc)
+endif()
 install(DIRECTORY ${usage_directory}/ DESTINATION ${CMAKE_INSTALL_DATAROOTDIR} COMPONENT program)
 install(FILES data/femur.off data/README.md data/report.schema.json
         DESTINATION ${CMAKE_INSTALL_DATADIR}/ibmfair COMPONENT program)

@@ -11,6 +11,9 @@ set(CPACK_VERBATIM_VARIABLES ON)
 
 # The program is what most want; the library's files come in a package of their own.
 set(CPACK_COMPONENTS_ALL program development)
+if(IBMFAIR_PETSC)  # apart: it needs MPI
+  list(APPEND CPACK_COMPONENTS_ALL petsc)
+endif()
 set(CPACK_DEB_COMPONENT_INSTALL ON)
 set(CPACK_ARCHIVE_COMPONENT_INSTALL OFF)
 
@@ -23,6 +26,12 @@ set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SHLIBDEPS OFF)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS
     "libeigen3-dev, libsuitesparse-dev, libopenblas-dev, libtbb-dev, libfmt-dev, libpng-dev, zlib1g-dev, libmeshoptimizer-dev, libgmp-dev, libmpfr-dev")
+set(CPACK_DEBIAN_PETSC_PACKAGE_NAME ibmfair-petsc)
+set(CPACK_DEBIAN_PETSC_PACKAGE_SECTION graphics)
+set(CPACK_DEBIAN_PETSC_PACKAGE_DEPENDS "ibmfair (= ${PROJECT_VERSION}), openmpi-bin")
+set(CPACK_COMPONENT_PETSC_DESCRIPTION
+    "The engine of ibmfair that shares one mesh among the processes of mpirun, on one
+machine or many.")
 set(CPACK_COMPONENT_PROGRAM_DESCRIPTION
     "Removes noise and ripples from scans and CAD meshes without shrinking the shape,
 and closes holes with patches that continue the surface. Reads and writes OBJ,
@@ -35,5 +44,9 @@ install(FILES ${PROJECT_SOURCE_DIR}/tools/packaging/copyright
         DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/ibmfair COMPONENT program)
 install(FILES ${PROJECT_SOURCE_DIR}/tools/packaging/copyright
         DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/libibmfair-dev COMPONENT development)
+if(IBMFAIR_PETSC)
+  install(FILES ${PROJECT_SOURCE_DIR}/tools/packaging/copyright
+          DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/ibmfair-petsc COMPONENT petsc)
+endif()
 
 include(CPack)

@@ -1,0 +1,72 @@
+// Rows of a file, dealt out to the ranks in equal blocks: before anybody knows where they belong.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <vector>
+
+#include "ibmfair/base/types.h"
+#include "petsc_engine/communicator.h"
+
+namespace ibmfair::petsc {
+
+/// Rows 0 .. total - 1: rank r holds first(r) .. first(r + 1) - 1.
+struct Blocks {
+  std::int64_t total = 0;
+  int ranks = 1;
+
+  std::int64_t first(int rank) const { return total * rank / ranks; }
+  std::int64_t count(int rank) const { return first(rank + 1) - first(rank); }
+  int owner(std::int64_t row) const { return static_cast<int>(((row + 1) * ranks - 1) / total); }
+};
+
+/// For each of the rows (in any order, also several times) the value that the rank which holds it
+/// has there. Collective.
+template <class T>
+std::vector<T> fetch(const Communicator& comm, const Blocks& blocks, const std::vector<T>& values,
+                     const std::vector<Index>& rows) {
+  const auto owner = [&blocks](Index row) { return blocks.owner(row); };
+  const Parcels<Index> asked = sort_by_rank(rows, comm.size(), owner);
+  const Parcels<Index> wanted = comm.exchange(asked);
+  Parcels<T> answers{{}, wanted.counts};
+  answers.items.reserve(wanted.items.size());
+  const std::int64_t first = blocks.first(comm.rank());
+  for (const Index row : wanted.items) {
+    answers.items.push_back(values[static_cast<std::size_t>(row - first)]);
+  }
+  Parcels<T> received{std::vector<T>(rows.size()), asked.counts};
+  comm.exchange_known(answers, received);
+  std::vector<std::size_t> next(static_cast<std::size_t>(comm.size()), 0);
+  for (int r = 1; r < comm.size(); ++r) {
+    next[r] = next[r - 1] + static_cast<std::size_t>(asked.counts[r - 1]);
+  }
+  std::vector<T> result;
+  result.reserve(rows.size());
+  for (const Index row : rows) {
+    result.push_back(received.items[next[owner(row)]++]);
+  }
+  return result;
+}
+
+/// The reverse: the values of `rows`, which no other rank has, in the block of this rank. Rows that
+/// nobody names keep what `block` holds. Collective.
+template <class T>
+void deliver(const Communicator& comm, const Blocks& blocks, const std::vector<Index>& rows,
+             const std::vector<T>& values, std::vector<T>& block) {
+  struct Delivery {
+    Index row;
+    T value;
+  };
+  std::vector<Delivery> deliveries;
+  deliveries.reserve(rows.size());
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    deliveries.push_back({rows[i], values[i]});
+  }
+  const Parcels<Delivery> received = comm.exchange(sort_by_rank(
+      deliveries, comm.size(), [&](const Delivery& d) { return blocks.owner(d.row); }));
+  for (const Delivery& d : received.items) {
+    block[static_cast<std::size_t>(d.row - blocks.first(comm.rank()))] = d.value;
+  }
+}
+
+}  // namespace ibmfair::petsc

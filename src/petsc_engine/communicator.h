@@ -1,0 +1,138 @@
+// MPI as C++ calls it. All members are collective: every process of the run calls them, in the same
+// order.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <numeric>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+#include <mpi.h>
+
+namespace ibmfair::petsc {
+
+/// Items for each rank, or from each, one rank's behind the other's.
+template <class T>
+struct Parcels {
+  std::vector<T> items;
+  std::vector<int> counts;  ///< one a rank
+};
+
+/// What goes wrong on one rank, with the words and the exit code that all ranks end with.
+class Failure {
+ public:
+  Failure(int code, std::string message) : code_(code), message_(std::move(message)) {}
+  int code() const { return code_; }
+  const std::string& message() const { return message_; }
+
+ private:
+  int code_;
+  std::string message_;
+};
+
+/// An MPI type of as many bytes as T.
+template <class T>
+class BytesType {
+ public:
+  static_assert(std::is_trivially_copyable_v<T>);
+  BytesType() {
+    MPI_Type_contiguous(static_cast<int>(sizeof(T)), MPI_BYTE, &type_);
+    MPI_Type_commit(&type_);
+  }
+  ~BytesType() { MPI_Type_free(&type_); }
+  BytesType(const BytesType&) = delete;
+  BytesType& operator=(const BytesType&) = delete;
+  MPI_Datatype get() const { return type_; }
+
+ private:
+  MPI_Datatype type_ = MPI_DATATYPE_NULL;
+};
+
+/// Where each rank's items start.
+inline std::vector<int> first_places(const std::vector<int>& counts) {
+  std::vector<int> first;
+  first.reserve(counts.size());
+  int next = 0;
+  for (const int count : counts) {
+    first.push_back(next);
+    next += count;
+  }
+  return first;
+}
+
+class Communicator {
+ public:
+  explicit Communicator(MPI_Comm comm);
+
+  MPI_Comm get() const { return comm_; }
+  int rank() const { return rank_; }
+  int size() const { return size_; }
+  bool is_first() const { return rank_ == 0; }
+
+  /// The same bits on all ranks: added up in their order.
+  double sum(double x) const;
+  std::int64_t sum(std::int64_t x) const;
+  double max(double x) const;
+  bool any(bool x) const;
+
+  /// The first rank's text, on all.
+  std::string from_first(std::string text) const;
+
+  /// Runs work on every rank, alone; where it throws on some, throws Failure on all, with what the
+  /// lowest of them had to say. `work` itself must not communicate.
+  void together(const std::function<void()>& work) const;
+
+  /// Every rank's items for every other, sent there.
+  template <class T>
+  Parcels<T> exchange(const Parcels<T>& sent) const {
+    Parcels<T> received;
+    received.counts.resize(sent.counts.size());
+    MPI_Alltoall(sent.counts.data(), 1, MPI_INT, received.counts.data(), 1, MPI_INT, comm_);
+    received.items.resize(
+        std::accumulate(received.counts.begin(), received.counts.end(), std::size_t{0}));
+    exchange_known(sent, received);
+    return received;
+  }
+
+  /// The same where `received` has its counts, and room.
+  template <class T>
+  void exchange_known(const Parcels<T>& sent, Parcels<T>& received) const {
+    const BytesType<T> type;
+    const std::vector<int> from = first_places(sent.counts), to = first_places(received.counts);
+    MPI_Alltoallv(sent.items.data(), sent.counts.data(), from.data(), type.get(),
+                  received.items.data(), received.counts.data(), to.data(), type.get(), comm_);
+  }
+
+  /// All ranks' items on the first one, in the order of the ranks.
+  template <class T>
+  std::vector<T> gather_to_first(const std::vector<T>& items) const {
+    Parcels<T> sent{items, std::vector<int>(static_cast<std::size_t>(size_), 0)};
+    sent.counts[0] = static_cast<int>(items.size());
+    return exchange(sent).items;
+  }
+
+ private:
+  MPI_Comm comm_;
+  int rank_ = 0, size_ = 1;
+};
+
+/// The items as parcels for the ranks that `rank_of` names, in their order.
+template <class T, class RankOf>
+Parcels<T> sort_by_rank(const std::vector<T>& items, int ranks, const RankOf& rank_of) {
+  Parcels<T> parcels{std::vector<T>(items.size()), std::vector<int>(ranks, 0)};
+  for (const T& item : items) {
+    ++parcels.counts[rank_of(item)];
+  }
+  std::vector<std::size_t> next(static_cast<std::size_t>(ranks), 0);
+  for (int r = 1; r < ranks; ++r) {
+    next[r] = next[r - 1] + static_cast<std::size_t>(parcels.counts[r - 1]);
+  }
+  for (const T& item : items) {
+    parcels.items[next[rank_of(item)]++] = item;
+  }
+  return parcels;
+}
+
+}  // namespace ibmfair::petsc

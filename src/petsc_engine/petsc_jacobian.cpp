@@ -1,0 +1,175 @@
+#include "petsc_engine/petsc_jacobian.h"
+
+#include <algorithm>
+
+#include "ibmfair/base/errors.h"
+#include "ibmfair/base/stopwatch.h"
+#include "petsc_engine/check.h"
+
+namespace ibmfair::petsc {
+namespace {
+
+constexpr PetscInt most_iterations = 1000;
+
+/// One coordinate of the rows, in a vector and back.
+template <class Copy>
+void with_entries(Vec vector, const Copy& copy) {
+  PetscScalar* entries = nullptr;
+  check(VecGetArray(vector, &entries));
+  copy(entries);
+  check(VecRestoreArray(vector, &entries));
+}
+
+}  // namespace
+
+PetscJacobian::PetscJacobian(const JacobianShape& shape, const PetscParts& parts)
+    : shape_(shape),
+      comm_(parts.communicator()),
+      places_(positions_by_value(shape.stencils.value,
+                                 static_cast<Index>(shape.unknowns.unknown.size()))),
+      stencil_of_place_(row_of_position(shape.stencils)) {
+  const Stopwatch watch(shape.report.seconds.analyse);
+  number_unknowns(parts);
+  make_matrix();
+  make_solver();
+}
+
+PetscJacobian::~PetscJacobian() {
+  KSPDestroy(&ksp_);
+  VecDestroy(&x_);
+  VecDestroy(&b_);
+  MatDestroy(&J_);
+}
+
+void PetscJacobian::number_unknowns(const PetscParts& parts) {
+  const PetscInt own = shape_.unknowns.size();
+  MPI_Exscan(&own, &first_, 1, MPIU_INT, MPI_SUM, comm_.get());
+  number_.assign(shape_.unknowns.unknown.size(), -1);
+  slot_.assign(number_.size(), -1);
+  for (PetscInt u = 0; u < own; ++u) {
+    number_[shape_.unknowns.vertex[u]] = first_ + u;
+  }
+  parts.refresh(number_);
+}
+
+void PetscJacobian::gather(Index u, const JacobianParts* parts, Row& row) {
+  row.column.clear();
+  row.value.clear();
+  const Index vertex = shape_.unknowns.vertex[u];
+  const auto slot_of = [&](Index v) {
+    if (slot_[v] < 0) {
+      slot_[v] = static_cast<PetscInt>(row.column.size());
+      row.column.push_back(number_[v]);
+      row.value.push_back(0);
+    }
+    return slot_[v];
+  };
+  row.value[slot_of(vertex)] = parts != nullptr ? parts->D[u] : 0;
+  for (const Index place : places_[vertex]) {
+    const Index s = stencil_of_place_[place];
+    const double factor =
+        parts != nullptr ? parts->h * parts->weights.w[s] * parts->weights.c[place] : 0;
+    for (std::int64_t k = shape_.stencils.first[s]; k < shape_.stencils.first[s + 1]; ++k) {
+      const Index v = shape_.stencils.value[k];
+      if (number_[v] >= 0) {
+        row.value[slot_of(v)] += parts != nullptr ? factor * parts->weights.c[k] : 0;
+      }
+    }
+  }
+  slot_[vertex] = -1;
+  for (const Index place : places_[vertex]) {
+    for (const Index v : shape_.stencils[stencil_of_place_[place]]) {
+      slot_[v] = -1;
+    }
+  }
+}
+
+void PetscJacobian::make_matrix() {
+  const PetscInt own = shape_.unknowns.size();
+  std::vector<PetscInt> here(static_cast<std::size_t>(own)), elsewhere(here);
+  Row row;
+  for (PetscInt u = 0; u < own; ++u) {
+    gather(u, nullptr, row);
+    here[u] = static_cast<PetscInt>(
+        std::count_if(row.column.begin(), row.column.end(),
+                      [&](PetscInt column) { return column >= first_ && column < first_ + own; }));
+    elsewhere[u] = static_cast<PetscInt>(row.column.size()) - here[u];
+  }
+  check(MatCreateAIJ(comm_.get(), own, own, PETSC_DETERMINE, PETSC_DETERMINE, 0, here.data(), 0,
+                     elsewhere.data(), &J_));
+  check(MatSetOption(J_, MAT_SPD, PETSC_TRUE));
+  check(MatSetOption(J_, MAT_SPD_ETERNAL, PETSC_TRUE));
+  check(MatSetOption(J_, MAT_NO_OFF_PROC_ENTRIES, PETSC_TRUE));
+  check(MatCreateVecs(J_, &x_, &b_));
+}
+
+void PetscJacobian::make_solver() {
+  check(KSPCreate(comm_.get(), &ksp_));
+  check(KSPSetType(ksp_, KSPCG));
+  check(KSPSetNormType(ksp_, KSP_NORM_UNPRECONDITIONED));
+  check(KSPSetTolerances(ksp_, shape_.options.solver_tolerance, PETSC_DEFAULT, PETSC_DEFAULT,
+                         most_iterations));
+  PC pc = nullptr;
+  check(KSPGetPC(ksp_, &pc));
+  if (shape_.options.solver == "mumps") {
+    check(KSPSetType(ksp_, KSPPREONLY));
+    check(KSPSetNormType(ksp_, KSP_NORM_NONE));
+    check(PCSetType(pc, PCCHOLESKY));
+    check(PCFactorSetMatSolverType(pc, MATSOLVERMUMPS));
+  } else {
+    check(PCSetType(pc, PCJACOBI));
+  }
+  check(KSPSetFromOptions(ksp_));
+}
+
+void PetscJacobian::update(const JacobianParts& parts) {
+  {
+    const Stopwatch watch(shape_.report.seconds.assemble);
+    Row row;
+    for (Index u = 0; u < shape_.unknowns.size(); ++u) {
+      gather(u, &parts, row);
+      const PetscInt number = first_ + u;
+      check(MatSetValues(J_, 1, &number, static_cast<PetscInt>(row.column.size()),
+                         row.column.data(), row.value.data(), INSERT_VALUES));
+    }
+    check(MatAssemblyBegin(J_, MAT_FINAL_ASSEMBLY));
+    check(MatAssemblyEnd(J_, MAT_FINAL_ASSEMBLY));
+  }
+  const Stopwatch watch(shape_.report.seconds.factor);
+  check(KSPSetOperators(ksp_, J_, J_));
+  check(KSPSetUp(ksp_));
+  PC pc = nullptr;
+  PCFailedReason reason = PC_NOERROR;
+  check(KSPGetPC(ksp_, &pc));
+  check(PCGetFailedReason(pc, &reason));
+  if (comm_.any(reason != PC_NOERROR)) {
+    throw FactorizationFailed(
+        "the preconditioner cannot be set up: the mesh may have triangles "
+        "with angles near zero");
+  }
+  ++shape_.report.factorizations;
+}
+
+void PetscJacobian::solve(const Points& B, Points& Y) {
+  const Stopwatch watch(shape_.report.seconds.solve);
+  const Eigen::Index own = shape_.unknowns.size();
+  Y.resize(own, 3);
+  for (int c = 0; c < 3; ++c) {
+    with_entries(b_, [&](PetscScalar* b) {
+      for (Eigen::Index u = 0; u < own; ++u) {
+        b[u] = B(u, c);
+      }
+    });
+    check(KSPSolve(ksp_, b_, x_));
+    with_entries(x_, [&](const PetscScalar* x) {
+      for (Eigen::Index u = 0; u < own; ++u) {
+        Y(u, c) = x[u];
+      }
+    });
+    PetscInt iterations = 0;
+    check(KSPGetIterationNumber(ksp_, &iterations));
+    shape_.report.iterations += static_cast<int>(iterations);
+  }
+}
+
+}  // namespace ibmfair::petsc

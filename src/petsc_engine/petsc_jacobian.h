@@ -1,0 +1,48 @@
+// The Jacobian as a matrix over all ranks, solved with by PETSc's KSP.
+#pragma once
+
+#include <vector>
+
+#include <petscksp.h>
+
+#include "ibmfair/flow/jacobian_solver.h"
+#include "petsc_engine/petsc_parts.h"
+
+namespace ibmfair::petsc {
+
+/// Each rank has the rows of its unknowns. By default conjugate gradients to
+/// `FlowOptions::solver_tolerance`; the options `-ksp_*` and `-pc_*` say otherwise.
+class PetscJacobian final : public JacobianSolver {
+ public:
+  /// What is referred to outlives it. Collective, as all members are.
+  PetscJacobian(const JacobianShape& shape, const PetscParts& parts);
+  ~PetscJacobian() override;
+
+  void update(const JacobianParts& parts) override;
+  void solve(const Points& B, Points& Y) override;
+
+ private:
+  void number_unknowns(const PetscParts& parts);
+  void make_matrix();
+  void make_solver();
+
+  /// Gathers row u of J: the unknowns of all ranks in it, and their values.
+  struct Row {
+    std::vector<PetscInt> column;
+    std::vector<PetscScalar> value;
+  };
+  void gather(Index u, const JacobianParts* parts, Row& row);
+
+  const JacobianShape shape_;
+  const Communicator& comm_;
+  Rows places_;  // of each vertex, positions in the stencils' values
+  std::vector<Index> stencil_of_place_;
+  std::vector<PetscInt> number_;  // #V, of the unknowns of all ranks; -1: held
+  PetscInt first_ = 0;            // number of this rank's first unknown
+  std::vector<PetscInt> slot_;    // scratch, #V: where a row has the vertex
+  Mat J_ = nullptr;
+  Vec x_ = nullptr, b_ = nullptr;
+  KSP ksp_ = nullptr;
+};
+
+}  // namespace ibmfair::petsc

@@ -1,0 +1,38 @@
+// The other ranks' parts of the mesh, as the flow asks for them.
+#pragma once
+
+#include <petscsf.h>
+
+#include "ibmfair/flow/mesh_parts.h"
+#include "petsc_engine/mesh_piece.h"
+
+namespace ibmfair::petsc {
+
+class PetscParts final : public MeshParts {
+ public:
+  /// Both outlive it. Collective, as all members are.
+  PetscParts(const Communicator& comm, const MeshPiece& piece);
+  ~PetscParts() override;
+  PetscParts(const PetscParts&) = delete;
+  PetscParts& operator=(const PetscParts&) = delete;
+
+  double sum(double x) const override { return comm_.sum(x); }
+  double max(double x) const override { return comm_.max(x); }
+  void refresh(Points& rows) const override;
+  std::unique_ptr<JacobianSolver> make_solver(const JacobianShape& shape) const override;
+
+  using MeshParts::refresh;
+  /// The same for one number a vertex.
+  void refresh(std::vector<PetscInt>& values) const;
+
+  const Communicator& communicator() const { return comm_; }
+
+ private:
+  void broadcast(MPI_Datatype unit, void* data) const;
+
+  const Communicator& comm_;
+  PetscSF forest_ = nullptr;  // roots are a rank's own vertices, leaves the others that it has
+  MPI_Datatype row_ = MPI_DATATYPE_NULL;
+};
+
+}  // namespace ibmfair::petsc

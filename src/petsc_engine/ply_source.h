@@ -1,0 +1,37 @@
+// A binary PLY file of triangles, which all ranks read and write by ranges of its bytes.
+#pragma once
+
+#include "petsc_engine/mesh_source.h"
+#include "petsc_engine/mpi_file.h"
+#include "petsc_engine/ply_rows.h"
+
+namespace ibmfair::petsc {
+
+class PlySource final : public MeshSource {
+ public:
+  /// Null where the file is none, or anything in it is not as it should be. Collective.
+  static std::unique_ptr<PlySource> open(const Communicator& comm, const std::string& path);
+
+  BlockMesh take_mesh() override { return std::move(mesh_); }
+  bool has_texture_coordinates() const override { return rows_.has_texture_coordinates(); }
+  std::vector<std::uint8_t> vertex_mask(const std::string& name) override;
+  std::vector<double> vertex_values(const std::string& name) override;
+  WriteReport write(const MeshPiece& piece, const Points& X, const std::string& path,
+                    const WriteOptions& options) override;
+
+ private:
+  PlySource(const Communicator& comm, const std::string& path, PlyRows rows);
+  bool read();
+  std::string rows_of_block(std::int64_t offset, std::int64_t row, const Blocks& blocks);
+  void write_moved(MpiFile& out, const MeshPiece& piece, const Points& X,
+                   const PlyRows::Rewriting& rewriting, WriteOptions::PlyReal real);
+
+  const Communicator& comm_;
+  std::string path_;
+  PlyRows rows_;
+  std::unique_ptr<MpiFile> file_;
+  Blocks vertices_;
+  BlockMesh mesh_;
+};
+
+}  // namespace ibmfair::petsc

@@ -1,0 +1,319 @@
+#include "petsc_engine/shared_smooth.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <optional>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "commands/numeric_options.h"
+#include "commands/progress.h"
+#include "commands/report/report_formats.h"
+#include "commands/signals.h"
+#include "commands/smooth_arguments.h"
+#include "commands/smooth_report.h"
+#include "commands/smooth_setup.h"
+#include "commands/vertex_list.h"
+#include "ibmfair/base/errors.h"
+#include "ibmfair/base/process_memory.h"
+#include "ibmfair/base/stopwatch.h"
+#include "ibmfair/base/threads.h"
+#include "ibmfair/flow/part_measures.h"
+#include "ibmfair/flow/willmore_flow.h"
+#include "ibmfair/io/atomic_file.h"
+#include "petsc_engine/mesh_source.h"
+#include "petsc_engine/partition.h"
+#include "petsc_engine/piece_measures.h"
+
+namespace ibmfair::petsc {
+namespace {
+
+using commands::Console;
+using commands::ExitCode;
+using commands::Progress;
+using commands::Report;
+using commands::SmoothArguments;
+using commands::SmoothFigures;
+
+/// What needs the mesh in one place.
+void require_shareable(const SmoothArguments& arguments) {
+  const auto refuse = [](bool asked, const char* option) {
+    if (asked) {
+      throw BadOption(
+          fmt::format("{} needs the mesh in one place: not with --engine petsc", option));
+    }
+  };
+  refuse(!arguments.picture.path.empty(), "--picture");
+  refuse(arguments.dry_run, "--dry-run");
+  refuse(std::isfinite(arguments.flow.memory_limit), "--memory");
+  refuse(arguments.flow.keep_volume, "--keep-volume");
+  refuse(arguments.flow.keep_area, "--keep-area");
+  refuse(arguments.flow.solver == "cholmod", "--solver cholmod");
+  for (const std::string& path : arguments.report.paths) {
+    refuse(path.ends_with(".html"), "a page as --report");
+  }
+}
+
+/// The piece of this rank, with what is at its vertices.
+struct SharedMesh {
+  std::unique_ptr<MeshSource> source;
+  MeshPiece piece;
+  std::unique_ptr<PetscParts> parts;
+  Topology topology;
+  Points X;  // after
+
+  /// A value for each of the piece's vertices, out of those that blocks have.
+  template <class T>
+  std::vector<T> at_vertices(const std::vector<T>& block) const {
+    return fetch(parts->communicator(), piece.vertices, block, piece.vertex);
+  }
+};
+
+SharedMesh read(const Communicator& comm, const SmoothArguments& arguments, const Console& console,
+                SmoothFigures& figures, Progress& progress) {
+  SharedMesh mesh;
+  progress.begin("read");
+  {
+    const Stopwatch watch(figures.seconds_read);
+    mesh.source =
+        open_source(comm, arguments.input, arguments.output.path, arguments.reading, console);
+  }
+  progress.begin("distribute");
+  const Stopwatch watch(figures.seconds_topology);
+  const BlockMesh blocks = mesh.source->take_mesh();
+  mesh.piece = make_piece(comm, blocks, partition_vertices(comm, blocks.vertices, blocks.F));
+  mesh.parts = std::make_unique<PetscParts>(comm, mesh.piece);
+  comm.together([&] { mesh.topology = build_topology(mesh.piece.X, mesh.piece.F); });
+  mesh.X = mesh.piece.X;
+  figures.vertices = mesh.piece.vertices.total;
+  figures.triangles = mesh.piece.triangles.total;
+  const Topology& topology = mesh.topology;
+  const auto on_boundary = [&](Index v) { return topology.kind[v] == VertexKind::boundary; };
+  bool open = false;
+  for (Index v = 0; v < mesh.piece.own; ++v) {
+    open = open || on_boundary(v);
+  }
+  figures.closed = !comm.any(open);
+  return mesh;
+}
+
+Eigen::VectorXd values_of(const SharedMesh& mesh, const std::string& property) {
+  const std::vector<double> values = mesh.at_vertices(mesh.source->vertex_values(property));
+  return Eigen::Map<const Eigen::VectorXd>(values.data(), std::ssize(values));
+}
+
+/// A number, or a property of the vertices.
+Eigen::VectorXd values_or_number(const SharedMesh& mesh, const std::string& source,
+                                 const std::string& option) {
+  try {
+    const double number = commands::parse_real_option(option, source, commands::any_real);
+    return Eigen::VectorXd::Constant(mesh.X.rows(), number);
+  } catch (const BadOption&) {
+    return values_of(mesh, source);
+  }
+}
+
+FlowOptions flow_options(const SmoothArguments& arguments, const SharedMesh& mesh,
+                         const Console& console) {
+  FlowOptions options = arguments.flow;
+  commands::set_flow_options(arguments, mesh.source->has_texture_coordinates(), console, options);
+  if (const std::vector<double>& a = arguments.anisotropy; !a.empty()) {
+    options.material_axes = material_axes(mesh.X, mesh.topology, Vec3(a[0], a[1], a[2]), a[3]);
+  }
+  if (!arguments.weights.empty()) {
+    options.cutoff_factor = values_of(mesh, arguments.weights);
+    if (mesh.parts->any((options.cutoff_factor.array() < 0).any())) {
+      throw BadOption("--weights: a weight is negative");
+    }
+  }
+  if (!arguments.h0.empty()) {
+    options.spontaneous_curvature = values_or_number(mesh, arguments.h0, "--h0");
+    if (mesh.parts->any(mesh.topology.turned_triangles > 0)) {
+      throw BadMesh("--h0 needs triangles that all look to the same side of the surface");
+    }
+  }
+  return options;
+}
+
+std::vector<std::uint8_t> held(const SmoothArguments& arguments, const SharedMesh& mesh,
+                               const Eigen::VectorXd& weights) {
+  const MeshPiece& piece = mesh.piece;
+  std::vector<Index> listed;
+  mesh.parts->communicator().together([&] {
+    if (arguments.fix_file.empty()) {
+      return;
+    }
+    const auto total = static_cast<Index>(piece.vertices.total);
+    for (const Index number : commands::read_vertex_list(arguments.fix_file, total)) {
+      const auto own_end = piece.vertex.begin() + piece.own;
+      const auto found = std::lower_bound(piece.vertex.begin(), own_end, number);
+      if (found != own_end && *found == number) {
+        listed.push_back(static_cast<Index>(found - piece.vertex.begin()));
+      }
+    }
+  });
+  std::vector<std::uint8_t> mask;
+  if (!arguments.mask.empty()) {
+    mask = mesh.at_vertices(mesh.source->vertex_mask(arguments.mask));
+  }
+  auto held = commands::held_by(arguments, mesh.topology, listed, mask, weights);
+  mesh.parts->refresh(held);  // the piece ends there, not the mesh
+  return held;
+}
+
+void run_flow(const SmoothArguments& arguments, FlowOptions options, SharedMesh& mesh,
+              SmoothFigures& figures, Progress& progress) {
+  commands::set_scale(arguments, mesh.X, mesh.topology, *mesh.parts, options, figures);
+  const std::vector<std::uint8_t> fixed = held(arguments, mesh, options.cutoff_factor);
+  std::optional<commands::PostponedEnd> postponed;
+  if (!arguments.checkpoint.empty()) {
+    postponed.emplace();
+  }
+  progress.begin_work("prepare");
+  options.on_stage = [&progress](FlowStage stage) { progress.enter(stage); };
+  const auto observe = [&](const StepRecord& step) {
+    progress.advance(step, options.steps, options.total_time);
+    return !mesh.parts->any(commands::PostponedEnd::signal_number() != 0);
+  };
+  figures.flow = willmore_flow(mesh.X, mesh.topology, fixed, options, observe, *mesh.parts);
+  figures.total_time = options.total_time;
+}
+
+void measure_moves(const SharedMesh& mesh, SmoothFigures& figures) {
+  const Index own = mesh.piece.own;
+  SmoothFigures here;
+  commands::measure_moves(mesh.piece.X.topRows(own), mesh.X.topRows(own), here);
+  figures.largest_move = mesh.parts->max(here.largest_move);
+  const double squares = mesh.parts->sum(here.rms_move * here.rms_move * own);
+  figures.rms_move = std::sqrt(squares / static_cast<double>(mesh.piece.vertices.total));
+}
+
+/// What each rank had.
+nlohmann::ordered_json ranks_json(const Communicator& comm, const MeshPiece& piece) {
+  struct Share {
+    std::int64_t vertices, others, triangles;
+    double memory;
+  };
+  const std::vector<Share> shares = comm.gather_to_first(std::vector{Share{
+      piece.own, std::ssize(piece.vertex) - piece.own, piece.F.rows(), peak_resident_bytes()}});
+  nlohmann::ordered_json ranks = nlohmann::ordered_json::array();
+  for (const Share& share : shares) {
+    ranks.push_back({{"vertices", share.vertices},
+                     {"vertices_of_others", share.others},
+                     {"triangles", share.triangles},
+                     {"peak_memory_bytes", share.memory}});
+  }
+  return ranks;
+}
+
+class SharedSmooth {
+ public:
+  SharedSmooth(const Communicator& comm, SmoothArguments arguments, const CLI::App& app,
+               Console& console)
+      : comm_(comm), arguments_(std::move(arguments)), console_(console), report_(app) {}
+
+  ExitCode run() {
+    if (!comm_.is_first()) {
+      console_.set_level(Console::Level::quiet);
+    }
+    comm_.together([&] {
+      require_shareable(arguments_);
+      if (comm_.is_first()) {
+        check_reports(arguments_.report,
+                      {{"", arguments_.output.path}, {"--checkpoint", arguments_.checkpoint}},
+                      arguments_.output.write.overwrite);
+        require_writable(arguments_.output);
+      }
+    });
+    Progress progress(console_);
+    SharedMesh mesh = read(comm_, arguments_, console_, figures_, progress);
+    report_.warnings = defect_warnings(mesh.topology, mesh.piece, *mesh.parts, arguments_.strict);
+    for (const commands::Warning& warning : report_.warnings) {
+      console_.warning(warning.text);
+    }
+    arguments_.flow = flow_options(arguments_, mesh, console_);
+    progress.begin("measure");
+    figures_.mean_edge_length = mean_edge_length(mesh.X, mesh.topology, *mesh.parts);
+    figures_.before = mesh_figures(mesh.piece, mesh.X, mesh.topology, arguments_.flow, *mesh.parts);
+    if (arguments_.flow.steps > 0) {
+      run_flow(arguments_, arguments_.flow, mesh, figures_, progress);
+    }
+    progress.begin("measure");
+    figures_.after = mesh_figures(mesh.piece, mesh.X, mesh.topology, arguments_.flow, *mesh.parts);
+    measure_moves(mesh, figures_);
+    write(mesh, progress);
+    return commands::exit_code_of(figures_.flow.status);
+  }
+
+ private:
+  static void require_writable(const commands::OutputOptions& output) {
+    if (output.path != "-") {
+      ibmfair::require_writable(output.path, output.write.overwrite);
+    }
+  }
+
+  void write(const SharedMesh& mesh, Progress& progress) {
+    commands::OutputOptions output = arguments_.output;
+    if (figures_.flow.status == FlowStatus::interrupted) {
+      output.path = arguments_.checkpoint;
+      output.write.format.clear();
+    }
+    WriteReport written;
+    progress.begin("write");
+    {
+      const Stopwatch watch(figures_.seconds_write);
+      written = mesh.source->write(mesh.piece, mesh.X, output.path, output.write);
+    }
+    progress.end();
+    const nlohmann::ordered_json ranks = ranks_json(comm_, mesh.piece);
+    comm_.together([&] {
+      if (comm_.is_first()) {
+        tell(written, output, ranks);
+      }
+    });
+  }
+
+  void tell(const WriteReport& written, const commands::OutputOptions& output,
+            const nlohmann::ordered_json& ranks) {
+    for (const std::string& note : written.notes) {
+      console_.note(note);
+    }
+    report_.figures["input"] = arguments_.input;
+    report_.figures["output"] = output.path;
+    commands::add_smooth_figures(figures_, arguments_.flow, report_);
+    report_.figures["ranks"] = ranks;
+    report_.figures["moved_vertices"] = written.moved_vertices;
+    console_.note(fmt::format("{} -> {}, {} of {} vertices moved, on {} ranks", arguments_.input,
+                              output.path, written.moved_vertices, figures_.vertices, comm_.size()),
+                  commands::smooth_table(figures_, console_.level() == Console::Level::verbose));
+    const std::string remark = commands::remark_on(figures_, output.path, arguments_.flow.steps);
+    if (!remark.empty()) {
+      console_.warning(remark);
+      report_.warnings.push_back({remark});
+    }
+    deliver_report(arguments_.report, output.write.overwrite, report_);
+  }
+
+  const Communicator& comm_;
+  SmoothArguments arguments_;
+  Console& console_;
+  Report report_;
+  SmoothFigures figures_;
+};
+
+}  // namespace
+
+commands::Runner declare_shared_smooth(CLI::App& app, const Communicator& comm) {
+  auto arguments = std::make_shared<SmoothArguments>();
+  add_smooth_arguments(app, *arguments);
+  return [arguments, &app, &comm](Console& console) {
+    if (app["--threads"]->empty()) {
+      set_thread_count(1);  // a rank is a core's
+    }
+    return SharedSmooth(comm, *arguments, app, console).run();
+  };
+}
+
+}  // namespace ibmfair::petsc

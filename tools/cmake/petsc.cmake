@@ -1,0 +1,33 @@
+# The part of the program that shares one mesh among the processes of mpirun. The program itself
+# does not link MPI: with `--engine petsc` it goes on as this one, which it finds beside itself or in
+# libexec/ibmfair.
+find_package(PkgConfig QUIET)
+find_package(MPI QUIET COMPONENTS C)
+if(PkgConfig_FOUND)
+  pkg_check_modules(PETSC QUIET IMPORTED_TARGET PETSc)
+endif()
+if(PETSC_FOUND AND MPI_C_FOUND)
+  set(petsc_is_here ON)
+else()
+  set(petsc_is_here OFF)
+endif()
+option(IBMFAIR_PETSC "Build the engine that shares a mesh over MPI (needs PETSc)" ${petsc_is_here})
+
+if(IBMFAIR_PETSC)
+  if(NOT petsc_is_here)
+    message(FATAL_ERROR "IBMFAIR_PETSC needs PETSc and MPI (Debian: petsc-dev)")
+  endif()
+  file(GLOB petsc_sources CONFIGURE_DEPENDS src/petsc_engine/*.cpp)
+  list(FILTER petsc_sources EXCLUDE REGEX main\\.cpp$)
+  add_library(ibmfair_petsc_engine STATIC ${petsc_sources})
+  target_include_directories(ibmfair_petsc_engine SYSTEM PUBLIC ${MPI_C_INCLUDE_DIRS})
+  target_compile_definitions(ibmfair_petsc_engine PUBLIC OMPI_SKIP_MPICXX MPICH_SKIP_MPICXX)
+  target_link_libraries(ibmfair_petsc_engine PUBLIC ibmfair_commands PkgConfig::PETSC
+                        ${MPI_C_LIBRARIES} ibmfair_flags)
+  add_executable(ibmfair_petsc src/petsc_engine/main.cpp)
+  set_target_properties(ibmfair_petsc PROPERTIES OUTPUT_NAME ibmfair-petsc)
+  target_link_libraries(ibmfair_petsc PRIVATE ibmfair_petsc_engine)
+  add_dependencies(ibmfair ibmfair_petsc)
+else()
+  message(STATUS "No PETSc: --engine petsc is not built (IBMFAIR_PETSC)")
+endif()
