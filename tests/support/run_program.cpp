@@ -138,6 +138,7 @@ pid_t spawn(const std::vector<std::string>& arguments, const RunOptions& options
   if (!words.empty()) {
     words.insert(words.begin(), "/usr/bin/prlimit");
   }
+  words.insert(words.end(), options.launcher.begin(), options.launcher.end());
   words.push_back(program_path());
   words.insert(words.end(), arguments.begin(), arguments.end());
   std::vector<std::string> variables = environment_with(options.environment);

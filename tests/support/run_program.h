@@ -24,7 +24,9 @@ struct RunOptions {
   std::chrono::seconds limit{120};            ///< the program is killed after this long
   std::int64_t address_space = 0;  ///< bytes that the program may map (by prlimit); 0: no limit
   std::vector<std::string> limits = {};  ///< others, as prlimit takes them: `--fsize=1000`
-  std::vector<int> closed = {};          ///< standard descriptors that the program starts without
+  /// What starts the program, by its full name and with its arguments; empty: the test itself.
+  std::vector<std::string> launcher = {};
+  std::vector<int> closed = {};  ///< standard descriptors that the program starts without
   /// Sent once the program has taken the input, whose end it does not get to see; 0: none. Input of
   /// more than the 64 kB that a pipe holds makes sure that the program is reading by then.
   int signal_number = 0;
