@@ -1,7 +1,9 @@
 #include "commands/batch/journal.h"
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
+#include <chrono>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
@@ -26,6 +28,15 @@ using nlohmann::ordered_json;
 
 constexpr const char* shard_mark = "-of-";
 
+std::string journal_line(const ordered_json& json) {
+  return json.dump(-1, ' ', false, ordered_json::error_handler_t::replace);
+}
+
+/// When a line says that it was written; those of earlier versions do not.
+double time_of(const ordered_json& json) {
+  return json.contains("time") ? json["time"].get<double>() : 0;
+}
+
 ordered_json stamp_json(const FileStamp& stamp) {
   return {stamp.size, stamp.mtime, stamp.ctime};
 }
@@ -35,7 +46,13 @@ FileStamp stamp_from(const ordered_json& json) {
           json.at(2).get<std::int64_t>()};
 }
 
-ordered_json finished_json(const std::string& key, const Finished& finished) {
+double seconds_since_1970() {
+  const auto now = std::chrono::system_clock::now().time_since_epoch();
+  return std::chrono::duration<double>(now).count();
+}
+
+/// A line for how the item of this key ended now.
+std::string end_line(const char* event, const std::string& key, const Finished& finished) {
   ordered_json inputs = ordered_json::array();
   for (const Finished::Input& input : finished.inputs) {
     inputs.push_back({{"stamp", stamp_json(input.stamp)}, {"hash", input.hash}});
@@ -45,17 +62,18 @@ ordered_json finished_json(const std::string& key, const Finished& finished) {
     outputs.push_back(stamp_json(output));
   }
   const Outcome& outcome = finished.outcome;
-  return {{"event", "end"},
-          {"key", key},
-          {"program", finished.program},
-          {"options", finished.options},
-          {"inputs", inputs},
-          {"outputs", outputs},
-          {"exit_code", outcome.exit_code},
-          {"seconds", outcome.seconds},
-          {"peak_megabytes", outcome.peak_megabytes},
-          {"message", outcome.message},
-          {"figures", outcome.figures}};
+  return journal_line({{"event", event},
+                       {"key", key},
+                       {"time", seconds_since_1970()},
+                       {"program", finished.program},
+                       {"options", finished.options},
+                       {"inputs", inputs},
+                       {"outputs", outputs},
+                       {"exit_code", outcome.exit_code},
+                       {"seconds", outcome.seconds},
+                       {"peak_megabytes", outcome.peak_megabytes},
+                       {"message", outcome.message},
+                       {"figures", outcome.figures}});
 }
 
 /// Whether the file begins as one does, or is too short to tell.
@@ -77,16 +95,19 @@ Finished finished_from(const ordered_json& json) {
     finished.outputs.push_back(stamp_from(output));
   }
   finished.outcome.exit_code = json.at("exit_code").get<int>();
+  const bool done = finished.outcome.exit_code == static_cast<int>(ExitCode::done);
+  finished.outcome.status = done ? Status::ok : Status::failed;
   finished.outcome.seconds = json.at("seconds").get<double>();
   finished.outcome.peak_megabytes = json.at("peak_megabytes").get<double>();
   finished.outcome.message = json.at("message").get<std::string>();
   finished.outcome.figures = json.at("figures");
+  finished.time = time_of(json);
   return finished;
 }
 
 }  // namespace
 
-Journal::Journal(const std::string& path) : path_(path) {
+Journal::Journal(const std::string& path, bool flushed) : path_(path), flushed_(flushed) {
   fd_ = open(path.c_str(), O_RDWR | O_CREAT | O_APPEND | O_NOFOLLOW | O_CLOEXEC, 0666);
   if (fd_ < 0) {
     throw CannotWrite(fmt::format(
@@ -113,34 +134,47 @@ Journal::~Journal() {
   close(fd_);
 }
 
+void Journal::fail() const {
+  throw CannotWrite(fmt::format("{}: cannot be written: {}", path_, std::strerror(errno)));
+}
+
 void Journal::append(const std::string& line) {
   const std::string text = line + "\n";
   std::size_t done = 0;
   while (done < text.size()) {
     const ssize_t count = write(fd_, text.data() + done, text.size() - done);
     if (count < 0 && errno != EINTR) {
-      throw CannotWrite(fmt::format("{}: cannot be written: {}", path_, std::strerror(errno)));
+      fail();
     }
     done += count > 0 ? static_cast<std::size_t>(count) : 0;
+  }
+  if (flushed_ && fsync(fd_) != 0 && errno != EINVAL) {  // of what cannot be flushed, as a device
+    fail();
   }
 }
 
 void Journal::add_start(const std::string& key) {
-  const ordered_json json = {{"event", "start"}, {"key", key}};
-  append(json.dump(-1, ' ', false, ordered_json::error_handler_t::replace));
+  append(journal_line({{"event", "start"}, {"key", key}}));
 }
 
 void Journal::add_end(const std::string& key, const Finished& finished) {
-  append(finished_json(key, finished).dump(-1, ' ', false, ordered_json::error_handler_t::replace));
+  append(end_line("end", key, finished));
 }
 
-JournalRecord::JournalRecord(const std::vector<std::string>& paths) {
+void Journal::add_refusal(const std::string& key, const Finished& finished) {
+  append(end_line("refused", key, finished));
+}
+
+void JournalRecord::read(const std::vector<std::string>& paths) {
   for (const std::string& path : paths) {
     std::ifstream file(path, std::ios::binary);
+    std::int64_t& position = read_up_to_[path];
+    file.seekg(position);
     std::string line;
-    while (std::getline(file, line)) {
+    while (std::getline(file, line) && !file.eof()) {
+      position += static_cast<std::int64_t>(line.size()) + 1;
       try {
-        read_line(line);
+        read_line(line, path);
       } catch (const ordered_json::exception&) {
         continue;  // of another version
       } catch (const BadFile&) {
@@ -150,19 +184,45 @@ JournalRecord::JournalRecord(const std::vector<std::string>& paths) {
   }
 }
 
-void JournalRecord::read_line(const std::string& line) {
+JournalRecord JournalRecord::continued() const {
+  JournalRecord rest;
+  rest.read_up_to_ = read_up_to_;
+  return rest;
+}
+
+void JournalRecord::read_line(const std::string& line, const std::string& path) {
   const ordered_json json = parse_json_text(line, "journal");
   const auto key = json.at("key").get<std::string>();
   if (json.at("event") == "start") {
-    started_.insert(key);
+    started_[key].insert(path);
+    if (const auto last = last_.find(key); last != last_.end() && last->second.journal == path) {
+      last_.erase(last);
+    }
     return;
   }
   Finished finished = finished_from(json);
-  if (finished.outcome.exit_code == static_cast<int>(ExitCode::done)) {
-    finished_[key].push_back(std::move(finished));
-  } else if (finished.outcome.exit_code == static_cast<int>(ExitCode::cannot_write)) {
-    started_.erase(key);
+  finished.refused = json["event"] == "refused";
+  const auto [last, is_first] = last_.try_emplace(key, LastEnd{path, finished});
+  if (!is_first && last->second.finished.time <= finished.time) {
+    last->second = {path, finished};
   }
+  if (finished.refused) {
+    return;
+  }
+  if (finished.outcome.status == Status::ok) {
+    finished_[key].push_back(finished);
+  } else if (finished.outcome.exit_code == static_cast<int>(ExitCode::cannot_write)) {
+    // Another journal may know of a run that made them.
+    if (const auto found = started_.find(key);
+        found != started_.end() && found->second.erase(path) > 0 && found->second.empty()) {
+      started_.erase(found);
+    }
+  }
+}
+
+const Finished* JournalRecord::last(const std::string& key) const {
+  const auto found = last_.find(key);
+  return found == last_.end() ? nullptr : &found->second.finished;
 }
 
 const std::vector<Finished>& JournalRecord::finished(const std::string& key) const {
@@ -175,8 +235,25 @@ std::string journal_of_shard(const std::string& path, std::size_t number, std::s
   return count == 1 ? path : fmt::format("{}.{}{}{}", path, number, shard_mark, count);
 }
 
+std::string folder_of_processes(const std::string& path) {
+  return path + ".shared";
+}
+
+std::vector<std::string> journals_of_processes(const std::string& path) {
+  std::vector<std::string> paths;
+  std::error_code error;
+  for (const auto& entry : fs::directory_iterator(folder_of_processes(path), error)) {
+    if (entry.path().extension() == ".journal") {
+      paths.push_back(entry.path().string());
+    }
+  }
+  std::sort(paths.begin(), paths.end());
+  return paths;
+}
+
 std::vector<std::string> journals_of_list(const std::string& path) {
-  std::vector<std::string> paths{path};
+  std::vector<std::string> paths = journals_of_processes(path);
+  paths.push_back(path);
   const fs::path list(path);
   const std::string prefix = list.filename().string() + ".";
   std::error_code error;

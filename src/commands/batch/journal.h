@@ -2,6 +2,7 @@
 // batch can tell what is done.
 #pragma once
 
+#include <cstdint>
 #include <map>
 #include <set>
 #include <string>
@@ -23,14 +24,22 @@ struct Finished {
   std::vector<Input> inputs;       ///< in the order of Item::reads
   std::vector<FileStamp> outputs;  ///< in the order of Item::writes
   Outcome outcome;
+  double time = 0;       ///< when it ended, in seconds since 1970 by the clock of who ran it
+  bool refused = false;  ///< it was not even started
 };
 
-/// What earlier runs have left, in the journals of all parts of the list. A line that a killed run
-/// left half-written is ignored.
+/// What other runs have left, in the journals of all parts of the list. A line that is half-written
+/// is ignored: its run was killed, or is writing it.
 class JournalRecord {
  public:
   JournalRecord() = default;
-  explicit JournalRecord(const std::vector<std::string>& paths);
+  explicit JournalRecord(const std::vector<std::string>& paths) { read(paths); }
+
+  /// Reads what these journals hold and has not been read yet.
+  void read(const std::vector<std::string>& paths);
+
+  /// A record of what comes after all that this one has read.
+  JournalRecord continued() const;
 
   /// Whether a run has begun to make this item, so that what it writes is the batch's own.
   bool started(const std::string& key) const { return started_.contains(key); }
@@ -38,11 +47,22 @@ class JournalRecord {
   /// What runs have finished with exit code 0.
   const std::vector<Finished>& finished(const std::string& key) const;
 
- private:
-  void read_line(const std::string& line);
+  /// How the last of all runs of it ended, one that was refused included; null where none has ended
+  /// or the same journal tells of a later start.
+  const Finished* last(const std::string& key) const;
 
-  std::set<std::string> started_;
+ private:
+  void read_line(const std::string& line, const std::string& path);
+
+  struct LastEnd {
+    std::string journal;
+    Finished finished;
+  };
+
+  std::map<std::string, std::int64_t> read_up_to_;        // bytes of each journal
+  std::map<std::string, std::set<std::string>> started_;  // which journals say so
   std::map<std::string, std::vector<Finished>> finished_;
+  std::map<std::string, LastEnd> last_;
 };
 
 /// Appends whole lines to a file that only one batch at a time writes.
@@ -51,7 +71,8 @@ class Journal {
   /// Opens or makes the file. Throws CannotWrite, also where another batch has it open, and where
   /// the name leads to something else: a folder that others can write might turn the batch's own
   /// record against a file that runs what it holds.
-  explicit Journal(const std::string& path);
+  /// With `flushed`, every line is safe, and can be seen by other machines, before the next step.
+  explicit Journal(const std::string& path, bool flushed = false);
   ~Journal();
   Journal(const Journal&) = delete;
   Journal& operator=(const Journal&) = delete;
@@ -64,15 +85,26 @@ class Journal {
   /// Notes how it ended. The files of one that could not write are not the batch's own.
   void add_end(const std::string& key, const Finished& finished);
 
+  /// Notes why it was not even started, which says nothing of whose its files are.
+  void add_refusal(const std::string& key, const Finished& finished);
+
  private:
   void append(const std::string& line);
+  [[noreturn]] void fail() const;
 
   std::string path_;
+  bool flushed_;
   int fd_ = -1;
 };
 
-/// The journal of a part of a list that has several, and all that belong to the same list.
+/// The journal of a part of a list that has several.
 std::string journal_of_shard(const std::string& path, std::size_t number, std::size_t count);
+
+/// The folder of processes that run a list together, and the journals that they keep there, sorted.
+std::string folder_of_processes(const std::string& path);
+std::vector<std::string> journals_of_processes(const std::string& path);
+
+/// All journals that belong to the same list.
 std::vector<std::string> journals_of_list(const std::string& path);
 
 }  // namespace ibmfair::commands

@@ -87,10 +87,17 @@ bool add_hashes(const Item& item, Finished& record) {
   return true;
 }
 
+bool same_options(const Item& item, const Finished& record) {
+  return record.program == version() && record.options == options_hash(item);
+}
+
+bool same_task(const Item& item, const Finished& record) {
+  return same_options(item, record) && same_inputs(item, record);
+}
+
 std::optional<Outcome> still_valid(const Item& item, const std::vector<Finished>& records) {
   for (const Finished& record : records) {
-    if (record.program == version() && record.options == options_hash(item) &&
-        same_outputs(item, record) && same_inputs(item, record)) {
+    if (same_options(item, record) && same_outputs(item, record) && same_inputs(item, record)) {
       Outcome outcome = record.outcome;
       outcome.status = Status::skipped;
       return outcome;

@@ -23,8 +23,15 @@ Finished begin_record(const Item& item);
 /// know what the result was made from.
 bool add_hashes(const Item& item, Finished& record);
 
+/// Whether the arguments and the program are as they were then.
+bool same_options(const Item& item, const Finished& record);
+
+/// Whether they and the inputs are, so that a run would end as that one did. An input whose stamp
+/// differs is as it was if its bytes have the same hash.
+bool same_task(const Item& item, const Finished& record);
+
 /// What an earlier run found out, if the options, the program and every input and output are as
-/// they were. An input whose stamp differs is as it was if its bytes have the same hash.
+/// they were.
 std::optional<Outcome> still_valid(const Item& item, const std::vector<Finished>& records);
 
 }  // namespace ibmfair::commands

@@ -27,8 +27,10 @@ bool may_replace_reports(const BatchOptions& options) {
   return options.overwrite || options.resume;
 }
 
-RunSettings run_settings(const BatchOptions& options, std::size_t items) {
+RunSettings run_settings(const BatchOptions& options, std::size_t items,
+                         const std::string& list_journal) {
   RunSettings settings;
+  settings.list_journal = list_journal;
   const int cores = thread_count();
   settings.jobs = options.jobs > 0 ? options.jobs : cores;
   // Fewer items than places leave their cores to the others.
@@ -103,7 +105,7 @@ void make_folder_of(const std::string& path) {
 }
 
 RunResult run_and_tell(const std::vector<Item>& items, std::size_t total,
-                       const BatchOptions& options, const JournalRecord& earlier, Journal& journal,
+                       const RunSettings& settings, const JournalRecord& earlier, Journal& journal,
                        const Console& console) {
   const auto tell = [&](std::size_t index, const Outcome& outcome) {
     const std::string line = status_line(items[index], outcome, total);
@@ -113,7 +115,7 @@ RunResult run_and_tell(const std::vector<Item>& items, std::size_t total,
       console.note(line);
     }
   };
-  return run_items(items, run_settings(options, items.size()), earlier, journal, tell);
+  return run_items(items, settings, earlier, journal, tell);
 }
 
 }  // namespace
@@ -147,7 +149,8 @@ ExitCode run_batch(const CLI::App& command, const std::vector<Job>& jobs,
   RunResult result;
   {
     const Stopwatch watch(seconds);
-    result = run_and_tell(items, all.size(), options, earlier, record, console);
+    result = run_and_tell(items, all.size(), run_settings(options, items.size(), list_journal),
+                          earlier, record, console);
   }
   console.note(summary_line(result.outcomes, seconds), summary_table(items, result.outcomes));
   write_reports(command, options, items, result.outcomes, seconds);

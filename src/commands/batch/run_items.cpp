@@ -93,7 +93,7 @@ class ItemRunner {
 
   void start(std::size_t index) {
     const Item& item = items_[index];
-    Running running{index, journal_key(item, journal_.path()), begin_record(item)};
+    Running running{index, journal_key(item, settings_.list_journal), begin_record(item)};
     const bool ours = settings_.resume && earlier_.started(running.key);
     if (settings_.resume) {
       if (const auto outcome = still_valid(item, earlier_.finished(running.key))) {
@@ -107,6 +107,8 @@ class ItemRunner {
       Outcome outcome = ended(Status::failed, ExitCode::cannot_write);
       outcome.message =
           path + ": exists already; --overwrite replaces it, --resume skips what is done";
+      running.record.outcome = outcome;
+      journal_.add_refusal(running.key, running.record);
       return conclude(index, outcome);
     }
     for (const std::string& folder : output_folders(item)) {
@@ -174,11 +176,11 @@ class ItemRunner {
   }
 
   void note_end(const Item& item, const Running& running, const Outcome& outcome) {
-    if (!running.inputs_known) {
-      return;  // resuming redoes it
-    }
     Finished record = running.record;
     record.outcome = outcome;
+    if (!running.inputs_known && outcome.status == Status::ok) {
+      record.inputs.clear();  // resuming redoes it
+    }
     for (const std::string& path : item.writes) {
       record.outputs.push_back(stamp_of(path).value_or(FileStamp{}));
     }

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <functional>
+#include <set>
+#include <string>
 #include <vector>
 
 #include "commands/batch/item.h"
@@ -16,6 +18,7 @@ struct RunSettings {
   bool fail_fast = false;
   bool resume = false;  ///< what `earlier` runs have done is skipped or replaced
   bool overwrite = false;
+  std::string list_journal;  ///< of the whole list, from where the keys of items are seen
 };
 
 /// Called as each item ends, in the order in which they do, with its place in the list.
