@@ -38,16 +38,24 @@ std::vector<CLI::Option*> add_batch_options(CLI::App& app, BatchOptions& options
   added.push_back(app.add_flag("--keep-going")
                       ->description("go on with the others, as without it")
                       ->excludes(added.back()));
-  added.push_back(app.add_flag("--resume", options.resume,
-                               "skip what is done and unchanged, redo and replace the rest of what "
-                               "an earlier run has made"));
+  CLI::Option* resume = app.add_flag("--resume", options.resume,
+                                     "skip what is done and unchanged, redo and replace the rest "
+                                     "of what an earlier run has made");
+  added.push_back(resume);
   added.push_back(add_parsed_option(
       app, "--shard", "I/N", "run the I-th of N parts of the list, counted from 1",
       [&options](const std::string& text) { options.shard = parse_shard(text); }));
   note_of(app, *added.back()).default_text = "1/1";
+  CLI::Option* shard = added.back();
   if (app.get_option_no_throw("--dry-run") == nullptr) {
     added.push_back(app.add_flag("--dry-run", options.dry_run, "print the commands, run nothing"));
   }
+  added.push_back(app.add_flag("--merge", options.merge,
+                               "run nothing, write the summary of the whole list from the records "
+                               "of all its parts")
+                      ->excludes(shard)
+                      ->excludes(resume)
+                      ->excludes(app.get_option("--dry-run")));
   // Where a command takes many files, its --report is about each of them.
   const bool has_reports = app.get_option_no_throw("--report") != nullptr;
   options.report.option = "--summary";

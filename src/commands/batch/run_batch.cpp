@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "commands/batch/journal.h"
+#include "commands/batch/merge.h"
 #include "commands/batch/resume.h"
 #include "commands/batch/run_items.h"
 #include "commands/batch/shell_words.h"
@@ -24,7 +25,7 @@ namespace {
 
 /// The reports on a run that is gone on with replace those of its first part.
 bool may_replace_reports(const BatchOptions& options) {
-  return options.overwrite || options.resume;
+  return options.overwrite || options.resume || options.merge;
 }
 
 RunSettings run_settings(const BatchOptions& options, std::size_t items,
@@ -86,14 +87,30 @@ void write_reports(const CLI::App& command, const BatchOptions& options,
   deliver_report(options.report, may_replace_reports(options), report);
 }
 
+bool any_is(Status status, const std::vector<Outcome>& outcomes) {
+  return std::any_of(outcomes.begin(), outcomes.end(),
+                     [&](const Outcome& outcome) { return outcome.status == status; });
+}
+
 ExitCode exit_code_of(const RunResult& result) {
   if (result.signal_number != 0) {
     return static_cast<ExitCode>(128 + result.signal_number);
   }
-  const bool failed =
-      std::any_of(result.outcomes.begin(), result.outcomes.end(),
-                  [](const Outcome& outcome) { return outcome.status == Status::failed; });
-  return failed ? ExitCode::not_reached : ExitCode::done;
+  return any_is(Status::failed, result.outcomes) ? ExitCode::not_reached : ExitCode::done;
+}
+
+ExitCode merge(const CLI::App& command, const BatchOptions& options, const std::vector<Item>& items,
+               const std::string& list_journal, const Console& console) {
+  const JournalRecord record(journals_of_list(list_journal));
+  const std::vector<Outcome> outcomes = merged_outcomes(items, record, list_journal);
+  double seconds = 0;
+  for (const Outcome& outcome : outcomes) {
+    seconds += outcome.seconds;
+  }
+  console.note(summary_line(outcomes, seconds), summary_table(items, outcomes));
+  write_reports(command, options, items, outcomes, seconds);
+  const bool all_done = !any_is(Status::failed, outcomes) && !any_is(Status::not_run, outcomes);
+  return all_done ? ExitCode::done : ExitCode::not_reached;
 }
 
 void make_folder_of(const std::string& path) {
@@ -130,6 +147,9 @@ ExitCode run_batch(const CLI::App& command, const std::vector<Job>& jobs,
     return ExitCode::done;
   }
   const std::string list_journal = options.journal.empty() ? journal : options.journal;
+  if (options.merge) {
+    return merge(command, options, all, list_journal, console);
+  }
   const std::string own_journal =
       journal_of_shard(list_journal, options.shard.number, options.shard.count);
   JournalRecord earlier;
