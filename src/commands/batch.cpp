@@ -55,6 +55,7 @@ Runner declare_batch(CLI::App& app) {
       {"ibmfair batch jobs.json --jobs 4 --summary summary.csv",
        "runs four jobs at a time, and writes what became of each"},
       {"ibmfair batch jobs.json --resume", "runs only what is not done, or has changed"},
+      {"ibmfair batch jobs.json --shared", "runs it together with all that are started so"},
   };
   return [arguments, &app](Console& console) {
     BatchOptions options = arguments->options;

@@ -47,6 +47,16 @@ std::vector<CLI::Option*> add_batch_options(CLI::App& app, BatchOptions& options
       [&options](const std::string& text) { options.shard = parse_shard(text); }));
   note_of(app, *added.back()).default_text = "1/1";
   CLI::Option* shard = added.back();
+  CLI::Option* shared = app.add_flag(
+      "--shared", options.shared,
+      "share the list with every process that runs it so, on this machine or others: each file is "
+      "run once, by one of them, and what one leaves as it dies another takes over");
+  added.push_back(shared);
+  added.push_back(
+      add_real(app, "--claim-expiry", options.claim_expiry, positive,
+               "with --shared: take over from a process that gives no sign of life for this long")
+          ->needs(shared));
+  note_of(app, *added.back()).unit = "seconds";
   if (app.get_option_no_throw("--dry-run") == nullptr) {
     added.push_back(app.add_flag("--dry-run", options.dry_run, "print the commands, run nothing"));
   }
@@ -54,6 +64,7 @@ std::vector<CLI::Option*> add_batch_options(CLI::App& app, BatchOptions& options
                                "run nothing, write the summary of the whole list from the records "
                                "of all its parts")
                       ->excludes(shard)
+                      ->excludes(shared)
                       ->excludes(resume)
                       ->excludes(app.get_option("--dry-run")));
   // Where a command takes many files, its --report is about each of them.

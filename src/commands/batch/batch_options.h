@@ -26,7 +26,9 @@ struct BatchOptions {
   bool fail_fast = false;
   bool resume = false;
   bool dry_run = false;
-  bool merge = false;  ///< run nothing, tell what the runs of all parts have done
+  bool shared = false;        ///< with other processes that run the same list
+  double claim_expiry = 300;  ///< seconds after which one without a sign of life counts for dead
+  bool merge = false;         ///< run nothing, tell what the runs of all parts have done
   bool dump_config = false;
   ReportOptions report;    ///< on the whole list
   bool overwrite = false;  ///< outputs and the reports
@@ -35,7 +37,8 @@ struct BatchOptions {
   std::string journal;  ///< empty: the default of the list
 };
 
-/// --jobs, --keep-going, --fail-fast, --resume, --shard, --merge, --dry-run, --summary, --journal.
+/// --jobs, --keep-going, --fail-fast, --resume, --shard, --shared, --claim-expiry, --merge,
+/// --dry-run, --summary, --journal.
 std::vector<CLI::Option*> add_batch_options(CLI::App& app, BatchOptions& options);
 
 /// The items of that part. Every item is in one part for any count.

@@ -10,10 +10,6 @@ namespace ibmfair::commands {
 
 namespace {
 
-std::int64_t nanoseconds(const timespec& time) {
-  return std::int64_t{time.tv_sec} * 1'000'000'000 + time.tv_nsec;
-}
-
 class Fnv1a {
  public:
   void add(std::string_view bytes) {
@@ -28,6 +24,10 @@ class Fnv1a {
 };
 
 }  // namespace
+
+std::int64_t nanoseconds(const timespec& time) {
+  return std::int64_t{time.tv_sec} * 1'000'000'000 + time.tv_nsec;
+}
 
 std::optional<FileStamp> stamp_of(const std::string& path) {
   struct stat status {};

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <ctime>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -17,6 +18,8 @@ struct FileStamp {
 
   bool operator==(const FileStamp&) const = default;
 };
+
+std::int64_t nanoseconds(const timespec& time);
 
 /// Nothing where there is no regular file.
 std::optional<FileStamp> stamp_of(const std::string& path);

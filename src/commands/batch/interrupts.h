@@ -1,7 +1,9 @@
 // Signals that ask the batch to stop.
 #pragma once
 
+#include <chrono>
 #include <csignal>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -18,9 +20,10 @@ class Interrupts {
   Interrupts(const Interrupts&) = delete;
   Interrupts& operator=(const Interrupts&) = delete;
 
-  /// Waits until one of the descriptors can be read or a signal arrives; descriptors below 0 do not
-  /// count.
-  void wait(std::vector<pollfd>& waits) const;
+  /// Waits until one of the descriptors can be read, a signal arrives or, where there is one, the
+  /// time is over; descriptors below 0 do not count.
+  void wait(std::vector<pollfd>& waits,
+            std::optional<std::chrono::milliseconds> time = std::nullopt) const;
 
   /// The signal that has arrived; 0: none.
   int signal_number() const;

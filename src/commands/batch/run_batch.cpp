@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <optional>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -10,6 +11,7 @@
 #include "commands/batch/merge.h"
 #include "commands/batch/resume.h"
 #include "commands/batch/run_items.h"
+#include "commands/batch/shared_list.h"
 #include "commands/batch/shell_words.h"
 #include "commands/batch/summary.h"
 #include "commands/batch/temporaries.h"
@@ -23,9 +25,14 @@ namespace ibmfair::commands {
 
 namespace {
 
+/// Whether other runs may have done a part.
+bool goes_on(const BatchOptions& options) {
+  return options.resume || options.shared;
+}
+
 /// The reports on a run that is gone on with replace those of its first part.
 bool may_replace_reports(const BatchOptions& options) {
-  return options.overwrite || options.resume || options.merge;
+  return options.overwrite || options.merge || goes_on(options);
 }
 
 RunSettings run_settings(const BatchOptions& options, std::size_t items,
@@ -67,8 +74,9 @@ void print_jobs(const std::vector<Item>& items) {
   write_standard_output(job_file_text(jobs));
 }
 
-void clear_away_temporaries(const std::vector<Item>& items, bool shared, const Console& console) {
-  std::set<std::string> folders;
+void clear_away_temporaries(const std::vector<Item>& items, const std::string& list_journal,
+                            bool shared, const Console& console) {
+  std::set<std::string> folders{folder_of_processes(list_journal)};
   for (const Item& item : items) {
     folders.merge(output_folders(item));
   }
@@ -123,7 +131,7 @@ void make_folder_of(const std::string& path) {
 
 RunResult run_and_tell(const std::vector<Item>& items, std::size_t total,
                        const RunSettings& settings, const JournalRecord& earlier, Journal& journal,
-                       const Console& console) {
+                       SharedList* shared, const Console& console) {
   const auto tell = [&](std::size_t index, const Outcome& outcome) {
     const std::string line = status_line(items[index], outcome, total);
     if (outcome.status == Status::failed && console.level() == Console::Level::quiet) {
@@ -132,7 +140,11 @@ RunResult run_and_tell(const std::vector<Item>& items, std::size_t total,
       console.note(line);
     }
   };
-  return run_items(items, settings, earlier, journal, tell);
+  const auto tell_of_wait = [&](std::size_t left) {
+    console.note(
+        fmt::format("waiting for {} item{} that other processes run", left, left == 1 ? "" : "s"));
+  };
+  return run_items(items, settings, earlier, journal, shared, {tell, tell_of_wait});
 }
 
 }  // namespace
@@ -150,27 +162,31 @@ ExitCode run_batch(const CLI::App& command, const std::vector<Job>& jobs,
   if (options.merge) {
     return merge(command, options, all, list_journal, console);
   }
-  const std::string own_journal =
-      journal_of_shard(list_journal, options.shard.number, options.shard.count);
   JournalRecord earlier;
-  if (options.resume) {
+  if (goes_on(options)) {
     earlier = JournalRecord(journals_of_list(list_journal));
   }
   if (options.dry_run) {
-    print_commands(items, earlier, own_journal);
+    print_commands(items, earlier, list_journal);
     return ExitCode::done;
   }
-  make_folder_of(own_journal);
-  Journal record(own_journal);
-  if (options.resume) {
-    clear_away_temporaries(items, options.shard.count > 1, console);
+  make_folder_of(list_journal);
+  std::optional<SharedList> shared;
+  if (options.shared) {
+    shared.emplace(list_journal, options.claim_expiry, earlier);
+  }
+  Journal record(shared ? shared->journal()
+                        : journal_of_shard(list_journal, options.shard.number, options.shard.count),
+                 options.shared);
+  if (goes_on(options)) {
+    clear_away_temporaries(items, list_journal, options.shared || options.shard.count > 1, console);
   }
   double seconds = 0;
   RunResult result;
   {
     const Stopwatch watch(seconds);
     result = run_and_tell(items, all.size(), run_settings(options, items.size(), list_journal),
-                          earlier, record, console);
+                          earlier, record, shared ? &*shared : nullptr, console);
   }
   console.note(summary_line(result.outcomes, seconds), summary_table(items, result.outcomes));
   write_reports(command, options, items, result.outcomes, seconds);

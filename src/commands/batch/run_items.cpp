@@ -11,6 +11,7 @@
 #include "commands/batch/child_process.h"
 #include "commands/batch/child_report.h"
 #include "commands/batch/interrupts.h"
+#include "commands/batch/item_queue.h"
 #include "commands/batch/resume.h"
 #include "commands/batch/temporaries.h"
 #include "commands/exit_code.h"
@@ -26,7 +27,8 @@ struct Running {
   std::size_t index;
   std::string key;
   Finished record;
-  bool inputs_known = false;  // they did not change while they were hashed
+  bool inputs_known = false;               // they did not change while they were hashed
+  std::unique_ptr<Claim> claim = nullptr;  // given up after the process has ended
   Clock::time_point start = Clock::now();
   std::unique_ptr<ChildProcess> process = nullptr;
 };
@@ -58,13 +60,18 @@ std::string signal_text(int signal_number) {
 class ItemRunner {
  public:
   ItemRunner(const std::vector<Item>& items, const RunSettings& settings,
-             const JournalRecord& earlier, Journal& journal, const OutcomeObserver& observe)
+             const JournalRecord& earlier, Journal& journal, SharedList* shared,
+             const RunObserver& observer)
       : items_(items),
         settings_(settings),
         earlier_(earlier),
         journal_(journal),
-        observe_(observe) {
+        shared_(shared),
+        observer_(observer),
+        queue_(items.size(),
+               shared == nullptr ? std::chrono::milliseconds(0) : shared->longest_pause()) {
     result_.outcomes.resize(items.size());
+    looked_up_.resize(items.size());
   }
 
   RunResult run() {
@@ -73,7 +80,8 @@ class ItemRunner {
       if (result_.signal_number != 0) {
         stop();
       }
-      if (running_.empty()) {
+      if (running_.empty() && (queue_.empty() || may_not_start())) {
+        clear_up();
         return std::move(result_);
       }
       wait();
@@ -81,27 +89,81 @@ class ItemRunner {
   }
 
  private:
+  bool has_place() const { return running_.size() < static_cast<std::size_t>(settings_.jobs); }
+
+  bool may_not_start() const {
+    return result_.signal_number != 0 || (failed_ && settings_.fail_fast);
+  }
+
   void start_more() {
-    while (next_ < items_.size() && running_.size() < static_cast<std::size_t>(settings_.jobs)) {
+    while (has_place()) {
       result_.signal_number = interrupts_.signal_number();
-      if (result_.signal_number != 0 || (failed_ && settings_.fail_fast)) {
+      if (may_not_start()) {
         return;
       }
-      start(next_++);
+      const std::optional<std::size_t> index = queue_.next();
+      if (!index) {
+        return;
+      }
+      take(*index);
     }
   }
 
-  void start(std::size_t index) {
+  /// Starts the item unless it need not be run, or another process does.
+  void take(std::size_t index) {
     const Item& item = items_[index];
     Running running{index, journal_key(item, settings_.list_journal), begin_record(item)};
-    const bool ours = settings_.resume && earlier_.started(running.key);
-    if (settings_.resume) {
-      if (const auto outcome = still_valid(item, earlier_.finished(running.key))) {
+    if (!looked_up_[index]) {
+      looked_up_[index] = true;
+      if (const auto outcome = earlier_outcome(item, running.key)) {
         return conclude(index, *outcome);
       }
     }
+    if (shared_ != nullptr) {
+      if (const auto outcome = shared_->ended(item, running.key)) {
+        return conclude(index, *outcome);
+      }
+      running.claim = shared_->claim(running.key);
+      if (!running.claim) {
+        return queue_.put_back(index);
+      }
+      if (const auto outcome = shared_->ended(item, running.key)) {
+        return conclude(index, *outcome);  // noted just before the item was given up
+      }
+      for (const AbandonedRun& run : running.claim->abandoned()) {
+        remove_temporaries_of(run.process, output_folders(item), run.end);
+      }
+    }
+    start(std::move(running));
+  }
+
+  /// What runs before this one have made of the item, if that is still what this one would.
+  std::optional<Outcome> earlier_outcome(const Item& item, const std::string& key) const {
+    if (!goes_on()) {
+      return std::nullopt;
+    }
+    if (auto outcome = still_valid(item, earlier_.finished(key))) {
+      return outcome;
+    }
+    // A process that joins the others late does not try again what they have failed at.
+    const Finished* last = earlier_.last(key);
+    const bool failed = last != nullptr && last->outcome.status == Status::failed;
+    return failed && !settings_.resume && !last->refused && same_task(item, *last)
+               ? std::optional(last->outcome)
+               : std::nullopt;
+  }
+
+  /// Whether this run goes on with what others have begun.
+  bool goes_on() const { return settings_.resume || shared_ != nullptr; }
+
+  bool is_ours(const std::string& key) const {
+    return goes_on() && (earlier_.started(key) || (shared_ != nullptr && shared_->started(key)));
+  }
+
+  void start(Running running) {
+    const Item& item = items_[running.index];
     const bool overwrite =
-        item.overwrite || (item.takes_overwrite && (settings_.overwrite || ours));
+        item.overwrite || (item.takes_overwrite && (settings_.overwrite || is_ours(running.key)));
     if (const std::string path = overwrite ? "" : file_in_the_way(item); !path.empty()) {
       // Its process would refuse, too; but what is in the way must not be noted as ours.
       Outcome outcome = ended(Status::failed, ExitCode::cannot_write);
@@ -109,14 +171,18 @@ class ItemRunner {
           path + ": exists already; --overwrite replaces it, --resume skips what is done";
       running.record.outcome = outcome;
       journal_.add_refusal(running.key, running.record);
-      return conclude(index, outcome);
+      return conclude(running.index, outcome);
     }
     for (const std::string& folder : output_folders(item)) {
       std::error_code ignored;  // its process will tell
       fs::create_directories(folder, ignored);
     }
     journal_.add_start(running.key);
+    running.start = Clock::now();
     running.process = std::make_unique<ChildProcess>(words_of(item, overwrite));
+    if (running.claim) {
+      running.claim->note_process(running.process->id());
+    }
     running_.push_back(std::move(running));
     // While it computes; it has read the file by then or finds it in memory.
     running_.back().inputs_known = add_hashes(item, running_.back().record);
@@ -137,24 +203,59 @@ class ItemRunner {
   }
 
   void wait() {
+    if (running_.empty() && !waits_for_others_) {
+      waits_for_others_ = true;
+      observer_.waits(queue_.size());
+    }
     std::vector<pollfd> waits;
     for (const Running& running : running_) {
       running.process->append_waits(waits);
     }
-    interrupts_.wait(waits);
+    interrupts_.wait(waits, time_to_wait());
     result_.signal_number = interrupts_.signal_number();
     if (result_.signal_number != 0) {
       return;  // those that were stopped by the same key must not count as failed
     }
     for (std::size_t i = 0; i < running_.size();) {
-      if (running_[i].process->read_streams()) {
-        const Running ended = std::move(running_[i]);
+      const bool ended = running_[i].process->read_streams();
+      if (const bool lost = is_lost(running_[i], ended); ended || lost) {
+        const Running running = std::move(running_[i]);
         running_.erase(running_.begin() + static_cast<std::ptrdiff_t>(i));
-        finish(ended);
+        lost ? leave_to_others(running) : finish(running);
       } else {
         ++i;
       }
     }
+  }
+
+  /// Whether others have taken the item over. One that has `ended` is looked at anew.
+  static bool is_lost(const Running& running, bool ended) {
+    if (running.claim && ended) {
+      running.claim->renew();
+    }
+    return running.claim && running.claim->lost();
+  }
+
+  /// No limit where nothing can happen but that a process of its own ends.
+  std::optional<std::chrono::milliseconds> time_to_wait() const {
+    if (shared_ == nullptr) {
+      return std::nullopt;
+    }
+    constexpr std::chrono::milliseconds until_claims_are_checked{1000};
+    return has_place() && !queue_.empty() ? std::min(queue_.pause(), until_claims_are_checked)
+                                          : until_claims_are_checked;
+  }
+
+  /// Another process has begun the item, as this one seemed to be dead.
+  void leave_to_others(const Running& running) {
+    kill(running);
+    queue_.put_back(running.index);
+  }
+
+  void kill(const Running& running) {
+    running.process->kill();
+    running.process->wait();
+    remove_temporaries_of(running.process->id(), output_folders(items_[running.index]));
   }
 
   void finish(const Running& running) {
@@ -189,9 +290,7 @@ class ItemRunner {
 
   void stop() {
     for (const Running& running : running_) {
-      running.process->kill();
-      running.process->wait();
-      remove_temporaries_of(running.process->id(), output_folders(items_[running.index]));
+      kill(running);
       Outcome outcome = ended(Status::interrupted, ExitCode::interrupted);
       outcome.seconds = seconds_since(running.start);
       conclude(running.index, outcome);
@@ -199,10 +298,22 @@ class ItemRunner {
     running_.clear();
   }
 
+  void clear_up() const {
+    if (shared_ == nullptr || !queue_.empty() || may_not_start()) {
+      return;
+    }
+    std::vector<std::string> keys;
+    keys.reserve(items_.size());
+    for (const Item& item : items_) {
+      keys.push_back(journal_key(item, settings_.list_journal));
+    }
+    shared_->clear_up(keys);
+  }
+
   void conclude(std::size_t index, const Outcome& outcome) {
     failed_ = failed_ || outcome.status == Status::failed;
     result_.outcomes[index] = outcome;
-    observe_(index, outcome);
+    observer_.ended(index, outcome);
   }
 
   static double seconds_since(Clock::time_point start) {
@@ -213,11 +324,14 @@ class ItemRunner {
   const RunSettings& settings_;
   const JournalRecord& earlier_;
   Journal& journal_;
-  const OutcomeObserver& observe_;
+  SharedList* shared_;
+  const RunObserver& observer_;
   Interrupts interrupts_;
+  ItemQueue queue_;
+  std::vector<bool> looked_up_;  // in what is known of earlier runs
   std::vector<Running> running_;
-  std::size_t next_ = 0;
   bool failed_ = false;
+  bool waits_for_others_ = false;
   RunResult result_;
 };
 
@@ -233,9 +347,9 @@ std::set<std::string> output_folders(const Item& item) {
 }
 
 RunResult run_items(const std::vector<Item>& items, const RunSettings& settings,
-                    const JournalRecord& earlier, Journal& journal,
-                    const OutcomeObserver& observe) {
-  return ItemRunner(items, settings, earlier, journal, observe).run();
+                    const JournalRecord& earlier, Journal& journal, SharedList* shared,
+                    const RunObserver& observer) {
+  return ItemRunner(items, settings, earlier, journal, shared, observer).run();
 }
 
 }  // namespace ibmfair::commands

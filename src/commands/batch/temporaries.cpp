@@ -7,6 +7,7 @@
 #include <functional>
 #include <optional>
 
+#include "commands/batch/file_state.h"
 #include "ibmfair/io/numbers.h"
 
 namespace ibmfair::commands {
@@ -63,8 +64,14 @@ int remove_where(const std::set<std::string>& folders,
 
 }  // namespace
 
-void remove_temporaries_of(pid_t process, const std::set<std::string>& folders) {
-  remove_where(folders, [&](const fs::path&, pid_t maker) { return maker == process; });
+void remove_temporaries_of(pid_t process, const std::set<std::string>& folders, std::int64_t end) {
+  remove_where(folders, [&](const fs::path& path, pid_t maker) {
+    if (maker != process) {
+      return false;
+    }
+    const auto stamp = stamp_of(path.string());
+    return stamp && stamp->mtime <= end;
+  });
 }
 
 int remove_stale_temporaries(const std::set<std::string>& folders, bool shared) {
