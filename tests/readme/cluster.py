@@ -1,0 +1,128 @@
+"""Runs what the README says of clusters as it stands there: with Slurm, whose commands are played by
+fake_slurm.py, and with GNU parallel, if there is one, which reaches its nodes by an ssh that goes
+nowhere. In each case the merged summary is that of a single run.
+
+    cluster.py PROGRAM WORK
+"""
+
+import csv
+import os
+import re
+import shutil
+import subprocess
+import sys
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+README = os.path.join(os.path.dirname(os.path.dirname(HERE)), "README.md")
+JOBS = """{"defaults": {"command": "smooth", "options": {"steps": 2, "cutoff": 4}},
+           "jobs": [{"input": "scans/*.ply", "output": "fair/"}]}"""
+SSH = """#!/bin/sh
+while [ "${1#-}" != "$1" ]; do shift; done
+echo "$1" >> "$NODES"
+shift
+[ "$1" != -- ] || shift
+exec sh -c "$*"
+"""
+
+
+def readme_blocks():
+    with open(README, encoding="utf-8") as file:
+        section = file.read().split("### On a cluster\n", 1)[1].split("\n## ", 1)[0]
+    script, submission, parallel = re.findall(r"```sh\n(.*?)```", section, re.DOTALL)
+    return script, submission, parallel
+
+
+def make_executable(path, text):
+    with open(path, "w", encoding="utf-8") as file:
+        file.write(text)
+    os.chmod(path, 0o755)
+
+
+def prepare(program, work):
+    """A folder with meshes to smooth, one of them bad, and another of commands."""
+    shutil.rmtree(work, ignore_errors=True)
+    commands = os.path.join(work, "commands")
+    os.makedirs(commands)
+    os.makedirs(os.path.join(work, "scans"))
+    os.symlink(program, os.path.join(commands, "ibmfair"))
+    for name in ("sbatch", "srun"):
+        os.symlink(os.path.join(HERE, "fake_slurm.py"), os.path.join(commands, name))
+    make_executable(os.path.join(commands, "ssh"), SSH)
+    for seed in range(20):
+        subprocess.run([program, "make", "icosphere", f"scans/{seed}.ply", "--noise", "0.1", "--seed",
+                        str(seed), "--quiet"], cwd=work, check=True)
+    with open(os.path.join(work, "scans", "bad.ply"), "w", encoding="utf-8") as file:
+        file.write("ply\nformat ascii 1.0\nelement vertex many\n")
+    with open(os.path.join(work, "jobs.json"), "w", encoding="utf-8") as file:
+        file.write(JOBS)
+    return {**os.environ, "PATH": commands + ":" + os.environ["PATH"],
+            "NODES": os.path.join(work, "nodes")}
+
+
+def lasting(work, name):
+    """The lines of a summary without times and memory."""
+    with open(os.path.join(work, name), newline="", encoding="utf-8") as file:
+        rows = list(csv.DictReader(file))
+    return [{key: row[key] for key in row if key not in ("seconds", "peak_megabytes")} for row in rows]
+
+
+def outputs(work):
+    folder = os.path.join(work, "fair")
+    found = {}
+    for name in sorted(os.listdir(folder)):
+        with open(os.path.join(folder, name), "rb") as file:
+            found[name] = file.read()
+    return found
+
+
+def start_anew(work):
+    shutil.rmtree(os.path.join(work, "fair"), ignore_errors=True)
+    for name in os.listdir(work):
+        if name.startswith("jobs.json.journal") or name == "summary.csv":
+            path = os.path.join(work, name)
+            shutil.rmtree(path) if os.path.isdir(path) else os.remove(path)
+
+
+def check(what, found, expected):
+    if found != expected:
+        sys.exit(f"{what}: {found}\nexpected: {expected}")
+
+
+def main():
+    program, work = map(os.path.abspath, sys.argv[1:3])
+    script, submission, parallel = readme_blocks()
+    environment = prepare(program, work)
+
+    def run(command, codes, **more):
+        done = subprocess.run(["bash", "-c", command], cwd=work, env={**environment, **more},
+                              check=False)
+        if done.returncode not in codes:
+            sys.exit(f"exit code {done.returncode}: {command}")
+
+    run("ibmfair batch jobs.json --summary summary.csv", [1])
+    summary, meshes = lasting(work, "summary.csv"), outputs(work)
+    check("items that are done", sum(row["status"] == "ok" for row in summary), 20)
+
+    make_executable(os.path.join(work, "fair.sbatch"), script)
+    # The second time, nodes die and are lost sight of, and their tasks are started anew.
+    for mishaps in ("", "killed", "lost"):
+        start_anew(work)
+        run(submission, [0, 1], MISHAPS=mishaps)
+        check("the summary of Slurm's tasks", lasting(work, "summary.csv"), summary)
+        check("what Slurm's tasks write", outputs(work), meshes)
+
+    if shutil.which("parallel") is None:
+        print("no GNU parallel: its part is left out")
+        return
+    local, remote, merge = parallel.splitlines()
+    for command in (local, remote):
+        start_anew(work)
+        run(command, [1])  # how many of its jobs have failed
+        run(merge, [1])
+        check("the summary of parallel's jobs", lasting(work, "summary.csv"), summary)
+        check("what parallel's jobs write", outputs(work), meshes)
+    with open(environment["NODES"], encoding="utf-8") as file:
+        check("nodes", set(file.read().split()), {"node1", "node2"})
+
+
+main()

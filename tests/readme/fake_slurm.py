@@ -1,0 +1,83 @@
+#!/usr/bin/env python3
+"""Plays `sbatch` and `srun`, by whose name it is called, as far as the README uses them: a job is an
+array of tasks, all of which run at once on this machine, or one command; sbatch returns when it has
+ended, so that whatever depends on it may run.
+
+MISHAPS in the environment says what happens to each second task of an array once it has made
+something: `killed`, its processes die and it is started anew; `lost`, it is started anew while it
+still runs.
+"""
+
+import argparse
+import os
+import signal
+import subprocess
+import sys
+import time
+
+
+def options_of(script):
+    """The arguments in the script's lines for Slurm."""
+    with open(script, encoding="utf-8") as file:
+        lines = [line.split()[1:] for line in file if line.startswith("#SBATCH ")]
+    return [word for line in lines for word in line]
+
+
+def parse(words):
+    parser = argparse.ArgumentParser(prog="sbatch", allow_abbrev=False)
+    parser.add_argument("--array")
+    parser.add_argument("--requeue", action="store_true")
+    parser.add_argument("--parsable", action="store_true")
+    parser.add_argument("--dependency")
+    parser.add_argument("--wrap")
+    parser.add_argument("script", nargs="?")
+    return parser.parse_args(words)
+
+
+def begin(script, task, restarts):
+    environment = {**os.environ, "SLURM_ARRAY_TASK_ID": str(task),
+                   "SLURM_RESTART_COUNT": str(restarts)}
+    return subprocess.Popen([script], env=environment, start_new_session=True,
+                            stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+
+
+def begin_anew(script, task, process, mishap):
+    """Waits until the list has been begun, lets the mishap happen, and returns what runs then."""
+    while process.poll() is None and not os.path.exists("fair"):
+        time.sleep(0.002)
+    if mishap == "killed" and process.poll() is None:
+        os.killpg(process.pid, signal.SIGKILL)
+        process.wait()
+        return [begin(script, task, 1)]
+    return [process, begin(script, task, 1)]
+
+
+def run_array(array, script):
+    first, last = map(int, array.split("-"))
+    mishap = os.environ.get("MISHAPS")
+    running = {task: [begin(script, task, 0)] for task in range(first, last + 1)}
+    if mishap:
+        for task in list(running)[::2]:
+            running[task] = begin_anew(script, task, running[task][0], mishap)
+    return max(process.wait() for processes in running.values() for process in processes)
+
+
+def sbatch(words):
+    given = parse(words)
+    if given.wrap:
+        if given.dependency and not given.dependency.startswith("afterany:4711"):
+            sys.exit(f"sbatch: no such job: {given.dependency}")
+        return subprocess.run(["sh", "-c", given.wrap], check=False).returncode
+    given = parse(options_of(given.script) + words)
+    run_array(given.array, os.path.abspath(given.script))
+    print("4711" if given.parsable else "Submitted batch job 4711")
+    return 0
+
+
+def main():
+    if os.path.basename(sys.argv[0]) == "srun":
+        os.execvp(sys.argv[1], sys.argv[1:])
+    sys.exit(sbatch(sys.argv[1:]))
+
+
+main()
