@@ -157,6 +157,7 @@ class Distribution {
   }
 
   void write_triangles(const std::vector<NumberedTriangle>& triangles) {
+    piece_.triangle.reserve(triangles.size());
     piece_.F.resize(static_cast<Eigen::Index>(triangles.size()), 3);
     piece_.own_triangle.resize(triangles.size());
     for (std::size_t t = 0; t < triangles.size(); ++t) {
@@ -164,6 +165,7 @@ class Distribution {
         piece_.F(t, i) = place_of(triangles[t].corners[i]);
       }
       piece_.own_triangle[t] = piece_.F(t, 0) < piece_.own ? 1 : 0;
+      piece_.triangle.push_back(triangles[t].number);
     }
   }
 

@@ -37,6 +37,7 @@ struct MeshPiece {
   /// All triangles at this rank's vertices and at the neighbours of these, as the file orders them
   /// and their corners.
   Triangles F;
+  std::vector<Index> triangle;  ///< #F, the numbers that they have in the file
   /// #F, whether the triangle belongs to this rank, which has its first corner.
   std::vector<std::uint8_t> own_triangle;
 };

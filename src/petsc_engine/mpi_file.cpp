@@ -13,9 +13,9 @@ namespace {
 
 constexpr std::int64_t largest_piece = std::int64_t{1} << 26;  // bytes at a time
 
-/// Calls step(at, size, status) for pieces of `count` bytes that MPI can count, up to the first that
-/// fails. Each rank for itself: where a rank fails in one of MPI's collective accesses, others wait
-/// for it. Open MPI calls it a success where the disk is full; its status tells.
+/// Calls step(at, size, status) for pieces of `count` bytes that MPI can count, up to the first
+/// that fails. Each rank for itself: where a rank fails in one of MPI's collective accesses, others
+/// wait for it. Open MPI calls it a success where the disk is full; its status tells.
 template <class Step>
 int in_pieces(std::int64_t count, const Step& step) {
   int code = MPI_SUCCESS;

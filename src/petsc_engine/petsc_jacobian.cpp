@@ -4,12 +4,17 @@
 
 #include "ibmfair/base/errors.h"
 #include "ibmfair/base/stopwatch.h"
+#include "ibmfair/flow/iterative_jacobian.h"
 #include "petsc_engine/check.h"
 
 namespace ibmfair::petsc {
 namespace {
 
 constexpr PetscInt most_iterations = 1000;
+
+/// With the diagonal for a preconditioner: from here on BoomerAMG's set-up and its longer
+/// iterations pay (tools/ranks_table).
+constexpr double many_iterations = 120;
 
 /// One coordinate of the rows, in a vector and back.
 template <class Copy>
@@ -31,7 +36,6 @@ PetscJacobian::PetscJacobian(const JacobianShape& shape, const PetscParts& parts
   const Stopwatch watch(shape.report.seconds.analyse);
   number_unknowns(parts);
   make_matrix();
-  make_solver();
 }
 
 PetscJacobian::~PetscJacobian() {
@@ -103,7 +107,7 @@ void PetscJacobian::make_matrix() {
   check(MatCreateVecs(J_, &x_, &b_));
 }
 
-void PetscJacobian::make_solver() {
+void PetscJacobian::make_solver(const JacobianParts& parts) {
   check(KSPCreate(comm_.get(), &ksp_));
   check(KSPSetType(ksp_, KSPCG));
   check(KSPSetNormType(ksp_, KSP_NORM_UNPRECONDITIONED));
@@ -116,8 +120,11 @@ void PetscJacobian::make_solver() {
     check(KSPSetNormType(ksp_, KSP_NORM_NONE));
     check(PCSetType(pc, PCCHOLESKY));
     check(PCFactorSetMatSolverType(pc, MATSOLVERMUMPS));
+  } else if (comm_.max(forecast_iterations(shape_, parts)) < many_iterations) {
+    check(PCSetType(pc, PCSOR));
   } else {
-    check(PCSetType(pc, PCJACOBI));
+    check(PCSetType(pc, PCHYPRE));
+    check(PCHYPRESetType(pc, "boomeramg"));
   }
   check(KSPSetFromOptions(ksp_));
 }
@@ -136,6 +143,9 @@ void PetscJacobian::update(const JacobianParts& parts) {
     check(MatAssemblyEnd(J_, MAT_FINAL_ASSEMBLY));
   }
   const Stopwatch watch(shape_.report.seconds.factor);
+  if (ksp_ == nullptr) {
+    make_solver(parts);
+  }
   check(KSPSetOperators(ksp_, J_, J_));
   check(KSPSetUp(ksp_));
   PC pc = nullptr;

@@ -10,8 +10,10 @@
 
 namespace ibmfair::petsc {
 
-/// Each rank has the rows of its unknowns. By default conjugate gradients to
-/// `FlowOptions::solver_tolerance`; the options `-ksp_*` and `-pc_*` say otherwise.
+/// Each rank has the rows of its unknowns. The solver `mumps` factors; all others are conjugate
+/// gradients to `FlowOptions::solver_tolerance`, with successive over-relaxation of each rank's
+/// rows for a preconditioner, or BoomerAMG where that would take many iterations. The options
+/// `-ksp_*` and `-pc_*` say otherwise.
 class PetscJacobian final : public JacobianSolver {
  public:
   /// What is referred to outlives it. Collective, as all members are.
@@ -24,7 +26,7 @@ class PetscJacobian final : public JacobianSolver {
  private:
   void number_unknowns(const PetscParts& parts);
   void make_matrix();
-  void make_solver();
+  void make_solver(const JacobianParts& parts);
 
   /// Gathers row u of J: the unknowns of all ranks in it, and their values.
   struct Row {

@@ -1,11 +1,10 @@
 #include "petsc_engine/piece_measures.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
-#include <fmt/format.h>
-
-#include "ibmfair/base/errors.h"
 #include "ibmfair/flow/folds.h"
 #include "ibmfair/flow/part_measures.h"
 #include "ibmfair/mesh/geometry.h"
@@ -50,10 +49,12 @@ std::int64_t folds(const Topology& topology, const Points& X, const PetscParts& 
   return std::llround(parts.sum(count));
 }
 
-struct DefectKind {
-  const char* what;
-  double count;  // what belongs to this part
-};
+/// All ranks' numbers, sorted.
+std::vector<Index> gathered(const Communicator& comm, const std::vector<Index>& numbers) {
+  std::vector<Index> all = comm.gather_to_first(numbers);
+  std::sort(all.begin(), all.end());
+  return all;
+}
 
 }  // namespace
 
@@ -72,36 +73,47 @@ commands::MeshFigures mesh_figures(const MeshPiece& piece, const Points& X,
   return figures;
 }
 
-std::vector<commands::Warning> defect_warnings(const Topology& topology, const MeshPiece& piece,
-                                               const PetscParts& parts, bool strict) {
-  const Defects& defects = topology.defects;
-  const auto own_triangles = [&piece](const std::vector<Index>& list) {
-    return static_cast<double>(
-        std::count_if(list.begin(), list.end(), [&](Index t) { return piece.own_triangle[t]; }));
-  };
-  double edges = 0;
-  for (const Index e : defects.non_manifold_edges) {
-    edges += own_share({topology.E.row(e).data(), 2}, parts);
-  }
-  const auto bow_ties = static_cast<double>(
-      std::count_if(defects.bow_tie_vertices.begin(), defects.bow_tie_vertices.end(),
-                    [&parts](Index v) { return parts.owns_vertex(v); }));
-  std::vector<commands::Warning> warnings;
-  for (const DefectKind& kind :
-       {DefectKind{"triangles with a repeated corner", own_triangles(defects.repeated_corner)},
-        DefectKind{"triangles without area", own_triangles(defects.zero_area)},
-        DefectKind{"triangles over the same vertices as another", own_triangles(defects.duplicate)},
-        DefectKind{"edges of three or more triangles", edges},
-        DefectKind{"bow-tie vertices", bow_ties}}) {
-    if (const auto count = std::llround(parts.sum(kind.count)); count > 0) {
-      const std::string text = fmt::format("{} {}", count, kind.what);
-      if (strict) {
-        throw BadMesh(text);
+Topology gathered_defects(const Communicator& comm, const Topology& topology,
+                          const MeshPiece& piece) {
+  const auto own_triangles = [&](const std::vector<Index>& list) {
+    std::vector<Index> numbers;
+    for (const Index t : list) {
+      if (piece.own_triangle[t]) {
+        numbers.push_back(piece.triangle[t]);
       }
-      warnings.push_back({text + ": left out of the energy, their vertices are held"});
+    }
+    return gathered(comm, numbers);
+  };
+  Topology whole;
+  const Defects& defects = topology.defects;
+  whole.defects.repeated_corner = own_triangles(defects.repeated_corner);
+  whole.defects.zero_area = own_triangles(defects.zero_area);
+  whole.defects.duplicate = own_triangles(defects.duplicate);
+  std::vector<Index> bow_ties;
+  for (const Index v : defects.bow_tie_vertices) {
+    if (v < piece.own) {
+      bow_ties.push_back(piece.vertex[v]);
     }
   }
-  return warnings;
+  whole.defects.bow_tie_vertices = gathered(comm, bow_ties);
+  std::vector<std::array<Index, 2>> edges;
+  for (const Index e : defects.non_manifold_edges) {
+    Index first = topology.E(e, 0), second = topology.E(e, 1);
+    if (piece.vertex[first] > piece.vertex[second]) {
+      std::swap(first, second);
+    }
+    if (first < piece.own) {  // or else it is another rank's
+      edges.push_back({piece.vertex[first], piece.vertex[second]});
+    }
+  }
+  edges = comm.gather_to_first(edges);
+  std::sort(edges.begin(), edges.end());
+  whole.E.resize(std::ssize(edges), 2);
+  for (Index e = 0; e < whole.E.rows(); ++e) {
+    whole.E.row(e) << edges[e][0], edges[e][1];
+    whole.defects.non_manifold_edges.push_back(e);
+  }
+  return whole;
 }
 
 }  // namespace ibmfair::petsc

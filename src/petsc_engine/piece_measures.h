@@ -1,9 +1,6 @@
 // What `smooth` tells of a mesh, of one in several parts.
 #pragma once
 
-#include <array>
-#include <cstdint>
-
 #include "commands/smooth_report.h"
 #include "petsc_engine/petsc_parts.h"
 
@@ -15,9 +12,9 @@ commands::MeshFigures mesh_figures(const MeshPiece& piece, const Points& X,
                                    const Topology& topology, const FlowOptions& options,
                                    const PetscParts& parts);
 
-/// Throws BadMesh with `strict`, or returns a warning for each kind of defect with their number;
-/// the same on all ranks. Collective.
-std::vector<commands::Warning> defect_warnings(const Topology& topology, const MeshPiece& piece,
-                                               const PetscParts& parts, bool strict);
+/// The defects of the whole mesh, by their numbers in the file, on the first rank; nothing else of
+/// the topology is there. Collective.
+Topology gathered_defects(const Communicator& comm, const Topology& topology,
+                          const MeshPiece& piece);
 
 }  // namespace ibmfair::petsc

@@ -8,6 +8,7 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include "commands/defect_warnings.h"
 #include "commands/numeric_options.h"
 #include "commands/progress.h"
 #include "commands/report/report_formats.h"
@@ -229,10 +230,7 @@ class SharedSmooth {
     });
     Progress progress(console_);
     SharedMesh mesh = read(comm_, arguments_, console_, figures_, progress);
-    report_.warnings = defect_warnings(mesh.topology, mesh.piece, *mesh.parts, arguments_.strict);
-    for (const commands::Warning& warning : report_.warnings) {
-      console_.warning(warning.text);
-    }
+    tell_of_defects(mesh);
     arguments_.flow = flow_options(arguments_, mesh, console_);
     progress.begin("measure");
     figures_.mean_edge_length = mean_edge_length(mesh.X, mesh.topology, *mesh.parts);
@@ -252,6 +250,19 @@ class SharedSmooth {
     if (output.path != "-") {
       ibmfair::require_writable(output.path, output.write.overwrite);
     }
+  }
+
+  void tell_of_defects(const SharedMesh& mesh) {
+    const Topology defects = gathered_defects(comm_, mesh.topology, mesh.piece);
+    comm_.together([&] {
+      if (comm_.is_first()) {
+        commands::warn_of_defects(defects, arguments_.strict, console_);
+        report_.figures["defects"] = commands::defects_json(defects);
+        for (const std::string& line : commands::defect_lines(defects)) {
+          report_.warnings.push_back({line});
+        }
+      }
+    });
   }
 
   void write(const SharedMesh& mesh, Progress& progress) {

@@ -122,6 +122,19 @@ TEST_F(Ranks, FiguresAreThoseOfTheWholeMesh) {
   }
 }
 
+TEST_F(Ranks, NameDefectsByTheirNumbersInTheFile) {
+  for (const NamedMesh& mesh : defective_meshes()) {
+    const std::string input = file_of(mesh.mesh);
+    const nlohmann::json one = on_one(input, {"--steps", "1"}).report;
+    const nlohmann::json several = on_ranks(3, input, {"--steps", "1"}).report;
+    EXPECT_EQ(several["defects"], one["defects"]) << mesh.name;
+    EXPECT_EQ(several["warnings"].empty(), one["warnings"].empty()) << mesh.name;
+    const RunResult strict = run_on_ranks(2, {"smooth", input, files_ / "strict.ply", "--engine",
+                                              "petsc", "--strict", "--overwrite"});
+    EXPECT_EQ(strict.exit_code, one["warnings"].empty() ? 0 : 4) << mesh.name;
+  }
+}
+
 TEST_F(Ranks, HaveNearlyEvenParts) {
   const std::string input = file_of(noisy(make_shape("torus", {.rows = 40})));
   for (const int ranks : {2, 3, 4}) {

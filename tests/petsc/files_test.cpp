@@ -174,7 +174,8 @@ TEST_F(RankFiles, LeaveNothingWhereARankDies) {
   const std::string input = file_of(noisy_sphere(6));
   const auto a_rank_runs = [&] {
     return std::system(
-               "pkill -KILL -n -f '^[^ ]*/ibmfair smooth .*ranks.ply --engine petsc --steps 9999'") == 0;
+               "pkill -KILL -n -f '^[^ ]*/ibmfair smooth .*ranks.ply --engine petsc --steps "
+               "9999'") == 0;
   };
   const RunResult run = run_on_ranks(
       2, {"smooth", input, files_ / "ranks.ply", "--engine", "petsc", "--steps", "9999"},

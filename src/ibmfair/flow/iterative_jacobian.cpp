@@ -17,15 +17,17 @@ constexpr double seconds_per_place = 2.7e-9;  // of the stencils, in each iterat
 // As seen on tori of 41 and 164 thousand vertices, with both Laplacians.
 constexpr double bytes_per_place = 8, bytes_per_row = 300;
 
-/// Iterations to the default tolerance: a square root of a condition number, which the larger ones
-/// of diag(J) / D make. The largest of all belong to needles, of which there
-/// are few, or which a noisy mesh has for the first steps only. Within a third of what was counted
-/// on tori, noisy and not, and on eleven models.
-double iterations(const JacobianShape& shape, const JacobianParts& parts) {
+}  // namespace
+
+/// A square root of a condition number, which the larger ones of diag(J) / D make. The largest of
+/// all belong to needles, of which there are few, or which a noisy mesh has for the first steps
+/// only. Within a third of what was counted on tori, noisy and not, and on eleven models.
+double forecast_iterations(const JacobianShape& shape, const JacobianParts& parts) {
   std::vector<double> ratio(static_cast<std::size_t>(shape.unknowns.size()), 0);  // h diag(S) / D
   for (Index s = 0; s < shape.stencils.size(); ++s) {
     for (std::int64_t k = shape.stencils.first[s]; k < shape.stencils.first[s + 1]; ++k) {
-      if (const Index u = shape.unknowns.unknown[shape.stencils.value[k]]; u >= 0) {
+      const Index u = shape.unknowns.unknown[shape.stencils.value[k]];
+      if (u >= 0 && u < shape.unknowns.size()) {
         const double c = parts.weights.c[k];
         ratio[u] += parts.h * parts.weights.w[s] * c * c / parts.D[u];
       }
@@ -36,11 +38,10 @@ double iterations(const JacobianShape& shape, const JacobianParts& parts) {
   return 3.2 * std::sqrt(1 + (ratio.empty() ? 0 : *large));
 }
 
-}  // namespace
-
 SolverForecast forecast_iterative(const JacobianShape& shape, const JacobianParts& parts) {
   const auto places = static_cast<double>(shape.stencils.value.size());
-  return {.seconds = seconds_per_place * places * iterations(shape, parts) * shape.options.steps,
+  return {.seconds =
+              seconds_per_place * places * forecast_iterations(shape, parts) * shape.options.steps,
           .bytes = bytes_per_place * places + bytes_per_row * shape.unknowns.size()};
 }
 

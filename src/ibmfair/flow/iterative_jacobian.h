@@ -21,6 +21,10 @@ class IterativeJacobian final : public JacobianSolver {
   ConjugateGradients solver_;
 };
 
+/// About how many iterations a solve takes with the diagonal for a preconditioner, to the default
+/// tolerance.
+double forecast_iterations(const JacobianShape& shape, const JacobianParts& parts);
+
 /// The cost of an IterativeJacobian: the condition of J decides.
 SolverForecast forecast_iterative(const JacobianShape& shape, const JacobianParts& parts);
 
