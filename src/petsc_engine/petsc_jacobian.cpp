@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include <fmt/format.h>
+
 #include "ibmfair/base/errors.h"
 #include "ibmfair/base/stopwatch.h"
 #include "ibmfair/flow/iterative_jacobian.h"
@@ -27,9 +29,11 @@ void with_entries(Vec vector, const Copy& copy) {
 
 }  // namespace
 
-PetscJacobian::PetscJacobian(const JacobianShape& shape, const PetscParts& parts)
+PetscJacobian::PetscJacobian(const JacobianShape& shape, const PetscParts& parts,
+                             LinearSolver solver)
     : shape_(shape),
       comm_(parts.communicator()),
+      solver_(solver),
       places_(positions_by_value(shape.stencils.value,
                                  static_cast<Index>(shape.unknowns.unknown.size()))),
       stencil_of_place_(row_of_position(shape.stencils)) {
@@ -110,12 +114,12 @@ void PetscJacobian::make_matrix() {
 void PetscJacobian::make_solver(const JacobianParts& parts) {
   check(KSPCreate(comm_.get(), &ksp_));
   check(KSPSetType(ksp_, KSPCG));
-  check(KSPSetNormType(ksp_, KSP_NORM_UNPRECONDITIONED));
+  check(KSPSetNormType(ksp_, KSP_NORM_NATURAL));
   check(KSPSetTolerances(ksp_, shape_.options.solver_tolerance, PETSC_DEFAULT, PETSC_DEFAULT,
                          most_iterations));
   PC pc = nullptr;
   check(KSPGetPC(ksp_, &pc));
-  if (shape_.options.solver == "mumps") {
+  if (solver_ == LinearSolver::mumps) {
     check(KSPSetType(ksp_, KSPPREONLY));
     check(KSPSetNormType(ksp_, KSP_NORM_NONE));
     check(PCSetType(pc, PCCHOLESKY));
@@ -127,6 +131,11 @@ void PetscJacobian::make_solver(const JacobianParts& parts) {
     check(PCHYPRESetType(pc, "boomeramg"));
   }
   check(KSPSetFromOptions(ksp_));
+  KSPType method = nullptr;
+  PCType preconditioner = nullptr;
+  check(KSPGetType(ksp_, &method));
+  check(PCGetType(pc, &preconditioner));
+  shape_.report.solver = fmt::format("petsc {} {}", method, preconditioner);
 }
 
 void PetscJacobian::update(const JacobianParts& parts) {

@@ -10,14 +10,14 @@
 
 namespace ibmfair::petsc {
 
-/// Each rank has the rows of its unknowns. The solver `mumps` factors; all others are conjugate
-/// gradients to `FlowOptions::solver_tolerance`, with successive over-relaxation of each rank's
-/// rows for a preconditioner, or BoomerAMG where that would take many iterations. The options
-/// `-ksp_*` and `-pc_*` say otherwise.
+/// Each rank has the rows of its unknowns. Conjugate gradients go to `FlowOptions::solver_tolerance`,
+/// in the norm of the preconditioner, in which the rows of small triangles count as others do. That
+/// is successive over-relaxation of each rank's rows, or BoomerAMG where it would take many
+/// iterations. The options `-ksp_*` and `-pc_*` say otherwise.
 class PetscJacobian final : public JacobianSolver {
  public:
   /// What is referred to outlives it. Collective, as all members are.
-  PetscJacobian(const JacobianShape& shape, const PetscParts& parts);
+  PetscJacobian(const JacobianShape& shape, const PetscParts& parts, LinearSolver solver);
   ~PetscJacobian() override;
 
   void update(const JacobianParts& parts) override;
@@ -37,6 +37,7 @@ class PetscJacobian final : public JacobianSolver {
 
   const JacobianShape shape_;
   const Communicator& comm_;
+  const LinearSolver solver_;
   Rows places_;  // of each vertex, positions in the stencils' values
   std::vector<Index> stencil_of_place_;
   std::vector<PetscInt> number_;  // #V, of the unknowns of all ranks; -1: held

@@ -43,7 +43,7 @@ void PetscParts::refresh(std::vector<PetscInt>& values) const {
 }
 
 std::unique_ptr<JacobianSolver> PetscParts::make_solver(const JacobianShape& shape) const {
-  return std::make_unique<PetscJacobian>(shape, *this);
+  return std::make_unique<PetscJacobian>(shape, *this, solver_);
 }
 
 }  // namespace ibmfair::petsc

@@ -8,6 +8,8 @@
 
 namespace ibmfair::petsc {
 
+enum class LinearSolver : std::uint8_t { cg, mumps };
+
 class PetscParts final : public MeshParts {
  public:
   /// Both outlive it. Collective, as all members are.
@@ -21,6 +23,9 @@ class PetscParts final : public MeshParts {
   void refresh(Points& rows) const override;
   std::unique_ptr<JacobianSolver> make_solver(const JacobianShape& shape) const override;
 
+  /// Solvers made from here on factor, or iterate.
+  void set_solver(LinearSolver solver) { solver_ = solver; }
+
   using MeshParts::refresh;
   /// The same for one number a vertex.
   void refresh(std::vector<PetscInt>& values) const;
@@ -31,6 +36,7 @@ class PetscParts final : public MeshParts {
   void broadcast(MPI_Datatype unit, void* data) const;
 
   const Communicator& comm_;
+  LinearSolver solver_ = LinearSolver::cg;
   PetscSF forest_ = nullptr;  // roots are a rank's own vertices, leaves the others that it has
   MPI_Datatype row_ = MPI_DATATYPE_NULL;
 };

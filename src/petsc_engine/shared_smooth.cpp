@@ -231,6 +231,10 @@ class SharedSmooth {
     Progress progress(console_);
     SharedMesh mesh = read(comm_, arguments_, console_, figures_, progress);
     tell_of_defects(mesh);
+    if (arguments_.flow.solver == "mumps") {
+      mesh.parts->set_solver(LinearSolver::mumps);
+    }
+    arguments_.flow.solver = "auto";  // which is the parts' choice
     arguments_.flow = flow_options(arguments_, mesh, console_);
     progress.begin("measure");
     figures_.mean_edge_length = mean_edge_length(mesh.X, mesh.topology, *mesh.parts);

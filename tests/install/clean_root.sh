@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Installs the packages that `cpack` made into empty Debian systems and runs the demo there: the .deb
-# with what it says it depends on, the tarball with the libraries of those packages alone, and a
-# project of another's with the library's package.
+# with what it says it depends on, that of the engine for many machines beside it, the tarball with the
+# libraries of those packages alone, and a project of another's with the library's package.
 #
 #   clean_root.sh BUILD WORK
 #
@@ -48,6 +48,16 @@ echo "the Debian package"
 cp "$program" "$work/root/root/program.deb"
 apt install /root/program.deb
 demo /usr
+
+engine=$(ls "$work"/packages/ibmfair-petsc_*.deb 2>/dev/null || true)
+if [[ $engine ]]; then
+  echo "the package of the engine for many machines"
+  cp "$engine" "$work/root/root/engine.deb"
+  apt install /root/engine.deb
+  inside OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 ibmfair smooth \
+    /usr/share/ibmfair/femur.off /tmp/shared.ply --engine petsc --steps 2 --quiet
+  [[ -s $work/root/tmp/shared.ply ]]
+fi
 
 echo "the tarball, moved"
 apt remove ibmfair  # its libraries stay

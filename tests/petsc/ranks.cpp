@@ -43,6 +43,7 @@ Fair RanksTest::collect(RunResult run, const std::string& output) const {
 
 Fair RanksTest::on_one(const std::string& input, const Words& options,
                        const std::string& output) const {
+  std::filesystem::remove(files_ / output);  // what is there afterwards is of this run
   return collect(run_program(Words{"smooth", input, files_ / output, "--overwrite", "--json",
                                    "--solver", "cholmod", "--solver-tolerance", "1e-12"} +
                              options),
@@ -51,6 +52,7 @@ Fair RanksTest::on_one(const std::string& input, const Words& options,
 
 Fair RanksTest::on_ranks(int count, const std::string& input, const Words& options,
                          const Words& petsc, const std::string& output) const {
+  std::filesystem::remove(files_ / output);
   return collect(
       run_on_ranks(count, Words{"smooth", input, files_ / output, "--overwrite", "--json",
                                 "--engine", "petsc", "--solver-tolerance", "1e-12"} +

@@ -70,7 +70,6 @@ void Jacobian::choose_solver(const JacobianParts& parts) {
     take(choose_backend(shape(), parts));
   } else {
     solver_ = parts_.make_solver(shape());
-    report_.solver = options_.solver;
   }
 }
 

@@ -47,7 +47,8 @@ class MeshParts {
   /// The same for flags.
   void refresh(std::vector<std::uint8_t>& flags) const;
 
-  /// What solves with the Jacobian over all parts; null where any backend can.
+  /// What solves with the Jacobian over all parts, and notes its name in the report; null where any
+  /// backend can.
   virtual std::unique_ptr<JacobianSolver> make_solver(const JacobianShape& shape) const;
 
  protected:
