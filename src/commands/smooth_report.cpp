@@ -106,7 +106,7 @@ std::string curve(const FlowReport& flow) {
 
 /// What the linear systems took.
 std::string effort(const FlowReport& flow) {
-  return flow.solver == "cg" ? fmt::format("{} iterations", flow.iterations)
+  return flow.iterations > 0 ? fmt::format("{} iterations", flow.iterations)
                              : fmt::format("{} factorization{}", flow.factorizations,
                                            flow.factorizations == 1 ? "" : "s");
 }

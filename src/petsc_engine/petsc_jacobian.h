@@ -10,10 +10,10 @@
 
 namespace ibmfair::petsc {
 
-/// Each rank has the rows of its unknowns. Conjugate gradients go to `FlowOptions::solver_tolerance`,
-/// in the norm of the preconditioner, in which the rows of small triangles count as others do. That
-/// is successive over-relaxation of each rank's rows, or BoomerAMG where it would take many
-/// iterations. The options `-ksp_*` and `-pc_*` say otherwise.
+/// Each rank has the rows of its unknowns. Conjugate gradients go to
+/// `FlowOptions::solver_tolerance`, in the norm of the preconditioner, in which the rows of small
+/// triangles count as others do. That is successive over-relaxation of each rank's rows, or
+/// BoomerAMG where it would take many iterations. The options `-ksp_*` and `-pc_*` say otherwise.
 class PetscJacobian final : public JacobianSolver {
  public:
   /// What is referred to outlives it. Collective, as all members are.
