@@ -11,11 +11,20 @@ sys.path.insert(0, os.path.join(os.path.dirname(os.path.dirname(os.path.abspath(
 from tables import PROGRAM, ibmfair  # noqa: E402
 
 PROGRAMS = os.path.join(os.path.dirname(PROGRAM), "benchmarks")
+TOOLS = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 
 
 def note(text):
     """What is being done now, for those who wait."""
     print(f"bench: {text}", file=sys.stderr, flush=True)
+
+
+def build(packages):
+    """Installs these packages, too, and builds ibmfair and its rivals beside PROGRAM."""
+    subprocess.run([os.path.join(TOOLS, "setup"), *packages], check=True, stdout=sys.stderr)
+    script = 'source "$0"; configure "$1" -D CMAKE_BUILD_TYPE=Release; compile "$1" ibmfair benchmarks'
+    subprocess.run(["bash", "-c", script, os.path.join(TOOLS, "lib", "build.sh"),
+                    os.path.dirname(PROGRAM)], check=True, stdout=subprocess.DEVNULL)
 
 
 def wall_clock(command, longest=120):
