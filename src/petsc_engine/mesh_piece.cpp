@@ -1,6 +1,7 @@
 #include "petsc_engine/mesh_piece.h"
 
 #include <algorithm>
+#include <span>
 
 namespace ibmfair::petsc {
 namespace {
@@ -119,17 +120,17 @@ class Distribution {
     Parcels<Index> wanted = comm_.exchange(sort_by_rank(
         neighbours, comm_.size(), [&](Index v) { return ranks[place_in(neighbours, v)]; }));
     Parcels<NumberedTriangle> stars{{}, std::vector<int>(wanted.counts.size(), 0)};
-    auto next = wanted.items.begin();
+    std::size_t first = 0;
     for (std::size_t r = 0; r < wanted.counts.size(); ++r) {
-      std::vector<Index> vertices(next, next + wanted.counts[r]);
-      next += wanted.counts[r];
+      const std::span<Index> vertices(wanted.items.data() + first,
+                                      static_cast<std::size_t>(wanted.counts[r]));
+      first += vertices.size();
       std::sort(vertices.begin(), vertices.end());
-      if (vertices.empty()) {
-        continue;
-      }
+      const auto is_wanted = [&vertices](Index v) {
+        return std::binary_search(vertices.begin(), vertices.end(), v);
+      };
       for (const NumberedTriangle& t : triangles) {
-        if (std::any_of(t.corners.begin(), t.corners.end(),
-                        [&](Index v) { return contains(vertices, v); })) {
+        if (std::any_of(t.corners.begin(), t.corners.end(), is_wanted)) {
           stars.items.push_back(t);
           ++stars.counts[r];
         }
