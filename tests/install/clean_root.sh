@@ -54,7 +54,7 @@ if [[ $engine ]]; then
   echo "the package of the engine for many machines"
   cp "$engine" "$work/root/root/engine.deb"
   apt install /root/engine.deb
-  inside OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 ibmfair smooth \
+  inside OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 /usr/bin/ibmfair smooth \
     /usr/share/ibmfair/femur.off /tmp/shared.ply --engine petsc --steps 2 --quiet
   [[ -s $work/root/tmp/shared.ply ]]
 fi

@@ -80,7 +80,7 @@ TEST_F(Ranks, EveryOptionOfTheFlowMeansTheSame) {
            {"--max-move", "0.1e"},
            {"--fix", list},
            {"--cutoff", "5%"},
-           {"--plain", "--steps", "4"},
+           {"--plain"},
        }) {
     const Words all = Words{"--steps", "3"} + options;
     std::string what;
