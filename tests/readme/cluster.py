@@ -16,11 +16,14 @@ HERE = os.path.dirname(os.path.abspath(__file__))
 README = os.path.join(os.path.dirname(os.path.dirname(HERE)), "README.md")
 JOBS = """{"defaults": {"command": "smooth", "options": {"steps": 2, "cutoff": 4}},
            "jobs": [{"input": "scans/*.ply", "output": "fair/"}]}"""
+# Like a login, it sets the shell and begins at home: parallel relies on both.
 SSH = """#!/bin/sh
 while [ "${1#-}" != "$1" ]; do shift; done
 echo "$1" >> "$NODES"
 shift
 [ "$1" != -- ] || shift
+cd
+export SHELL=/bin/sh
 exec sh -c "$*"
 """
 
@@ -43,7 +46,8 @@ def prepare(program, work):
     shutil.rmtree(work, ignore_errors=True)
     commands = os.path.join(work, "commands")
     os.makedirs(commands)
-    os.makedirs(os.path.join(work, "scans"))
+    for name in ("home", "scans"):
+        os.makedirs(os.path.join(work, name))
     os.symlink(program, os.path.join(commands, "ibmfair"))
     for name in ("sbatch", "srun"):
         os.symlink(os.path.join(HERE, "fake_slurm.py"), os.path.join(commands, name))
@@ -55,8 +59,8 @@ def prepare(program, work):
         file.write("ply\nformat ascii 1.0\nelement vertex many\n")
     with open(os.path.join(work, "jobs.json"), "w", encoding="utf-8") as file:
         file.write(JOBS)
-    return {**os.environ, "PATH": commands + ":" + os.environ["PATH"],
-            "NODES": os.path.join(work, "nodes")}
+    return {**os.environ, "HOME": os.path.join(work, "home"),
+            "PATH": commands + ":" + os.environ["PATH"], "NODES": os.path.join(work, "nodes")}
 
 
 def lasting(work, name):
