@@ -20,30 +20,36 @@ struct Blocks {
   int owner(std::int64_t row) const { return static_cast<int>(((row + 1) * ranks - 1) / total); }
 };
 
+/// The rows that each rank names of the others' blocks.
+struct Route {
+  Parcels<Index> asked;   ///< by this rank
+  Parcels<Index> wanted;  ///< of this rank
+
+  /// Collective.
+  Route(const Communicator& comm, const Blocks& blocks, const std::vector<Index>& rows)
+      : asked(sort_by_rank(rows, comm.size(), [&](Index row) { return blocks.owner(row); })),
+        wanted(comm.exchange(asked)) {}
+};
+
 /// For each of the rows (in any order, also several times) the value that the rank which holds it
 /// has there. Collective.
 template <class T>
 std::vector<T> fetch(const Communicator& comm, const Blocks& blocks, const std::vector<T>& values,
                      const std::vector<Index>& rows) {
-  const auto owner = [&blocks](Index row) { return blocks.owner(row); };
-  const Parcels<Index> asked = sort_by_rank(rows, comm.size(), owner);
-  const Parcels<Index> wanted = comm.exchange(asked);
-  Parcels<T> answers{{}, wanted.counts};
-  answers.items.reserve(wanted.items.size());
+  const Route route(comm, blocks, rows);
+  Parcels<T> answers{{}, route.wanted.counts};
+  answers.items.reserve(route.wanted.items.size());
   const std::int64_t first = blocks.first(comm.rank());
-  for (const Index row : wanted.items) {
+  for (const Index row : route.wanted.items) {
     answers.items.push_back(values[static_cast<std::size_t>(row - first)]);
   }
-  Parcels<T> received{std::vector<T>(rows.size()), asked.counts};
+  Parcels<T> received{std::vector<T>(rows.size()), route.asked.counts};
   comm.exchange_known(answers, received);
-  std::vector<std::size_t> next(static_cast<std::size_t>(comm.size()), 0);
-  for (int r = 1; r < comm.size(); ++r) {
-    next[r] = next[r - 1] + static_cast<std::size_t>(asked.counts[r - 1]);
-  }
+  std::vector<int> next = first_places(route.asked.counts);
   std::vector<T> result;
   result.reserve(rows.size());
   for (const Index row : rows) {
-    result.push_back(received.items[next[owner(row)]++]);
+    result.push_back(received.items[next[blocks.owner(row)]++]);
   }
   return result;
 }

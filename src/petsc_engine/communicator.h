@@ -125,10 +125,7 @@ Parcels<T> sort_by_rank(const std::vector<T>& items, int ranks, const RankOf& ra
   for (const T& item : items) {
     ++parcels.counts[rank_of(item)];
   }
-  std::vector<std::size_t> next(static_cast<std::size_t>(ranks), 0);
-  for (int r = 1; r < ranks; ++r) {
-    next[r] = next[r - 1] + static_cast<std::size_t>(parcels.counts[r - 1]);
-  }
+  std::vector<int> next = first_places(parcels.counts);
   for (const T& item : items) {
     parcels.items[next[rank_of(item)]++] = item;
   }

@@ -11,12 +11,6 @@
 namespace ibmfair::petsc {
 namespace {
 
-double number_at(const char* p, ply::Type type, bool swapped) {
-  return ply::with_type(type, [&](auto of) {
-    return static_cast<double>(load<typename decltype(of)::type>(p, swapped));
-  });
-}
-
 /// Where a property stands in a row of scalars.
 std::int64_t offset_of(const ply::Element& element, int property) {
   std::int64_t offset = 0;
@@ -94,7 +88,7 @@ std::optional<std::vector<std::array<double, 3>>> PlyRows::positions(std::string
     const std::int64_t offset = offset_of(vertex, layout_.position[c]);
     const ply::Type type = vertex.properties[layout_.position[c]].type;
     for (std::size_t v = 0; v < X.size(); ++v) {
-      X[v][c] = number_at(rows.data() + v * vertex_row() + offset, type, swapped);
+      X[v][c] = ply::binary_number(rows.data() + v * vertex_row() + offset, type, swapped);
       finite = finite && std::isfinite(X[v][c]);
     }
   }
@@ -109,12 +103,12 @@ std::optional<std::vector<std::array<Index, 3>>> PlyRows::corners(std::string_vi
   std::vector<std::array<Index, 3>> F(rows.size() / triangle_row());
   for (std::size_t t = 0; t < F.size(); ++t) {
     const char* p = rows.data() + t * triangle_row() + offset;
-    if (number_at(p, list.count_type, swapped) != 3) {
+    if (ply::binary_number(p, list.count_type, swapped) != 3) {
       return std::nullopt;
     }
     p += size_of(list.count_type);
     for (int i = 0; i < 3; ++i, p += size_of(list.type)) {
-      const double corner = number_at(p, list.type, swapped);
+      const double corner = ply::binary_number(p, list.type, swapped);
       if (!(corner >= 0 && corner < static_cast<double>(vertices()))) {
         return std::nullopt;
       }
@@ -134,7 +128,7 @@ std::optional<std::vector<double>> PlyRows::values(std::string_view rows,
   const std::int64_t offset = offset_of(vertex, property);
   std::vector<double> values(rows.size() / vertex_row());
   for (std::size_t v = 0; v < values.size(); ++v) {
-    values[v] = number_at(rows.data() + v * vertex_row() + offset, vertex.properties[property].type,
+    values[v] = ply::binary_number(rows.data() + v * vertex_row() + offset, vertex.properties[property].type,
                           ply::is_swapped(layout_.header.encoding));
   }
   return values;

@@ -19,15 +19,6 @@ std::string exchange_rows(const Communicator& comm, std::string_view rows, std::
   return result;
 }
 
-/// The numbers that other ranks name of this rank's block, and those that this one names.
-struct Route {
-  Parcels<Index> asked, wanted;
-
-  Route(const Communicator& comm, const Blocks& blocks, const std::vector<Index>& numbers)
-      : asked(sort_by_rank(numbers, comm.size(), [&](Index row) { return blocks.owner(row); })),
-        wanted(comm.exchange(asked)) {}
-};
-
 }  // namespace
 
 std::string fetch_rows(const Communicator& comm, const Blocks& blocks, std::string_view block,

@@ -24,9 +24,7 @@ double number_at(const Span& span, Type type, Encoding encoding) {
     parse_real(span.first, span.last, value);
     return value;
   }
-  return with_type(type, [&](auto of) {
-    return static_cast<double>(load<typename decltype(of)::type>(span.first, is_swapped(encoding)));
-  });
+  return binary_number(span.first, type, is_swapped(encoding));
 }
 
 VertexAppender::VertexAppender(const PatchRequest& request, const Layout& layout)

@@ -16,9 +16,7 @@ std::string out_of_range(std::int64_t index, std::int64_t limit) {
 
 double BinaryBody::any_real(Type type) {
   require(size_of(type));
-  const double value = with_type(type, [&](auto of) {
-    return static_cast<double>(load<typename decltype(of)::type>(p_, swapped_));
-  });
+  const double value = binary_number(p_, type, swapped_);
   p_ += size_of(type);
   return value;
 }

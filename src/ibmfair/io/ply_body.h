@@ -43,6 +43,13 @@ inline bool is_swapped(Encoding encoding) {
   return encoding != Encoding::ascii && (encoding == Encoding::big_endian) != big;
 }
 
+/// The number of this type stored at `p`, with its bytes in reverse order if `swapped`.
+inline double binary_number(const char* p, Type type, bool swapped) {
+  return with_type(type, [&](auto of) {
+    return static_cast<double>(load<typename decltype(of)::type>(p, swapped));
+  });
+}
+
 /// What both bodies do: say where they are.
 class BodyBase {
  public:
