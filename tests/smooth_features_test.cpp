@@ -138,6 +138,22 @@ TEST_F(SmoothFeatures, WeightsThatCannotBeAreRefused) {
   }
 }
 
+TEST_F(SmoothFeatures, AndThoseThatAreNoNumbersInTheFile) {
+  const std::string input = paced();
+  const std::string good = read_bytes(input);
+  for (const std::string value : {"nan", "inf", "-inf"}) {
+    write_bytes(input, replaced(good, " 0.5\n", " " + value + "\n"));
+    for (const std::string option : {"--weights", "--h0"}) {
+      const Smoothed result = smooth(input, {"--laplacian", "lagrange", option, "pace"});
+      EXPECT_EQ(result.exit_code, 3) << value << option;
+      EXPECT_TRUE(contains(result.err, "pace of vertex 2 is " + value)) << result.err;
+    }
+    const Smoothed masked = smooth(input, {"--mask", "pace"});
+    EXPECT_EQ(masked.exit_code, 0) << masked.err;
+    EXPECT_EQ(masked.X.row(2), read_mesh(input).mesh().X.row(2)) << value;
+  }
+}
+
 TEST_F(SmoothFeatures, SpontaneousCurvatureSetsTheRadius) {
   const std::string input = noisy("icosphere", {"--subdivide", "3"});
   const Words flow{"--laplacian", "lagrange", "--cutoff", "60", "--steps", "30"};

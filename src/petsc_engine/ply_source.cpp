@@ -76,7 +76,7 @@ std::vector<double> PlySource::vertex_values(const std::string& name) {
 std::vector<std::uint8_t> PlySource::vertex_mask(const std::string& name) {
   std::vector<std::uint8_t> mask;
   for (const double value : vertex_values(name)) {
-    mask.push_back(value != 0 ? 1 : 0);
+    mask.push_back(ply::selects(value) ? 1 : 0);
   }
   return mask;
 }

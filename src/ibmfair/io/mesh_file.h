@@ -51,7 +51,8 @@ class MeshFile {
   /// names the file has.
   std::vector<std::uint8_t> vertex_mask(const std::string& name) const;
 
-  /// The vertex property of this name, a number for each vertex; nothing where the file has none.
+  /// The vertex property of this name, for each vertex the number that the file has, nan and
+  /// infinities included; nothing where the file has no such property.
   /// Where vertices were welded, that of the first of them.
   std::optional<std::vector<double>> vertex_values(const std::string& name) const;
 

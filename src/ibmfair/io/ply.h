@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -55,6 +56,10 @@ void read_face_texture(const SourceBytes& source, const Layout& layout, const Me
                        MeshAttributes& attributes);
 
 MeshAttributes read_attributes(const SourceBytes& source, const Mesh& mesh);
+/// Whether a vertex is selected by this value of the property that is the mask.
+inline bool selects(double value) {
+  return std::isfinite(value) && value != 0;
+}
 std::vector<std::uint8_t> vertex_mask(const SourceBytes& source, const Mesh& mesh,
                                       std::string_view name);
 std::optional<std::vector<double>> vertex_values(const SourceBytes& source, std::string_view name);

@@ -33,8 +33,7 @@ double finite_or_zero(double value) {
   return std::isfinite(value) ? value : 0.0;
 }
 
-/// Reads scalar vertex properties as finite numbers: one row of `values` a vertex, a column a
-/// property.
+/// Reads scalar vertex properties: one row of values a vertex, a column a property.
 std::vector<double> read_columns(const SourceBytes& source, const Layout& layout,
                                  const std::vector<int>& columns) {
   const Element& vertex = layout.vertices();
@@ -50,7 +49,7 @@ std::vector<double> read_columns(const SourceBytes& source, const Layout& layout
         } else {
           const auto at = static_cast<std::size_t>(row) * columns.size() +
                           static_cast<std::size_t>(column - columns.begin());
-          values[at] = finite_or_zero(body.any_real(vertex.properties[i].type));
+          values[at] = body.any_real(vertex.properties[i].type);
         }
       }
       body.end_row();
@@ -74,7 +73,7 @@ void read_colours(const SourceBytes& source, const Layout& layout, MeshAttribute
   attributes.colours.assign(values.size() / channels, {0, 0, 0, 1});
   for (std::size_t v = 0; v < attributes.colours.size(); ++v) {
     for (std::size_t c = 0; c < channels; ++c) {
-      attributes.colours[v][c] = values[v * channels + c] / full[c];
+      attributes.colours[v][c] = finite_or_zero(values[v * channels + c]) / full[c];
     }
   }
 }
@@ -84,7 +83,7 @@ void read_vertex_texture(const SourceBytes& source, const Layout& layout, const 
   const std::vector<double> values =
       read_columns(source, layout, {layout.texture[0], layout.texture[1]});
   for (std::size_t i = 0; i + 1 < values.size(); i += 2) {
-    attributes.texture_coordinates.push_back({values[i], values[i + 1]});
+    attributes.texture_coordinates.push_back({finite_or_zero(values[i]), finite_or_zero(values[i + 1])});
   }
   attributes.corner_texture = mesh.faces.corner;
 }
@@ -184,7 +183,7 @@ std::vector<std::uint8_t> vertex_mask(const SourceBytes& source, const Mesh& /*m
   std::vector<std::uint8_t> mask;
   mask.reserve(values->size());
   for (const double value : *values) {
-    mask.push_back(value != 0.0);
+    mask.push_back(selects(value));
   }
   return mask;
 }
