@@ -11,7 +11,6 @@
 #include "commands/page/mesh_scene.h"
 #include "commands/progress.h"
 #include "commands/report/report_formats.h"
-#include "commands/signals.h"
 #include "commands/smooth_arguments.h"
 #include "commands/smooth_report.h"
 #include "commands/smooth_setup.h"
@@ -44,22 +43,6 @@ void draw(const SmoothArguments& arguments, const Topology& topology, const Poin
   const std::array<FieldState, 2> states{{{before, topology, nullptr, arguments.flow.laplacian},
                                           {after, topology, &before, arguments.flow.laplacian}}};
   draw_picture(arguments.picture, arguments.output.write.overwrite, states, topology.F.rows());
-}
-
-/// Where the state goes that an interrupted run has reached.
-OutputOptions checkpoint_of(const SmoothArguments& arguments) {
-  OutputOptions checkpoint = arguments.output;
-  checkpoint.path = arguments.checkpoint;
-  checkpoint.write.format.clear();
-  return checkpoint;
-}
-
-void check_outputs(const SmoothArguments& arguments) {
-  check_reports(arguments.report,
-                {{"", arguments.output.path},
-                 {"--picture", arguments.picture.path},
-                 {"--checkpoint", arguments.checkpoint}},
-                arguments.output.write.overwrite);
 }
 
 void check_formats(const SmoothArguments& arguments, const MeshFile& file) {
@@ -98,23 +81,6 @@ Smoothing read_smoothing(const SmoothArguments& arguments, const Console& consol
   s.figures.closed = s.topology.boundary_loops.empty();
   s.X = s.before();
   return s;
-}
-
-void run_flow(const SmoothArguments& arguments, FlowOptions options, Smoothing& s,
-              Progress& progress) {
-  set_scale(arguments, s.before(), s.topology, MeshParts::one(), options, s.figures);
-  s.held = held(arguments, s.file, s.topology, options.cutoff_factor);
-  std::optional<PostponedEnd> postponed;
-  if (!arguments.checkpoint.empty()) {
-    postponed.emplace();
-  }
-  progress.begin_work("prepare");
-  options.on_stage = [&progress](FlowStage stage) { progress.enter(stage); };
-  s.figures.flow = willmore_flow(s.X, s.topology, s.held, options, [&](const StepRecord& step) {
-    progress.advance(step, options.steps, options.total_time);
-    return PostponedEnd::signal_number() == 0;
-  });
-  s.figures.total_time = options.total_time;
 }
 
 ExitCode forecast(const SmoothArguments& arguments, FlowOptions options, Smoothing& s,
@@ -156,29 +122,18 @@ void write_and_tell(const SmoothArguments& arguments, const OutputOptions& outpu
     const Stopwatch watch(s.figures.seconds_write);
     written = write_mesh(s.file, s.X, output.path, output.write);
   }
-  for (const std::string& note : written.notes) {
-    console.note(note);
-  }
   draw(arguments, s.topology, s.before(), s.X);
   progress.end();
-  report.figures["input"] = arguments.input;
-  report.figures["output"] = output.path;
-  add_smooth_figures(s.figures, arguments.flow, report);
   report.figures["defects"] = defects_json(s.topology);
-  report.figures["moved_vertices"] = written.moved_vertices;
-  console.note(fmt::format("{} -> {}, {} of {} vertices moved", arguments.input, output.path,
-                           written.moved_vertices, s.X.rows()),
-               smooth_table(s.figures, console.level() == Console::Level::verbose));
+  tell_of_smoothing(arguments, s.figures, output.path, written, "", console, report);
 }
 
 /// The options of the flow as the mesh and other options have them.
 FlowOptions flow_options(const SmoothArguments& arguments, const MeshFile& file,
                          const Topology& topology, const Console& console) {
   FlowOptions options = arguments.flow;
-  set_flow_options(arguments, file.has_texture_coordinates(), console, options);
-  if (const std::vector<double>& a = arguments.anisotropy; !a.empty()) {
-    options.material_axes = material_axes(file.mesh().X, topology, Vec3(a[0], a[1], a[2]), a[3]);
-  }
+  set_flow_options(arguments, file.mesh().X, topology, file.has_texture_coordinates(), console,
+                   options);
   if (!arguments.weights.empty()) {
     options.cutoff_factor = vertex_values(file, arguments.weights, 0, "--weights");
   }
@@ -206,7 +161,8 @@ ExitCode run_smooth(SmoothArguments arguments, const CLI::App& app, Console& con
   s.figures.mean_edge_length = mean_edge_length(s.before(), s.topology.E);
   s.figures.before = mesh_figures(s.before(), s.topology, options);
   if (options.steps > 0) {
-    run_flow(arguments, options, s, progress);
+    s.held = held(arguments, s.file, s.topology, options.cutoff_factor);
+    run_flow(arguments, options, s.X, s.topology, s.held, MeshParts::one(), s.figures, progress);
   }
   progress.begin("measure");
   s.figures.after = mesh_figures(s.X, s.topology, options);
@@ -216,11 +172,6 @@ ExitCode run_smooth(SmoothArguments arguments, const CLI::App& app, Console& con
   const OutputOptions output =
       status == FlowStatus::interrupted ? checkpoint_of(arguments) : arguments.output;
   write_and_tell(arguments, output, s, report, console, progress);
-  if (const std::string remark = remark_on(s.figures, output.path, options.steps);
-      !remark.empty()) {
-    console.warning(remark);
-    report.warnings.push_back({remark});
-  }
   report.scene = [&] { return smooth_scene(arguments, s, report.warnings, console); };
   deliver_report(arguments.report, output.write.overwrite, report);
   return exit_code_of(status);

@@ -2,9 +2,12 @@
 
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 #include <fmt/format.h>
 
+#include "commands/report/report_formats.h"
+#include "commands/signals.h"
 #include "ibmfair/base/errors.h"
 #include "ibmfair/flow/held_vertices.h"
 #include "ibmfair/flow/part_measures.h"
@@ -48,8 +51,23 @@ BoundaryCondition boundary_condition(const std::string& name) {
 
 }  // namespace
 
-void set_flow_options(const SmoothArguments& arguments, bool has_texture_coordinates,
-                      const Console& console, FlowOptions& options) {
+void check_outputs(const SmoothArguments& arguments) {
+  check_reports(arguments.report,
+                {{"", arguments.output.path},
+                 {"--picture", arguments.picture.path},
+                 {"--checkpoint", arguments.checkpoint}},
+                arguments.output.write.overwrite);
+}
+
+OutputOptions checkpoint_of(const SmoothArguments& arguments) {
+  OutputOptions checkpoint = arguments.output;
+  checkpoint.path = arguments.checkpoint;
+  checkpoint.write.format.clear();
+  return checkpoint;
+}
+
+void set_flow_options(const SmoothArguments& arguments, const Points& X, const Topology& topology,
+                      bool has_texture_coordinates, const Console& console, FlowOptions& options) {
   options.mass = arguments.mass.mass();
   options.mass_matrix = arguments.mass.name;
   options.metric = arguments.metric == "mass" ? Metric::mass : Metric::identity;
@@ -61,6 +79,9 @@ void set_flow_options(const SmoothArguments& arguments, bool has_texture_coordin
   }
   if (arguments.keep_sharp) {
     options.sharp_angle = *arguments.keep_sharp * std::numbers::pi / 180;
+  }
+  if (const std::vector<double>& a = arguments.anisotropy; !a.empty()) {
+    options.material_axes = material_axes(X, topology, Vec3(a[0], a[1], a[2]), a[3]);
   }
 }
 
@@ -91,11 +112,49 @@ std::vector<std::uint8_t> held_by(const SmoothArguments& arguments, const Topolo
   return held;
 }
 
+void run_flow(const SmoothArguments& arguments, FlowOptions options, Points& X,
+              const Topology& topology, const std::vector<std::uint8_t>& held,
+              const MeshParts& parts, SmoothFigures& figures, Progress& progress) {
+  set_scale(arguments, X, topology, parts, options, figures);
+  std::optional<PostponedEnd> postponed;
+  if (!arguments.checkpoint.empty()) {
+    postponed.emplace();
+  }
+  progress.begin_work("prepare");
+  options.on_stage = [&progress](FlowStage stage) { progress.enter(stage); };
+  const auto observe = [&](const StepRecord& step) {
+    progress.advance(step, options.steps, options.total_time);
+    return !parts.any(PostponedEnd::signal_number() != 0);
+  };
+  figures.flow = willmore_flow(X, topology, held, options, observe, parts);
+  figures.total_time = options.total_time;
+}
+
 void measure_moves(const Points& before, const Points& after, SmoothFigures& figures) {
   if (before.rows() > 0) {
     const Eigen::VectorXd squared = (after - before).rowwise().squaredNorm();
     figures.largest_move = std::sqrt(squared.maxCoeff());
     figures.rms_move = std::sqrt(squared.mean());
+  }
+}
+
+void tell_of_smoothing(const SmoothArguments& arguments, const SmoothFigures& figures,
+                       const std::string& output, const WriteReport& written, std::string_view by,
+                       const Console& console, Report& report) {
+  for (const std::string& note : written.notes) {
+    console.note(note);
+  }
+  report.figures["input"] = arguments.input;
+  report.figures["output"] = output;
+  add_smooth_figures(figures, arguments.flow, report);
+  report.figures["moved_vertices"] = written.moved_vertices;
+  console.note(fmt::format("{} -> {}, {} of {} vertices moved{}", arguments.input, output,
+                           written.moved_vertices, figures.vertices, by),
+               smooth_table(figures, console.level() == Console::Level::verbose));
+  if (const std::string remark = remark_on(figures, output, arguments.flow.steps);
+      !remark.empty()) {
+    console.warning(remark);
+    report.warnings.push_back({remark});
   }
 }
 

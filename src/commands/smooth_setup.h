@@ -1,22 +1,32 @@
-// What the arguments of `smooth` come to on a mesh, or on a piece of one in several parts.
+// What `smooth` does alike on a mesh and on a piece of one in several parts.
 #pragma once
 
 #include <cstdint>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "commands/console.h"
+#include "commands/progress.h"
 #include "commands/smooth_arguments.h"
 #include "commands/smooth_report.h"
 #include "ibmfair/flow/mesh_parts.h"
+#include "ibmfair/io/mesh_file.h"
 #include "ibmfair/mesh/topology.h"
 
 namespace ibmfair::commands {
 
+/// Throws where a file that the arguments name could not be written.
+void check_outputs(const SmoothArguments& arguments);
+
+/// Where the state goes that an interrupted run has reached.
+OutputOptions checkpoint_of(const SmoothArguments& arguments);
+
 /// Sets the options of the flow that other arguments name in words, but for those that are a value
-/// for every vertex. Without --tangential, vertices slide within the surface unless that would drag
-/// a texture over it.
-void set_flow_options(const SmoothArguments& arguments, bool has_texture_coordinates,
-                      const Console& console, FlowOptions& options);
+/// for every vertex of a file. Without --tangential, vertices slide within the surface unless that
+/// would drag a texture over it.
+void set_flow_options(const SmoothArguments& arguments, const Points& X, const Topology& topology,
+                      bool has_texture_coordinates, const Console& console, FlowOptions& options);
 
 /// Sets the total time and the bound on moves of `options`, and the cut-off among the figures.
 /// Throws BadMesh where edges are too long or short for the flow's time to be a number.
@@ -30,7 +40,19 @@ std::vector<std::uint8_t> held_by(const SmoothArguments& arguments, const Topolo
                                   const std::vector<std::uint8_t>& mask,
                                   const Eigen::VectorXd& weights);
 
+/// Moves X and notes what comes of it. With --checkpoint, a request to end is heeded between two
+/// steps. Throws as set_scale and willmore_flow.
+void run_flow(const SmoothArguments& arguments, FlowOptions options, Points& X,
+              const Topology& topology, const std::vector<std::uint8_t>& held,
+              const MeshParts& parts, SmoothFigures& figures, Progress& progress);
+
 /// Notes how far vertices have moved.
 void measure_moves(const Points& before, const Points& after, SmoothFigures& figures);
+
+/// Says what was done and written to `output`, and notes it in the report. `by` tells by whom,
+/// after the count of moved vertices; empty: by this process.
+void tell_of_smoothing(const SmoothArguments& arguments, const SmoothFigures& figures,
+                       const std::string& output, const WriteReport& written, std::string_view by,
+                       const Console& console, Report& report);
 
 }  // namespace ibmfair::commands

@@ -15,12 +15,6 @@
 namespace ibmfair::commands {
 namespace {
 
-std::optional<double> finite_number(std::string_view word) {
-  double value = 0;
-  const char* end = word.data() + word.size();
-  return parse_real(word.data(), end, value) == end ? std::optional(value) : std::nullopt;
-}
-
 std::string range_text(double least) {
   return std::isfinite(least) ? fmt::format("a finite number from {} on", least)
                               : std::string("a finite number");
@@ -44,17 +38,13 @@ std::vector<double> read_values(const std::string& path, std::size_t count, doub
   return values;
 }
 
-void require_range(const std::vector<double>& values, double least, const MeshFile& file,
-                   const std::string& source, const std::string& option) {
-  for (std::size_t v = 0; v < values.size(); ++v) {
-    if (!std::isfinite(values[v]) || values[v] < least) {
-      throw BadFile(fmt::format("{}: {}: {} of vertex {} is {}, not {}", option, file.name(),
-                                source, v, values[v], range_text(least)));
-    }
-  }
-}
-
 }  // namespace
+
+std::optional<double> finite_number(std::string_view word) {
+  double value = 0;
+  const char* end = word.data() + word.size();
+  return parse_real(word.data(), end, value) == end ? std::optional(value) : std::nullopt;
+}
 
 Eigen::VectorXd vertex_values(const MeshFile& file, const std::string& source, double least,
                               const std::string& option) {
@@ -63,7 +53,10 @@ Eigen::VectorXd vertex_values(const MeshFile& file, const std::string& source, d
   if (std::filesystem::is_regular_file(source)) {
     values = read_values(source, count, least, option);
   } else if ((values = file.vertex_values(source))) {
-    require_range(*values, least, file, source, option);
+    for (std::size_t v = 0; v < count; ++v) {
+      require_vertex_value((*values)[v], least, static_cast<std::int64_t>(v), file.name(), source,
+                           option);
+    }
   } else {
     throw BadOption(fmt::format("{}: '{}' is neither a vertex property of {} nor a file", option,
                                 source, file.name()));
@@ -77,6 +70,14 @@ Eigen::VectorXd vertex_values_or_number(const MeshFile& file, const std::string&
     return Eigen::VectorXd::Constant(file.mesh().X.rows(), *number);
   }
   return vertex_values(file, source, -std::numeric_limits<double>::infinity(), option);
+}
+
+void require_vertex_value(double value, double least, std::int64_t vertex, const std::string& file,
+                          const std::string& property, const std::string& option) {
+  if (!std::isfinite(value) || value < least) {
+    throw BadFile(fmt::format("{}: {}: {} of vertex {} is {}, not {}", option, file, property,
+                              vertex, value, range_text(least)));
+  }
 }
 
 }  // namespace ibmfair::commands

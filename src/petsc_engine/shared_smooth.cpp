@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <memory>
 #include <optional>
 
@@ -9,14 +10,13 @@
 #include <fmt/format.h>
 
 #include "commands/defect_warnings.h"
-#include "commands/numeric_options.h"
 #include "commands/progress.h"
 #include "commands/report/report_formats.h"
-#include "commands/signals.h"
 #include "commands/smooth_arguments.h"
 #include "commands/smooth_report.h"
 #include "commands/smooth_setup.h"
 #include "commands/vertex_list.h"
+#include "commands/vertex_values.h"
 #include "ibmfair/base/errors.h"
 #include "ibmfair/base/process_memory.h"
 #include "ibmfair/base/stopwatch.h"
@@ -37,6 +37,8 @@ using commands::Progress;
 using commands::Report;
 using commands::SmoothArguments;
 using commands::SmoothFigures;
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// What needs the mesh in one place.
 void require_shareable(const SmoothArguments& arguments) {
@@ -100,37 +102,33 @@ SharedMesh read(const Communicator& comm, const SmoothArguments& arguments, cons
   return mesh;
 }
 
-Eigen::VectorXd values_of(const SharedMesh& mesh, const std::string& property) {
+/// A property of the vertices, finite numbers from `least` on.
+Eigen::VectorXd values_of(const SharedMesh& mesh, const SmoothArguments& arguments,
+                          const std::string& property, double least, const std::string& option) {
   const std::vector<double> values = mesh.at_vertices(mesh.source->vertex_values(property));
+  mesh.parts->communicator().together([&] {
+    for (Index v = 0; v < mesh.piece.own; ++v) {
+      commands::require_vertex_value(values[v], least, mesh.piece.vertex[v], arguments.input,
+                                     property, option);
+    }
+  });
   return Eigen::Map<const Eigen::VectorXd>(values.data(), std::ssize(values));
-}
-
-/// A number, or a property of the vertices.
-Eigen::VectorXd values_or_number(const SharedMesh& mesh, const std::string& source,
-                                 const std::string& option) {
-  try {
-    const double number = commands::parse_real_option(option, source, commands::any_real);
-    return Eigen::VectorXd::Constant(mesh.X.rows(), number);
-  } catch (const BadOption&) {
-    return values_of(mesh, source);
-  }
 }
 
 FlowOptions flow_options(const SmoothArguments& arguments, const SharedMesh& mesh,
                          const Console& console) {
   FlowOptions options = arguments.flow;
-  commands::set_flow_options(arguments, mesh.source->has_texture_coordinates(), console, options);
-  if (const std::vector<double>& a = arguments.anisotropy; !a.empty()) {
-    options.material_axes = material_axes(mesh.X, mesh.topology, Vec3(a[0], a[1], a[2]), a[3]);
-  }
+  commands::set_flow_options(arguments, mesh.X, mesh.topology,
+                             mesh.source->has_texture_coordinates(), console, options);
   if (!arguments.weights.empty()) {
-    options.cutoff_factor = values_of(mesh, arguments.weights);
-    if (mesh.parts->any((options.cutoff_factor.array() < 0).any())) {
-      throw BadOption("--weights: a weight is negative");
-    }
+    options.cutoff_factor = values_of(mesh, arguments, arguments.weights, 0, "--weights");
   }
   if (!arguments.h0.empty()) {
-    options.spontaneous_curvature = values_or_number(mesh, arguments.h0, "--h0");
+    if (const std::optional<double> number = commands::finite_number(arguments.h0)) {
+      options.spontaneous_curvature = Eigen::VectorXd::Constant(mesh.X.rows(), *number);
+    } else {
+      options.spontaneous_curvature = values_of(mesh, arguments, arguments.h0, -infinity, "--h0");
+    }
     if (mesh.parts->any(mesh.topology.turned_triangles > 0)) {
       throw BadMesh("--h0 needs triangles that all look to the same side of the surface");
     }
@@ -162,24 +160,6 @@ std::vector<std::uint8_t> held(const SmoothArguments& arguments, const SharedMes
   auto held = commands::held_by(arguments, mesh.topology, listed, mask, weights);
   mesh.parts->refresh(held);  // the piece ends there, not the mesh
   return held;
-}
-
-void run_flow(const SmoothArguments& arguments, FlowOptions options, SharedMesh& mesh,
-              SmoothFigures& figures, Progress& progress) {
-  commands::set_scale(arguments, mesh.X, mesh.topology, *mesh.parts, options, figures);
-  const std::vector<std::uint8_t> fixed = held(arguments, mesh, options.cutoff_factor);
-  std::optional<commands::PostponedEnd> postponed;
-  if (!arguments.checkpoint.empty()) {
-    postponed.emplace();
-  }
-  progress.begin_work("prepare");
-  options.on_stage = [&progress](FlowStage stage) { progress.enter(stage); };
-  const auto observe = [&](const StepRecord& step) {
-    progress.advance(step, options.steps, options.total_time);
-    return !mesh.parts->any(commands::PostponedEnd::signal_number() != 0);
-  };
-  figures.flow = willmore_flow(mesh.X, mesh.topology, fixed, options, observe, *mesh.parts);
-  figures.total_time = options.total_time;
 }
 
 void measure_moves(const SharedMesh& mesh, SmoothFigures& figures) {
@@ -222,9 +202,7 @@ class SharedSmooth {
     comm_.together([&] {
       require_shareable(arguments_);
       if (comm_.is_first()) {
-        check_reports(arguments_.report,
-                      {{"", arguments_.output.path}, {"--checkpoint", arguments_.checkpoint}},
-                      arguments_.output.write.overwrite);
+        check_outputs(arguments_);
         require_writable(arguments_.output);
       }
     });
@@ -240,7 +218,9 @@ class SharedSmooth {
     figures_.mean_edge_length = mean_edge_length(mesh.X, mesh.topology, *mesh.parts);
     figures_.before = mesh_figures(mesh.piece, mesh.X, mesh.topology, arguments_.flow, *mesh.parts);
     if (arguments_.flow.steps > 0) {
-      run_flow(arguments_, arguments_.flow, mesh, figures_, progress);
+      commands::run_flow(arguments_, arguments_.flow, mesh.X, mesh.topology,
+                         held(arguments_, mesh, arguments_.flow.cutoff_factor), *mesh.parts,
+                         figures_, progress);
     }
     progress.begin("measure");
     figures_.after = mesh_figures(mesh.piece, mesh.X, mesh.topology, arguments_.flow, *mesh.parts);
@@ -270,11 +250,9 @@ class SharedSmooth {
   }
 
   void write(const SharedMesh& mesh, Progress& progress) {
-    commands::OutputOptions output = arguments_.output;
-    if (figures_.flow.status == FlowStatus::interrupted) {
-      output.path = arguments_.checkpoint;
-      output.write.format.clear();
-    }
+    const commands::OutputOptions output = figures_.flow.status == FlowStatus::interrupted
+                                               ? checkpoint_of(arguments_)
+                                               : arguments_.output;
     WriteReport written;
     progress.begin("write");
     {
@@ -292,22 +270,9 @@ class SharedSmooth {
 
   void tell(const WriteReport& written, const commands::OutputOptions& output,
             const nlohmann::ordered_json& ranks) {
-    for (const std::string& note : written.notes) {
-      console_.note(note);
-    }
-    report_.figures["input"] = arguments_.input;
-    report_.figures["output"] = output.path;
-    commands::add_smooth_figures(figures_, arguments_.flow, report_);
     report_.figures["ranks"] = ranks;
-    report_.figures["moved_vertices"] = written.moved_vertices;
-    console_.note(fmt::format("{} -> {}, {} of {} vertices moved, on {} ranks", arguments_.input,
-                              output.path, written.moved_vertices, figures_.vertices, comm_.size()),
-                  commands::smooth_table(figures_, console_.level() == Console::Level::verbose));
-    const std::string remark = commands::remark_on(figures_, output.path, arguments_.flow.steps);
-    if (!remark.empty()) {
-      console_.warning(remark);
-      report_.warnings.push_back({remark});
-    }
+    tell_of_smoothing(arguments_, figures_, output.path, written,
+                      fmt::format(", on {} ranks", comm_.size()), console_, report_);
     deliver_report(arguments_.report, output.write.overwrite, report_);
   }
 

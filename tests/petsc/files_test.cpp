@@ -1,6 +1,7 @@
 // What the PETSc engine does with files: nothing is lost, whatever goes wrong.
 #include "support/files.h"
 
+#include <cmath>
 #include <csignal>
 #include <cstdlib>
 #include <filesystem>
@@ -12,6 +13,7 @@
 #include "ibmfair/shapes/shapes.h"
 #include "petsc/ranks.h"
 #include "support/mesh_io.h"
+#include "support/meshes.h"
 #include "support/states.h"
 
 namespace ibmfair::test {
@@ -54,6 +56,27 @@ std::string rich_ply(const Mesh& mesh, bool big_endian) {
   }
   return bytes + to_bytes(1, 1, big_endian, false) + to_bytes(77, 2, big_endian, false) +
          to_bytes(0, 1, big_endian, false);
+}
+
+/// A PLY file of a tetrahedron with a property `value`, which is 1 at all vertices but the third.
+std::string tetrahedron_with_values(double third) {
+  std::string bytes =
+      "ply\nformat binary_big_endian 1.0\nelement vertex 4\nproperty float x\nproperty float y\n"
+      "property float z\nproperty float value\nelement face 4\n"
+      "property list uchar int vertex_indices\nend_header\n";
+  const Mesh mesh = closed_meshes().front().mesh;
+  for (Index v = 0; v < 4; ++v) {
+    for (const double value : {mesh.X(v, 0), mesh.X(v, 1), mesh.X(v, 2), v == 2 ? third : 1}) {
+      bytes += to_bytes(value, 4, true, true);
+    }
+  }
+  for (Index f = 0; f < 4; ++f) {
+    bytes += to_bytes(3, 1, true, false);
+    for (const Index v : mesh.faces[f]) {
+      bytes += to_bytes(v, 4, true, false);
+    }
+  }
+  return bytes;
 }
 
 class RankFiles : public RanksTest {
@@ -198,6 +221,23 @@ TEST_F(RankFiles, ThatAreBrokenGiveTheErrorOfOneProcess) {
     const std::string message = one.err.substr(0, one.err.find('\n'));
     EXPECT_TRUE(contains(several.err, message)) << several.err;
     EXPECT_EQ(several.err.find(message), several.err.rfind(message)) << "said once";
+    EXPECT_FALSE(left_something());
+  }
+}
+
+TEST_F(RankFiles, AndValuesThatNoVertexCanHaveAreNamed) {
+  const std::vector<std::pair<std::string, double>> wrong{
+      {"--weights", -1}, {"--weights", std::nan("")}, {"--h0", HUGE_VAL}};
+  for (const auto& [option, value] : wrong) {
+    write_bytes(files_ / "values.ply", tetrahedron_with_values(value));
+    const Words smooth{
+        "smooth", files_ / "values.ply", files_ / "ranks.ply", "--laplacian", "lagrange", option,
+        "value"};
+    const RunResult one = run_program(smooth);
+    const RunResult several = run_on_ranks(2, smooth + Words{"--engine", "petsc"});
+    EXPECT_EQ(one.exit_code, 3) << one.err;
+    EXPECT_EQ(several.exit_code, 3) << several.err;
+    EXPECT_TRUE(contains(several.err, one.err)) << several.err << one.err;
     EXPECT_FALSE(left_something());
   }
 }
