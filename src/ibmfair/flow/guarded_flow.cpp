@@ -7,6 +7,7 @@
 #include "ibmfair/base/parallel.h"
 #include "ibmfair/base/stopwatch.h"
 #include "ibmfair/flow/distortion.h"
+#include "ibmfair/flow/fold_free_move.h"
 #include "ibmfair/flow/folds.h"
 #include "ibmfair/flow/tangential_relaxation.h"
 #include "ibmfair/mesh/geometry.h"
@@ -27,7 +28,6 @@ constexpr double culprit_share = 0.05;         // of the largest uphill slope, t
 constexpr double local_share = 0.02;          // of the vertices: more culprits are no local trouble
 constexpr int longest_creep = 8;              // short steps in a row that do little good
 constexpr int backtracks = 2;                 // halvings of a step before it is given up
-constexpr int fold_passes = 6;                // rounds of withholding moves that would fold
 constexpr double smallest_time_step = 1e-12;  // of the target, before giving up
 constexpr double rounding = 1e-14;            // of the energy: a smaller decrease is not seen
 
@@ -171,26 +171,10 @@ class GuardedFlow {
   /// Over all parts.
   std::int64_t count(double here) const { return static_cast<std::int64_t>(p_.parts.sum(here)); }
 
-  /// Displaces into Y_, withholding the moves of vertices whose hinges would fold over; false where
-  /// folds remain.
-  bool displace_without_folds(Points& move, std::int64_t& withheld) {
-    for (int pass = 0; pass < fold_passes; ++pass) {
-      landing_ = p_.displace(move, Y_);
-      if (landing_ == FlowProblem::Landing::nowhere) {
-        return false;
-      }
-      const std::vector<Index> folding = folds_.new_folds(Y_);
-      if (!p_.parts.any(!folding.empty())) {
-        return true;
-      }
-      for (const Index v : folding) {
-        if (const Index u = p_.unknowns.unknown[v]; u >= 0 && u < p_.unknowns.size()) {
-          move.row(u).setZero();
-          ++withheld;
-        }
-      }
-    }
-    return false;
+  /// Displaces into Y_; false where that leads nowhere.
+  bool displace(Points& move, std::int64_t& withheld) {
+    landing_ = displace_without_folds(p_, folds_, move, Y_, withheld);
+    return landing_ != FlowProblem::Landing::nowhere;
   }
 
   /// Looks for a fraction of the step that lowers the energy enough; leaves it in Y_.
@@ -199,7 +183,7 @@ class GuardedFlow {
     for (int i = 0; i <= backtracks; ++i, fraction_ /= 2) {
       move_ = fraction_ * step;
       std::int64_t withheld = 0;
-      if (displace_without_folds(move_, withheld)) {
+      if (displace(move_, withheld)) {
         trial_energy_ = p_.energy_at(Y_);
         const double promised = promised_decrease();
         record.decrease_ratio = (p_.energy() - trial_energy_) / promised;
@@ -297,7 +281,7 @@ class GuardedFlow {
     relaxation_.moves(p_.X, move);
     for (int i = 0; i <= backtracks; ++i, move /= 2) {
       std::int64_t withheld = 0;
-      if (displace_without_folds(move, withheld)) {
+      if (displace(move, withheld)) {
         const double energy = p_.try_state(Y_);
         if (energy <= energy_before_step_) {
           p_.report.energy_after = energy;

@@ -20,11 +20,7 @@ void TangentialRelaxation::moves(const Points& X, Points& move) const {
         step += (X.row(q) - X.row(v)).transpose();
       }
       step /= 2 * static_cast<double>(ring.size());
-      Vec3 normal = Vec3::Zero();
-      for (const Index t : topology_.stars[v]) {
-        const auto x = topology_.F.row(t);
-        normal += double_area_vector(X.row(x[0]), X.row(x[1]), X.row(x[2]));
-      }
+      const Vec3 normal = double_area_vector_at(v, X, topology_);
       const double squared = normal.squaredNorm();
       step -= squared > 0 ? Vec3(normal * (normal.dot(step) / squared)) : step;
     }

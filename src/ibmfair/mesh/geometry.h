@@ -13,6 +13,9 @@ inline Vec3 double_area_vector(const Vec3& a, const Vec3& b, const Vec3& c) {
   return (b - a).cross(c - a);
 }
 
+/// The sum of these around a vertex: along its normal; zero where there is none.
+Vec3 double_area_vector_at(Index v, const Points& X, const Topology& topology);
+
 /// Triangle areas, #F, length^2.
 Eigen::VectorXd triangle_areas(const Points& X, const Triangles& F);
 
