@@ -27,7 +27,6 @@ TEST_P(FamilyFlows, LowerTheEnergyOfANoisyMeshAtEveryStep) {
     add_noise(mesh.X, 0.15 * edge, 3);
     FlowOptions options;
     options.laplacian = GetParam().laplacian;
-    options.mass = GetParam().has_mass();
     options.mass_matrix = GetParam().mass;
     options.steps = 4;
     options.total_time = time_in_flow_units(time_for_cutoff(6 * edge), mesh.X, topology, options);

@@ -8,6 +8,7 @@
 
 #include "ibmfair/energy/laplacian_matrices.h"
 #include "ibmfair/shapes/polyhedra.h"
+#include "ibmfair/shapes/shapes.h"
 #include "support/family.h"
 #include "support/meshes.h"
 #include "support/states.h"
@@ -138,7 +139,8 @@ TEST_P(FamilyMembers, M1AndM2PositiveDefiniteAndScalingWithArea) {
     const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(M, Eigen::EigenvaluesOnly);
     EXPECT_GT(solver.eigenvalues()[0], 0);
     for (const double scale : {1e-5, 1e5}) {
-      const double factor = GetParam().has_mass() ? scale * scale : 1;  // the identity is no mass
+      const double factor =
+          GetParam().measures_area() ? scale * scale : 1;  // the identity is no mass
       const Eigen::MatrixXd scaled = dense(GetParam().matrices(scale * X, topology).M);
       EXPECT_LE((scaled - factor * M).norm(), 1e-12 * factor * M.norm());
     }
@@ -146,7 +148,7 @@ TEST_P(FamilyMembers, M1AndM2PositiveDefiniteAndScalingWithArea) {
 }
 
 TEST_P(FamilyMembers, M3SumsToTheAreaOfARegion) {
-  if (!GetParam().has_mass()) {
+  if (!GetParam().measures_area()) {
     GTEST_SKIP() << "the identity is no mass matrix";
   }
   const double cap = std::numbers::pi;  // of the unit sphere above z = 1/2
@@ -182,6 +184,16 @@ TEST_P(FamilyMembers, MakeTheEnergy) {
     const Points y = M.llt().solve(h);
     EXPECT_NEAR(E, h.cwiseProduct(y).sum() / 2, 1e-11 * E);
   });
+}
+
+TEST(Valence, CountsTheTrianglesAroundAVertex) {
+  const Member umbrella{"umbrella", "valence"};
+  const State torus(make_shape("torus", {.rows = 8}));  // six around each
+  EXPECT_EQ(umbrella.energy(torus.X, torus.topology),
+            (Member{"umbrella", "none"}.energy(torus.X, torus.topology)));
+  const State icosahedron(make_shape("icosahedron"));
+  const Eigen::MatrixXd M = dense(umbrella.matrices(icosahedron.X, icosahedron.topology).M);
+  EXPECT_LT((M - Eigen::MatrixXd::Identity(12, 12) * 5 / 6).norm(), 1e-15);
 }
 
 }  // namespace

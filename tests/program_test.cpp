@@ -419,7 +419,7 @@ TEST(Info, TellsTheEndsOfTheSpectrumOfTheLaplacianThatIsAskedFor) {
   EXPECT_NEAR(found["smallest_eigenvalue"], 2.0, 0.02);  // l (l + 1)
   EXPECT_GT(found["largest_eigenvalue"], 1000);
   const json defaults = figures({"info", "-", "--laplacian", "umbrella"}, {.input = ball});
-  EXPECT_EQ(defaults["operator"]["mass"], "barycentric");
+  EXPECT_EQ(defaults["operator"]["mass"], "valence");
   const RunResult refused =
       run_program({"info", "-", "--laplacian", "umbrella", "--mass", "voronoi"}, {.input = ball});
   EXPECT_EQ(refused.exit_code, 2);

@@ -28,7 +28,9 @@ class LaplacianSpectra : public testing::TestWithParam<Member> {
   }
 
   /// Whether it approximates the Laplace-Beltrami operator.
-  static bool is_consistent() { return GetParam().has_mass() && GetParam().is_flat_on_planes(); }
+  static bool is_consistent() {
+    return GetParam().measures_area() && GetParam().is_flat_on_planes();
+  }
 };
 
 INSTANTIATE_TEST_SUITE_P(Family, LaplacianSpectra, testing::ValuesIn(family()),
@@ -57,7 +59,7 @@ TEST_P(LaplacianSpectra, ScaleWithTheInverseOfArea) {
   const SpectrumEnds one = ends(state.X, state.topology);
   for (const double scale : {1e-3, 1e3}) {
     const SpectrumEnds other = ends(scale * state.X, state.topology);
-    const double factor = GetParam().has_mass() ? scale * scale : 1;
+    const double factor = GetParam().measures_area() ? scale * scale : 1;
     EXPECT_NEAR(*other.smallest * factor / *one.smallest, 1, 1e-8);
     EXPECT_NEAR(*other.largest * factor / *one.largest, 1, 1e-8);
   }
@@ -100,7 +102,7 @@ TEST_P(LaplacianSpectra, CountZerosByPartsHoweverSmallOrFarTheyAre) {
   }
   const SpectrumEnds one = ends(ball), found = ends(many);
   EXPECT_EQ(found.zeros, balls);
-  const double factor = GetParam().has_mass() ? std::pow(3, 2 * (balls - 1)) : 1;
+  const double factor = GetParam().measures_area() ? std::pow(3, 2 * (balls - 1)) : 1;
   EXPECT_NEAR(*found.smallest * factor / *one.smallest, 1, 1e-7);  // of the largest ball
   EXPECT_NEAR(*found.largest / *one.largest, 1, 1e-7);             // of the smallest one
 }

@@ -51,7 +51,8 @@ constexpr std::array<std::string_view, 2> usual_models{"crouzeix-raviart", "lagr
 
 /// Of the Laplacian that was asked for.
 struct Operator {
-  std::string laplacian, mass;
+  std::string laplacian;
+  const MassMatrix* mass;
   double energy;
   SpectrumEnds spectrum;
 };
@@ -68,7 +69,7 @@ Operator examine_operator(const Mesh& mesh, const Topology& topology,
                           const InfoArguments& arguments) {
   const BendingModel& model = bending_model(arguments.laplacian);
   const EnergyOptions options{true, {}, arguments.mass};
-  return {arguments.laplacian, std::string(mass_matrix(model, options).name),
+  return {arguments.laplacian, &mass_matrix(model, options),
           model.bind(topology, options)->energy(mesh.X),
           spectrum_ends(model.matrices(mesh.X, topology, options))};
 }
@@ -129,7 +130,7 @@ void add_findings(ordered_json& json, const MeshFile& file, const Topology& topo
   if (findings.chosen) {
     const SpectrumEnds& spectrum = findings.chosen->spectrum;
     json["operator"] = {{"laplacian", findings.chosen->laplacian},
-                        {"mass", findings.chosen->mass},
+                        {"mass", findings.chosen->mass->name},
                         {"bending_energy", findings.chosen->energy},
                         {"nodes", spectrum.nodes},
                         {"zero_eigenvalues", spectrum.zeros},
@@ -163,7 +164,7 @@ std::string eigenvalue_text(const std::optional<double>& value) {
 std::string spectrum_text(const Operator& chosen) {
   const SpectrumEnds& s = chosen.spectrum;
   return fmt::format("{} zero, then {} to {}{}", s.zeros, eigenvalue_text(s.smallest),
-                     eigenvalue_text(s.largest), chosen.mass == "none" ? "" : " 1/u^2");
+                     eigenvalue_text(s.largest), chosen.mass->measures_area() ? " 1/u^2" : "");
 }
 
 std::string to_text(const MeshFile& file, const Topology& topology, const Findings& findings) {
@@ -202,7 +203,7 @@ std::string to_text(const MeshFile& file, const Topology& topology, const Findin
   }
   if (findings.chosen) {
     list.add("Laplacian",
-             fmt::format("{}, mass {}", findings.chosen->laplacian, findings.chosen->mass));
+             fmt::format("{}, mass {}", findings.chosen->laplacian, findings.chosen->mass->name));
     list.add("E_b of it", findings.chosen->energy);
     list.add("its eigenvalues", spectrum_text(*findings.chosen));
   }
@@ -246,7 +247,8 @@ Runner declare_info(CLI::App& app) {
   CLI::Option* laplacian = add_laplacian_option(
       app, arguments->laplacian,
       "tell the energy by this Laplacian L, and the ends of the spectrum of M^-1 L: its zeros, the "
-      "smallest other eigenvalue and the largest one (1 / mesh units^2, without mass none)");
+      "smallest other eigenvalue and the largest one (1 / mesh units^2 where the mass measures "
+      "area)");
   note_of(app, *laplacian).default_text = "none";
   add_mass_option(app, arguments->mass)->needs(laplacian);
   add_input_options(app, arguments->input);

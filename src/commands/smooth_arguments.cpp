@@ -77,7 +77,8 @@ void add_flow_options(CLI::App& app, SmoothArguments& a) {
                      "even out vertices within the surface after each step (relax), or do not")
           ->check(CLI::IsMember({"relax", "none"}));
   note_of(app, *tangential).default_text =
-      "relax, or none where the mesh has texture coordinates or with --plain";
+      "relax, or none where the mesh has texture coordinates, with --plain and with "
+      "--laplacian umbrella";
   app.add_flag("--plain", a.plain, "the published scheme: no guard, no relaxation");
 }
 

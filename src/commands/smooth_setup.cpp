@@ -72,8 +72,9 @@ void set_flow_options(const SmoothArguments& arguments, const Points& X, const T
   options.mass_matrix = arguments.mass.name;
   options.metric = arguments.metric == "mass" ? Metric::mass : Metric::identity;
   options.guarded = !arguments.plain;
-  options.relax = arguments.tangential != "none";
-  if (arguments.tangential.empty() && has_texture_coordinates && options.guarded) {
+  options.relax = arguments.tangential == "relax" ||
+                  (arguments.tangential.empty() && !bending_model(options.laplacian).evens_edges);
+  if (arguments.tangential.empty() && has_texture_coordinates && options.guarded && options.relax) {
     console.note("the mesh has texture coordinates: no tangential relaxation (--tangential relax)");
     options.relax = false;
   }

@@ -15,7 +15,8 @@ struct Member {
   std::string laplacian, mass;
 
   EnergyOptions options() const { return {true, {}, mass}; }
-  bool has_mass() const { return mass != "none"; }
+  /// (M2), (M3); the others are no mass matrices.
+  bool measures_area() const { return mass != "none" && mass != "valence"; }
 
   /// (L4): zero on planes.
   bool is_flat_on_planes() const { return laplacian != "umbrella"; }

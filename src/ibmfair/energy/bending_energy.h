@@ -105,6 +105,7 @@ struct BendingModel {
   bool takes_material_axes = false;          ///< knows EnergyOptions::material_axes
   bool keeps_sharp = false;                  ///< knows EnergyOptions::sharp_angle
   bool takes_spontaneous_curvature = false;  ///< knows EnergyOptions::spontaneous_curvature
+  bool evens_edges = false;                  ///< its flow slides vertices within the surface
   /// Knows EnergyOptions::own_vertices: what is at a vertex depends on the vertices near it alone.
   bool knows_parts = false;
 

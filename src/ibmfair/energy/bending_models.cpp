@@ -82,7 +82,7 @@ constexpr std::array<std::string_view, 2> edge_masses{"crouzeix-raviart", "none"
 constexpr std::array<std::string_view, 4> vertex_masses{"barycentric", "voronoi", "galerkin",
                                                         "none"};
 constexpr std::array<std::string_view, 2> delaunay_masses{"voronoi", "none"};
-constexpr std::array<std::string_view, 2> umbrella_masses{"barycentric", "none"};
+constexpr std::array<std::string_view, 3> umbrella_masses{"valence", "barycentric", "none"};
 
 constexpr std::array<BendingModel, 5> models{{
     {.name = "crouzeix-raviart",
@@ -111,10 +111,11 @@ constexpr std::array<BendingModel, 5> models{{
      .matrices = DelaunayModel::matrices,
      .masses = delaunay_masses},
     {.name = umbrella_name,
-     .summary = "graph Laplacian; evens edges out, and is not zero on planes",
+     .summary = "graph Laplacian; evens edges out; for denoising uneven triangles",
      .make = UmbrellaModel::make,
      .matrices = UmbrellaModel::matrices,
      .masses = umbrella_masses,
+     .evens_edges = true,
      .knows_parts = true},
 }};
 

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "ibmfair/base/errors.h"
+#include "ibmfair/base/named_row.h"
 #include "ibmfair/energy/bending_energy.h"
 
 namespace ibmfair {
@@ -37,7 +38,15 @@ struct MixedVoronoiShares {
   }
 };
 
-constexpr std::array<MassMatrix, 5> masses{{
+struct SixthsOfOne {
+  template <class Number>
+  static ByCorner<Number> at(const TriangleShape<Number>&) {
+    const Number sixth = 1 / regular_valence;
+    return {sixth, sixth, sixth};
+  }
+};
+
+constexpr std::array<MassMatrix, 6> masses{{
     {"crouzeix-raviart", "of edges: a third of the area of the two triangles",
      MassMatrix::Kind::edges, triangle_formula<ThirdsOfArea>},
     {"barycentric", "a third of the area around each vertex", MassMatrix::Kind::lumped,
@@ -46,6 +55,8 @@ constexpr std::array<MassMatrix, 5> masses{{
      MassMatrix::Kind::lumped, triangle_formula<MixedVoronoiShares>},
     {"galerkin", "the full mass of linear elements, solved with at every evaluation",
      MassMatrix::Kind::consistent, triangle_formula<ThirdsOfArea>},
+    {"valence", "the number of triangles around each vertex, over six: depends on the sampling",
+     MassMatrix::Kind::counted, triangle_formula<SixthsOfOne>},
     {"none", "the identity: the energy depends on the sampling", MassMatrix::Kind::identity,
      triangle_formula<ThirdsOfArea>},
 }};
@@ -65,8 +76,15 @@ const MassMatrix& mass_matrix(const BendingModel& model, const EnergyOptions& op
     throw BadOption(fmt::format("the Laplacian '{}' has no mass '{}'; there are: {}", model.name,
                                 name, fmt::join(model.masses, ", ")));
   }
-  return *std::find_if(masses.begin(), masses.end(),
-                       [&](const MassMatrix& mass) { return mass.name == name; });
+  return row_named(mass_matrices(), "mass", name);
+}
+
+const MassMatrix& area_mass(const BendingModel& model) {
+  const auto found =
+      std::find_if(model.masses.begin(), model.masses.end(), [](std::string_view name) {
+        return row_named(mass_matrices(), "mass", name).measures_area();
+      });
+  return row_named(mass_matrices(), "mass", *found);
 }
 
 }  // namespace ibmfair

@@ -18,6 +18,7 @@ struct MassMatrix {
     edges,       ///< diagonal, one number an edge
     lumped,      ///< diagonal, one number a vertex: the sum of what its triangles give it
     consistent,  ///< of linear elements, whose row sums are what the triangles give
+    counted,     ///< diagonal, a number a vertex that counts its triangles: no areas
     identity
   };
 
@@ -25,15 +26,24 @@ struct MassMatrix {
   std::string_view summary;  ///< one line
   Kind kind;
   TriangleFormula shares;  ///< of the corners in a triangle, length^2; unused for edges
+
+  /// (M2) and (M3); without, the energy depends on the sampling.
+  bool measures_area() const { return kind != Kind::counted && kind != Kind::identity; }
 };
 
 /// All masses.
 std::span<const MassMatrix> mass_matrices();
 
+/// Triangles at a vertex that valence counts as 1: those of a regular one.
+inline constexpr double regular_valence = 6;
+
 /// The mass that the options ask for: `none` where `mass` is false, the model's default where no
 /// name is given. Throws BadOption for a name that does not go with the model, naming those that
 /// do.
 const MassMatrix& mass_matrix(const BendingModel& model, const EnergyOptions& options);
+
+/// The first of the model's masses that measures areas.
+const MassMatrix& area_mass(const BendingModel& model);
 
 /// Signed areas of the parts of a triangle that are nearest to its corners: on a Delaunay
 /// triangulation they add up to the Voronoi cells, and do not jump where an edge flips.

@@ -47,4 +47,10 @@ EnergyOptions FlowOptions::energy_options() const {
           .spontaneous_curvature = spontaneous_curvature};
 }
 
+bool FlowOptions::counts_valence() const {
+  return metric == Metric::mass &&
+         ibmfair::mass_matrix(bending_model(laplacian), energy_options()).kind ==
+             MassMatrix::Kind::counted;
+}
+
 }  // namespace ibmfair

@@ -15,7 +15,8 @@
 namespace ibmfair {
 
 /// The inner product of the gradient flow: lumped vertex mass (results independent of the
-/// sampling, time has unit length^4) or identity ([W07]; time has unit length^2).
+/// sampling, time has unit length^4; valences where these are the energy's mass) or identity
+/// ([W07]; time has unit length^2).
 enum class Metric : std::uint8_t { mass, identity };
 
 /// What a flow is at between its steps, for those who wait.
@@ -54,6 +55,9 @@ struct FlowOptions {
 
   /// What they say of the energy.
   EnergyOptions energy_options() const;
+
+  /// Whether the metric counts triangles.
+  bool counts_valence() const;
 };
 
 /// One accepted step.

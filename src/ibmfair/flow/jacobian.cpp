@@ -1,9 +1,11 @@
 #include "ibmfair/flow/jacobian.h"
 
+#include <algorithm>
 #include <string>
 
 #include "ibmfair/base/errors.h"
 #include "ibmfair/base/stopwatch.h"
+#include "ibmfair/energy/mass_matrices.h"
 #include "ibmfair/mesh/geometry.h"
 
 namespace ibmfair {
@@ -28,7 +30,12 @@ Jacobian::Jacobian(BendingEnergy& energy, const Topology& topology, const Unknow
 JacobianParts Jacobian::linearise(const Points& X, double h) {
   const Stopwatch watch(report_.seconds.assemble);
   energy_.linearise(X, weights_);
-  if (options_.metric == Metric::mass) {
+  if (options_.counts_valence()) {
+    for (Index u = 0; u < unknowns_.size(); ++u) {
+      const std::size_t count = topology_.stars[unknowns_.vertex[u]].size();
+      D_[u] = static_cast<double>(std::max<std::size_t>(1, count)) / regular_valence;
+    }
+  } else if (options_.metric == Metric::mass) {
     D_ = lumped_vertex_mass(X, topology_)(unknowns_.vertex);
   } else {
     D_.setOnes(unknowns_.size());

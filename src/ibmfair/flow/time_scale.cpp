@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "ibmfair/energy/bending_energy.h"
+#include "ibmfair/energy/mass_matrices.h"
 #include "ibmfair/flow/part_measures.h"
 
 namespace ibmfair {
@@ -22,11 +23,12 @@ double time_in_flow_units(double time, const Points& X, const Topology& topology
   for (Index v = 0; v < topology.vertex_count; ++v) {
     own_vertices += parts.owns_vertex(v) ? 1 : 0;
   }
-  if (options.metric == Metric::identity) {
+  if (options.metric == Metric::identity || options.counts_valence()) {
     time *= parts.sum(own_vertices) / area;
   }
-  if (!options.mass) {
-    const auto energy = bending_model(options.laplacian).bind(topology, {});
+  const BendingModel& model = bending_model(options.laplacian);
+  if (!mass_matrix(model, options.energy_options()).measures_area()) {
+    const auto energy = model.bind(topology, {.mass_matrix = std::string(area_mass(model).name)});
     StencilWeights weights;
     energy->linearise(X, weights);
     double mass = 0, count = 0;
