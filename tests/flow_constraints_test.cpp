@@ -6,29 +6,13 @@
 #include <gtest/gtest.h>
 
 #include "ibmfair/base/errors.h"
-#include "ibmfair/flow/held_vertices.h"
-#include "ibmfair/flow/time_scale.h"
-#include "ibmfair/flow/willmore_flow.h"
 #include "ibmfair/shapes/shapes.h"
+#include "support/flow_run.h"
 #include "support/meshes.h"
 #include "support/states.h"
 
 namespace ibmfair::test {
 namespace {
-
-struct Run {
-  Points X;
-  FlowReport report;
-};
-
-Run run(const State& state, double cutoff, FlowOptions options) {
-  const double time = time_for_cutoff(cutoff * mean_edge_length(state.X, state.topology.E));
-  options.total_time = time_in_flow_units(time, state.X, state.topology, options);
-  Run result{state.X, {}};
-  result.report = willmore_flow(result.X, state.topology,
-                                held_vertices(state.topology, BoundaryCondition::fixed), options);
-  return result;
-}
 
 void expect_falling_energy(const FlowReport& report, const std::string& name) {
   double last = report.energy_before;
@@ -60,7 +44,7 @@ TEST_P(KeptQuantities, StayToRoundingWhileTheEnergyFalls) {
       options.guarded = guarded;
       options.keep_volume = volume;
       options.keep_area = area;
-      const auto [X, report] = run(state, guarded ? 6 : 1.5, options);
+      const auto [X, report] = run_flow(state, guarded ? 6 : 1.5, options);
       EXPECT_EQ(report.status, FlowStatus::completed) << name;
       expect_falling_energy(report, name);
       const Triangles& F = state.topology.F;
@@ -84,7 +68,7 @@ TEST(KeptQuantity, LeavesASphereASphere) {
   FlowOptions options;
   options.laplacian = "lagrange";
   options.keep_volume = options.keep_area = true;
-  const auto [X, report] = run(state, 10, options);
+  const auto [X, report] = run_flow(state, 10, options);
   EXPECT_LT((X - state.X).rowwise().norm().maxCoeff(), 0.02);
   EXPECT_NEAR(enclosed_volume(X, state.topology.F) / enclosed_volume(state.X, state.topology.F), 1,
               1e-12);
@@ -95,13 +79,13 @@ TEST(KeptQuantity, NeedsAClosedMeshWithTwoSides) {
     for (const auto& [name, mesh] : meshes) {
       FlowOptions options;
       options.keep_volume = true;
-      EXPECT_THROW(run(State(mesh), 2, options), BadMesh) << name;
+      EXPECT_THROW(run_flow(State(mesh), 2, options), BadMesh) << name;
     }
   }
   FlowOptions options;
   options.keep_area = true;
   options.max_move = 1;
-  EXPECT_THROW(run(State(closed_meshes().back().mesh), 2, options), BadOption);
+  EXPECT_THROW(run_flow(State(closed_meshes().back().mesh), 2, options), BadOption);
 }
 
 /// An ellipsoid of revolution of unit equatorial radius.
@@ -134,7 +118,7 @@ TEST(KeptQuantity, MakesABiconcaveDiscOfAFlatEllipsoid) {
   options.laplacian = "lagrange";
   options.steps = 40;
   options.keep_volume = options.keep_area = true;
-  const auto [X, report] = run(state, 40, options);
+  const auto [X, report] = run_flow(state, 40, options);
   EXPECT_EQ(report.status, FlowStatus::completed);
   expect_falling_energy(report, "ellipsoid");
   EXPECT_LT(thickness(X, 0, 0.15), 0.6 * thickness(X, 0.5, 1));
@@ -150,7 +134,7 @@ TEST(BoundedMoves, AreHeldAndEndInGoodOrder) {
     const double bound = 0.05 * mean_edge_length(state.X, state.topology.E);
     FlowOptions options;
     options.max_move = bound;
-    const auto [X, report] = run(state, 8, options);
+    const auto [X, report] = run_flow(state, 8, options);
     EXPECT_EQ(report.status, FlowStatus::completed) << name;
     expect_falling_energy(report, name);
     const double largest = (X - state.X).rowwise().norm().maxCoeff();
@@ -164,7 +148,7 @@ TEST(CutoffFactor, OfOneChangesNothingAndSmallOnesHold) {
   State state = smooth;
   state.X = shaken(smooth, 0.2);
   const auto ripples = [&](const FlowOptions& options, bool north) {
-    const auto [X, report] = run(state, 6, options);
+    const auto [X, report] = run_flow(state, 6, options);
     double sum = 0;
     int count = 0;
     for (Index v = 0; v < X.rows(); ++v) {
@@ -186,7 +170,7 @@ TEST(CutoffFactor, OfOneChangesNothingAndSmallOnesHold) {
   EXPECT_GT(ripples(options, true), 2 * all_north);
   EXPECT_NEAR(ripples(options, false), all_south, 0.2 * all_south);
   options.cutoff_factor[0] = 0;
-  EXPECT_THROW(run(state, 6, options), BadOption);
+  EXPECT_THROW(run_flow(state, 6, options), BadOption);
 }
 
 TEST(SpontaneousFlow, TakesASphereToTheRadiusItAsksFor) {
@@ -196,7 +180,7 @@ TEST(SpontaneousFlow, TakesASphereToTheRadiusItAsksFor) {
     options.laplacian = "lagrange";
     options.steps = 30;
     options.spontaneous_curvature = Eigen::VectorXd::Constant(state.X.rows(), 2 / radius);
-    const auto [X, report] = run(state, 60, options);
+    const auto [X, report] = run_flow(state, 60, options);
     const Eigen::VectorXd r = X.rowwise().norm();
     EXPECT_NEAR(r.mean(), radius, 0.01 * radius);
     EXPECT_LT(std::sqrt((r.array() - r.mean()).square().mean()), 0.003 * radius);
@@ -214,7 +198,7 @@ TEST(SpontaneousFlow, LeavesACylinderOfItsCurvatureAlone) {
       FlowOptions options;
       options.laplacian = "lagrange";
       options.spontaneous_curvature = Eigen::VectorXd::Constant(state.X.rows(), H0);
-      const Points X = run(state, 20, options).X;
+      const Points X = run_flow(state, 20, options).X;
       return (X - state.X).rowwise().norm().maxCoeff() / radius;
     };
     const double sign = enclosed_volume(state.X, state.topology.F) > 0 ? 1 : -1;

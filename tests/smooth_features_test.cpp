@@ -187,6 +187,33 @@ TEST_F(SmoothFeatures, VolumeAndAreaStayToTheDigit) {
   EXPECT_TRUE(contains(refused.err, "closed meshes only")) << refused.err;
 }
 
+TEST_F(SmoothFeatures, TheUmbrellaIsNotRelaxedUnlessAsked) {
+  const std::string input = noisy("icosphere", {"--subdivide", "3", "--noise", "0.2"});
+  const auto tangential = [&](const Words& options) {
+    return smooth(input, Words{"--laplacian", "umbrella"} + options)
+        .report["options"]["tangential"];
+  };
+  EXPECT_EQ(tangential({}), "none");
+  EXPECT_EQ(tangential({"--tangential", "relax"}), "relax");
+}
+
+TEST_F(SmoothFeatures, TwicingPutsBackHeight) {
+  const std::string input = noisy("icosphere", {"--subdivide", "3", "--noise", "0.2"});
+  const auto volume_lost = [](const Smoothed& result) {
+    return std::abs(1 - result.report["after"]["volume"].get<double>() /
+                            result.report["before"]["volume"].get<double>());
+  };
+  for (const char* laplacian : {"crouzeix-raviart", "lagrange", "umbrella"}) {
+    const Words flow{"--laplacian", laplacian, "--cutoff", "16", "--steps", "4"};
+    const Smoothed once = smooth(input, flow);
+    const Smoothed twice = smooth(input, flow + Words{"--twicing", "1"});
+    EXPECT_EQ(once.report["flow"]["twicings"], 0);
+    EXPECT_EQ(twice.report["flow"]["twicings"], 1);
+    EXPECT_LT(volume_lost(twice), 0.5 * volume_lost(once)) << laplacian;
+  }
+  EXPECT_EQ(smooth(input, {"--twicing", "-1"}).exit_code, 2);
+}
+
 TEST_F(SmoothFeatures, ABoundOnMovesIsHeldAndNoFailure) {
   const std::string input = noisy("torus", {"--rows", "24", "--columns", "60", "--noise", "0.3"});
   const Smoothed bounded = smooth(input, {"--max-move", "0.05e", "--cutoff", "12"});

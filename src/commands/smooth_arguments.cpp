@@ -66,9 +66,15 @@ void add_flow_options(CLI::App& app, SmoothArguments& a) {
   note_of(app, *anisotropy).default_text = "none";
   add_mass_options(app, a.mass);
   app.add_option("--metric", a.metric,
-                 "of the flow: mass (independent of the sampling) or identity")
+                 "of the flow: mass (independent of the sampling; valences with --mass valence) or "
+                 "identity")
       ->check(CLI::IsMember({"mass", "identity"}))
       ->capture_default_str();
+  CLI::Option* twicing = add_integer(
+      app, "--twicing", a.flow.twicing, 0, 100,
+      "smooth what was taken away, too, and put it back, so often: bumps and the volume keep their "
+      "size, and a --cutoff half as long again takes more noise");
+  note_of(app, *twicing).unit = "times";
   CLI::Option* iterations = add_integer(app, "--newton-iterations", a.flow.newton_iterations, 1,
                                         1000, "inexact Newton iterations per step");
   note_of(app, *iterations).unit = "iterations";

@@ -211,6 +211,7 @@ void add_smooth_figures(const SmoothFigures& figures, const FlowOptions& options
       {"total_time", figures.total_time},
       {"cutoff", figures.cutoff},
       {"newton_iterations", options.newton_iterations},
+      {"twicing", options.twicing},
       {"solver_tolerance", options.solver_tolerance},
       {"guarded", options.guarded},
       {"tangential", options.guarded && options.relax ? "relax" : "none"}};
@@ -228,6 +229,7 @@ void add_smooth_figures(const SmoothFigures& figures, const FlowOptions& options
                   {"solves", flow.solves},
                   {"solver", flow.solver},
                   {"iterations", flow.iterations},
+                  {"twicings", flow.twicings},
                   {"factorizations", flow.factorizations},
                   {"rejected", flow.rejected},
                   {"shortened_relaxations", flow.shortened_relaxations},
@@ -243,15 +245,20 @@ void add_smooth_figures(const SmoothFigures& figures, const FlowOptions& options
   json["seconds"] = seconds_json(figures);
 }
 
-std::string remark_on(const SmoothFigures& figures, const std::string& output, int steps) {
+std::string remark_on(const SmoothFigures& figures, const std::string& output,
+                      const FlowOptions& options) {
   switch (figures.flow.status) {
     case FlowStatus::completed:
-      return steps > 0 && figures.flow.unknowns == 0
-                 ? "no vertex is free to move: the mesh is written as it was read"
+      if (options.steps > 0 && figures.flow.unknowns == 0) {
+        return "no vertex is free to move: the mesh is written as it was read";
+      }
+      return figures.flow.twicings < options.twicing && options.steps > 0
+                 ? fmt::format("the residual could be put back {} of {} times only",
+                               figures.flow.twicings, options.twicing)
                  : "";
     case FlowStatus::interrupted:
       return fmt::format("interrupted; {} holds the state that was reached: {}", output,
-                         way_on(figures, steps));
+                         way_on(figures, options.steps));
     case FlowStatus::stalled:
       return "the flow stalled before its time was up; the state it reached was written";
     case FlowStatus::diverged:

@@ -45,7 +45,8 @@ std::string smooth_table(const SmoothFigures& figures, bool detailed);
 
 /// What is to be said about the end of the flow, whose state is in the file `output`; empty: it
 /// went as it should.
-std::string remark_on(const SmoothFigures& figures, const std::string& output, int steps);
+std::string remark_on(const SmoothFigures& figures, const std::string& output,
+                      const FlowOptions& options);
 
 ExitCode exit_code_of(FlowStatus status);
 

@@ -191,4 +191,11 @@ void PetscJacobian::solve(const Points& B, Points& Y) {
   }
 }
 
+void PetscJacobian::tighten(double tolerance) {
+  PetscReal now = 0;
+  check(KSPGetTolerances(ksp_, &now, nullptr, nullptr, nullptr));
+  check(KSPSetTolerances(ksp_, std::min(now, tolerance), PETSC_DEFAULT, PETSC_DEFAULT,
+                         PETSC_DEFAULT));
+}
+
 }  // namespace ibmfair::petsc

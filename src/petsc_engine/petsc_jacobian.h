@@ -22,6 +22,7 @@ class PetscJacobian final : public JacobianSolver {
 
   void update(const JacobianParts& parts) override;
   void solve(const Points& B, Points& Y) override;
+  void tighten(double tolerance) override;
 
  private:
   void number_unknowns(const PetscParts& parts);

@@ -128,8 +128,9 @@ std::optional<std::vector<double>> PlyRows::values(std::string_view rows,
   const std::int64_t offset = offset_of(vertex, property);
   std::vector<double> values(rows.size() / vertex_row());
   for (std::size_t v = 0; v < values.size(); ++v) {
-    values[v] = ply::binary_number(rows.data() + v * vertex_row() + offset, vertex.properties[property].type,
-                          ply::is_swapped(layout_.header.encoding));
+    values[v] = ply::binary_number(rows.data() + v * vertex_row() + offset,
+                                   vertex.properties[property].type,
+                                   ply::is_swapped(layout_.header.encoding));
   }
   return values;
 }

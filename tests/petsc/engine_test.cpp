@@ -77,6 +77,8 @@ TEST_F(Ranks, EveryOptionOfTheFlowMeansTheSame) {
            {"--newton-iterations", "2"},
            {"--tangential", "none"},
            {"--keep-sharp", "40"},
+           {"--twicing", "2"},
+           {"--laplacian", "umbrella", "--twicing", "1"},
            {"--max-move", "0.1e"},
            {"--fix", list},
            {"--cutoff", "5%"},

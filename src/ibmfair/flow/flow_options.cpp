@@ -27,6 +27,7 @@ void FlowOptions::validate() const {
   require(steps >= 1, "the number of steps must be at least 1");
   require(total_time > 0 && std::isfinite(total_time),
           "the flow's time must be positive and finite");
+  require(twicing >= 0, "the number of twicings must not be negative");
   require(newton_iterations >= 1, "the number of Newton iterations must be at least 1");
   require(solver_tolerance > 0 && solver_tolerance < 1,
           "the tolerance of the solver must be above 0 and below 1");

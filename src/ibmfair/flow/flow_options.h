@@ -49,6 +49,7 @@ struct FlowOptions {
   double memory_limit = std::numeric_limits<double>::infinity();  ///< of the whole process, bytes
   Ordering ordering = Ordering::automatic;
   StageObserver on_stage = {};  ///< told when a stage begins that may take long
+  int twicing = 0;  ///< times that the residual is smoothed and put back: flow/twicing.h
 
   /// Throws BadOption where a value cannot be used.
   void validate() const;
@@ -105,6 +106,7 @@ struct FlowReport {
   std::string solver;  ///< the backend that was used
   int solves = 0, factorizations = 0, rejected = 0, shortened_relaxations = 0;
   int iterations = 0;  ///< of conjugate gradients, in all
+  int twicings = 0;    ///< passes that were made
   FactorForecast forecast;
   FlowSeconds seconds;
   std::vector<StepRecord> steps;

@@ -30,6 +30,9 @@ class FlowProblem {
   FlowReport report;
   Points X;  ///< #V x 3, the state
 
+  /// Where the flow started.
+  const Points& start() const { return start_; }
+
   /// E_b over the stencils that touch an unknown, of all parts, at the state and at another place.
   double energy() const { return energy_; }
   double energy_at(const Points& Y);

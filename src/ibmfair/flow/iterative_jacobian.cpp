@@ -46,7 +46,10 @@ SolverForecast forecast_iterative(const JacobianShape& shape, const JacobianPart
 }
 
 IterativeJacobian::IterativeJacobian(const JacobianShape& shape)
-    : shape_(shape), J_(shape.stencils, shape.unknowns), solver_(J_) {}
+    : shape_(shape),
+      J_(shape.stencils, shape.unknowns),
+      solver_(J_),
+      tolerance_(shape.options.solver_tolerance) {}
 
 void IterativeJacobian::update(const JacobianParts& parts) {
   const Stopwatch watch(shape_.report.seconds.assemble);
@@ -55,7 +58,11 @@ void IterativeJacobian::update(const JacobianParts& parts) {
 
 void IterativeJacobian::solve(const Points& B, Points& Y) {
   const Stopwatch watch(shape_.report.seconds.solve);
-  shape_.report.iterations += solver_.solve(B, Y, shape_.options.solver_tolerance, most_iterations);
+  shape_.report.iterations += solver_.solve(B, Y, tolerance_, most_iterations);
+}
+
+void IterativeJacobian::tighten(double tolerance) {
+  tolerance_ = std::min(tolerance_, tolerance);
 }
 
 }  // namespace ibmfair

@@ -14,11 +14,13 @@ class IterativeJacobian final : public JacobianSolver {
 
   void update(const JacobianParts& parts) override;
   void solve(const Points& B, Points& Y) override;
+  void tighten(double tolerance) override;
 
  private:
   const JacobianShape shape_;
   JacobianRows J_;
   ConjugateGradients solver_;
+  double tolerance_;
 };
 
 /// About how many iterations a solve takes with the diagonal for a preconditioner, to the default

@@ -30,6 +30,9 @@ class Jacobian {
   /// Y = J^-1 B, one row per unknown.
   void solve(const Points& B, Points& Y);
 
+  /// After the first `refactor`: from now on to a residual of no more than `tolerance`.
+  void tighten(double tolerance) { solver_->tighten(tolerance); }
+
   double time_step() const { return h_; }
 
   /// The metric D at the reference times the damping, one entry per unknown.

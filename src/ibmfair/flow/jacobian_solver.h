@@ -34,6 +34,9 @@ class JacobianSolver {
   /// default, to a per cent; with twice the default, a model with needles kept a sixth more of its
   /// energy.
   virtual void solve(const Points& B, Points& Y) = 0;
+
+  /// From now on iterative solvers leave a residual of no more than `tolerance`.
+  virtual void tighten(double /*tolerance*/) {}
 };
 
 /// What a backend works on; all outlive it.

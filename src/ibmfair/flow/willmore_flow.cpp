@@ -6,6 +6,7 @@
 #include "ibmfair/flow/flow_problem.h"
 #include "ibmfair/flow/guarded_flow.h"
 #include "ibmfair/flow/plain_flow.h"
+#include "ibmfair/flow/twicing.h"
 
 namespace ibmfair {
 namespace {
@@ -39,6 +40,9 @@ FlowReport willmore_flow(Points& X, const Topology& topology, const std::vector<
   FlowProblem problem(X, topology, held, options, parts);
   if (problem.report.unknowns > 0) {
     (options.guarded ? run_guarded : run_plain)(problem, observer);
+    if (options.twicing > 0 && problem.report.status == FlowStatus::completed) {
+      twice(problem);
+    }
     X.swap(problem.X);
   }
   return std::move(problem.report);

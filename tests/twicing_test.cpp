@@ -1,0 +1,173 @@
+// Twicing: what it puts back, and that the flow's promises hold for it.
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "ibmfair/flow/folds.h"
+#include "ibmfair/flow/held_vertices.h"
+#include "ibmfair/flow/time_scale.h"
+#include "ibmfair/flow/willmore_flow.h"
+#include "ibmfair/measure/exact_surface.h"
+#include "ibmfair/mesh/geometry.h"
+#include "ibmfair/shapes/shapes.h"
+#include "support/flow_run.h"
+#include "support/meshes.h"
+#include "support/states.h"
+
+namespace ibmfair::test {
+namespace {
+
+Points repeated(const State& state, int times, const FlowOptions& options) {
+  State now = state;
+  for (int i = 0; i < times; ++i) {
+    willmore_flow(now.X, now.topology, held_vertices(now.topology, BoundaryCondition::fixed),
+                  options);
+  }
+  return now.X;
+}
+
+// Over a flat sheet the flow of small heights is linear, z -> G z, so that n passes leave
+// (1 - (1 - G)^(n + 1)) z: 2 G - G^2 and 3 G - 3 G^2 + G^3.
+TEST(Twicing, OfSmallHeightsIsThePolynomialOfTheFlow) {
+  State state(flat_sheet(24, 20));
+  const double height = 1e-5;
+  for (Eigen::Index v = 0; v < state.X.rows(); ++v) {
+    state.X(v, 2) =
+        height * (std::sin(7 * state.X(v, 0)) + std::cos(31.0 * static_cast<double>(v)));
+  }
+  for (const char* laplacian : {"lagrange", "crouzeix-raviart"}) {
+    FlowOptions options;
+    options.laplacian = laplacian;
+    options.relax = false;
+    options.steps = 4;
+    options.solver_tolerance = 1e-10;
+    options.total_time = time_for_cutoff(5 * mean_edge_length(state.X, state.topology.E));
+    const Eigen::VectorXd once = repeated(state, 1, options).col(2);
+    const Eigen::VectorXd two = repeated(state, 2, options).col(2);
+    const Eigen::VectorXd three = repeated(state, 3, options).col(2);
+    options.twicing = 1;
+    const Eigen::VectorXd twice = repeated(state, 1, options).col(2);
+    options.twicing = 2;
+    const Eigen::VectorXd thrice = repeated(state, 1, options).col(2);
+    EXPECT_LT((twice - (2 * once - two)).cwiseAbs().maxCoeff(), 1e-5 * height) << laplacian;
+    EXPECT_LT((thrice - (3 * once - 3 * two + three)).cwiseAbs().maxCoeff(), 1e-5 * height)
+        << laplacian;
+    EXPECT_GT((twice - once).cwiseAbs().maxCoeff(), 0.05 * height) << laplacian;
+  }
+}
+
+/// A shape with noise, and the surface that it approximates.
+struct Noisy {
+  std::string name;
+  State state;
+  double volume;
+  std::unique_ptr<ExactSurface> surface;
+
+  Noisy(std::string shape, const ShapeSettings& settings, std::unique_ptr<ExactSurface> exact)
+      : name(std::move(shape)),
+        state(make_shape(name, settings)),
+        volume(enclosed_volume(state.X, state.topology.F)),
+        surface(std::move(exact)) {
+    state.X = shaken(state, 0.2);
+  }
+
+  double volume_change(const Points& X) const {
+    return std::abs(enclosed_volume(X, state.topology.F) / volume - 1);
+  }
+
+  double error(const Points& X) const {
+    double squares = 0;
+    for (const auto& x : X.rowwise()) {
+      squares += std::pow(surface->signed_distance(x), 2);
+    }
+    return std::sqrt(squares / static_cast<double>(X.rows()));
+  }
+};
+
+TEST(Twicing, KeepsTheSizeOfSpheresAndToriAndComesNearerToThem) {
+  std::vector<Noisy> shapes;
+  shapes.emplace_back("icosphere", ShapeSettings{.subdivide = 4},
+                      std::make_unique<ExactSphere>(Vec3::Zero(), 1));
+  shapes.emplace_back("torus", ShapeSettings{.ratio = 2.5, .rows = 40},
+                      std::make_unique<ExactTorus>(Vec3::Zero(), 1, 0.4));
+  for (const Noisy& noisy : shapes) {
+    for (const char* laplacian : {"crouzeix-raviart", "umbrella"}) {
+      FlowOptions options;
+      options.laplacian = laplacian;
+      options.relax = laplacian != std::string("umbrella");
+      const FlowRun once = run_flow(noisy.state, 12, options);
+      options.twicing = 1;
+      const FlowRun twice = run_flow(noisy.state, 12, options);
+      EXPECT_EQ(once.report.twicings, 0);
+      EXPECT_EQ(twice.report.twicings, 1);
+      EXPECT_LT(noisy.volume_change(twice.X), 0.4 * noisy.volume_change(once.X))
+          << noisy.name << " " << laplacian;
+      EXPECT_LT(noisy.error(twice.X), 0.7 * noisy.error(once.X)) << noisy.name << " " << laplacian;
+    }
+  }
+}
+
+TEST(Twicing, KeepsThePromisesOfTheFlowOnEveryMesh) {
+  for (const auto& [name, mesh] : all_meshes()) {
+    State state(mesh);
+    if (mean_edge_length(state.X, state.topology.E) <= 0) {
+      continue;
+    }
+    state.X = shaken(state, 0.2);
+    for (const char* laplacian : {"crouzeix-raviart", "lagrange", "umbrella"}) {
+      FlowOptions options;
+      options.laplacian = laplacian;
+      options.steps = 4;
+      options.twicing = 2;
+      const FlowRun result = run_flow(state, 5, options);
+      EXPECT_TRUE(result.X.allFinite()) << name;
+      EXPECT_LE(result.report.energy_after, result.report.energy_before) << name;
+      const auto held = held_vertices(state.topology, BoundaryCondition::fixed);
+      FoldWatch folds(state.X, state.topology, Unknowns(held));
+      EXPECT_TRUE(folds.new_folds(result.X).empty()) << name << " " << laplacian;
+      for (Eigen::Index v = 0; v < state.X.rows(); ++v) {
+        if (held[v]) {
+          EXPECT_EQ(result.X.row(v), state.X.row(v)) << name;
+        }
+      }
+    }
+  }
+}
+
+TEST(Twicing, KeepsBoundsOnMovesVolumeAndArea) {
+  State state(make_shape("icosphere", {.subdivide = 3}));
+  state.X = shaken(state, 0.2);
+  const Triangles& F = state.topology.F;
+  FlowOptions options;
+  options.twicing = 1;
+  options.max_move = 0.1 * mean_edge_length(state.X, state.topology.E);
+  const FlowRun bounded = run_flow(state, 8, options);
+  EXPECT_LE((bounded.X - state.X).rowwise().norm().maxCoeff(), options.max_move * (1 + 1e-12));
+  EXPECT_EQ(bounded.report.twicings, 1);
+  options.max_move = std::numeric_limits<double>::infinity();
+  options.keep_volume = options.keep_area = true;
+  const FlowRun kept = run_flow(state, 8, options);
+  EXPECT_EQ(kept.report.twicings, 1);
+  EXPECT_NEAR(enclosed_volume(kept.X, F) / enclosed_volume(state.X, F), 1, 1e-12);
+  EXPECT_NEAR(surface_area(kept.X, F) / surface_area(state.X, F), 1, 1e-12);
+}
+
+TEST(Twicing, DoesNotDependOnTheSolver) {
+  State state(make_shape("torus", {.rows = 24}));
+  state.X = shaken(state, 0.2);
+  FlowOptions options;
+  options.twicing = 1;
+  options.solver_tolerance = 1e-6;
+  options.solver = "cholmod";
+  const Points direct = run_flow(state, 10, options).X;
+  options.solver = "cg";
+  const Points iterative = run_flow(state, 10, options).X;
+  EXPECT_LT((direct - iterative).cwiseAbs().maxCoeff(), 1e-4);
+}
+
+}  // namespace
+}  // namespace ibmfair::test
