@@ -18,6 +18,7 @@
 #include "commands/batch/file_state.h"
 #include "commands/batch/heartbeat.h"
 #include "commands/batch/this_machine.h"
+#include "ibmfair/base/errors.h"
 
 namespace ibmfair::commands {
 
@@ -144,7 +145,8 @@ bool Claim::make(const ClaimFolder& folder, const std::string& key) {
     abandoned_.push_back({found.process, found.last_sign + nanoseconds_of(folder.expiry / 2)});
   }
   abandoned_.pop_back();
-  successor_ = name_of_claim(folder, key, mark_of(text));
+  mark_ = mark_of(text);
+  successor_ = name_of_claim(folder, key, mark_);
   fd_ = file.release();
   lost_ = false;
   heartbeat_.add(*this);
@@ -168,11 +170,19 @@ Claim::~Claim() {
 }
 
 void Claim::renew() {
-  struct stat status {};
-  lost_ = lost_ || access(successor_.c_str(), F_OK) == 0 ||
-          (fstat(fd_, &status) == 0 && status.st_nlink == 0);
+  lost_ = lost_ || access(successor_.c_str(), F_OK) == 0 || is_removed();
   if (!lost_) {
     futimens(fd_, nullptr);  // with the file server's time; where it fails, the next may succeed
+  }
+}
+
+/// By whoever took over and gave up. The count of the file's names does not tell: some file systems
+/// have none.
+bool Claim::is_removed() const {
+  try {
+    return mark_at(chain_.back()) != mark_;
+  } catch (const CannotWrite&) {
+    return false;  // it may be readable again
   }
 }
 

@@ -62,9 +62,11 @@ class Claim {
  private:
   explicit Claim(Heartbeat& heartbeat) : heartbeat_(heartbeat) {}
   bool make(const ClaimFolder& folder, const std::string& key);
+  bool is_removed() const;
 
   Heartbeat& heartbeat_;
   std::vector<std::string> chain_;  // names from the first claim to this one
+  std::string mark_;                // of this one
   std::string successor_;           // name of the one that would take this one's place
   std::vector<AbandonedRun> abandoned_;
   int fd_ = -1;

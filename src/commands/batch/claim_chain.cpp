@@ -80,6 +80,11 @@ void cannot_claim_at(const std::string& path, int error) {
       fmt::format("{}: cannot be used to claim items: {}", path, std::strerror(error)));
 }
 
+std::string mark_at(const std::string& path) {
+  const std::optional<FoundClaim> claim = read_claim(path);
+  return claim ? claim->mark : std::string();
+}
+
 std::string mark_of(const std::string& text) {
   return hash_of_text(text.substr(0, std::min(text.find('\n'), most_bytes)));
 }

@@ -27,6 +27,9 @@ std::vector<FoundClaim> find_chain(const ClaimFolder& folder, const std::string&
 std::string name_of_claim(const ClaimFolder& folder, const std::string& key,
                           const std::string& predecessor_mark);
 
+/// The mark of the claim of that name; empty where there is none. Throws as find_chain.
+std::string mark_at(const std::string& path);
+
 /// The mark of a claim with this text: the hash of its first line, which is like no other.
 std::string mark_of(const std::string& text);
 
