@@ -1,9 +1,7 @@
 // The real program, run as its users run it.
-#include <cmath>
 #include <csignal>
 #include <cstdint>
 #include <filesystem>
-#include <numbers>
 #include <string>
 #include <vector>
 
@@ -11,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "support/files.h"
+#include "support/program_figures.h"
 #include "support/run_program.h"
 #include "support/temporary_directory.h"
 
@@ -19,37 +18,14 @@ namespace {
 
 using nlohmann::json;
 using test::contains;
+using test::figures;
+using test::made;
 using test::run_program;
-using test::RunOptions;
 using test::RunResult;
 using test::StandardOutput;
 using test::TemporaryDirectory;
 using test::Words;
 using test::operator+;
-
-using std::numbers::pi;
-
-/// The JSON that a run prints; the run must succeed and say nothing else.
-json figures(const Words& arguments, const RunOptions& options = {}) {
-  const RunResult result = run_program(arguments + Words{"--json"}, options);
-  EXPECT_EQ(result.exit_code, 0) << result.err;
-  EXPECT_EQ(result.err, "");
-  json parsed = json::parse(result.out, nullptr, false);
-  EXPECT_FALSE(parsed.is_discarded()) << result.out;
-  EXPECT_EQ(parsed.value("version", 0), 1);
-  return parsed;
-}
-
-/// The bytes of a generated shape.
-std::string made(const Words& arguments, const std::string& format = "off") {
-  const RunResult result = run_program(Words{"make"} + arguments + Words{"-", "--format", format});
-  EXPECT_EQ(result.exit_code, 0) << result.err;
-  return result.out;
-}
-
-json info_of(const Words& shape) {
-  return figures({"info", "-"}, {.input = made(shape)});
-}
 
 const std::vector<std::string>& all_commands() {
   static const std::vector<std::string> names{"smooth",  "fill", "holes", "info",
@@ -247,52 +223,6 @@ TEST(Program, TooLittleMemoryHasExitCode5) {
   EXPECT_TRUE(contains(result.err, "memory")) << result.err;
 }
 
-/// A mesh for which a factor takes some 100 MB and conjugate gradients a fifth of that.
-std::string mesh_with_a_large_factor(const TemporaryDirectory& directory) {
-  std::string mesh = directory / "large.ply";
-  EXPECT_EQ(run_program({"make", "torus", mesh, "--rows", "120", "--columns", "300"}).exit_code, 0);
-  return mesh;
-}
-
-TEST(Smooth, ADryRunForecastsEverySolverAndWritesNothing) {
-  const TemporaryDirectory directory;
-  const std::string in = mesh_with_a_large_factor(directory);
-  const json found =
-      figures({"smooth", in, directory / "out.ply", "--dry-run", "--quiet"})["forecast"];
-  EXPECT_EQ(found["unknowns"], 36000);
-  ASSERT_EQ(found["solvers"].size(), 2U);
-  for (const json& solver : found["solvers"]) {
-    EXPECT_GT(solver["seconds"], 0) << solver;
-    EXPECT_GT(solver["bytes"], 36000 * 100) << solver;
-    EXPECT_EQ(solver["factor_entries"] > 0, solver["solver"] == "cholmod");
-  }
-  EXPECT_EQ(directory.entries(), 1U);
-}
-
-TEST(Smooth, KeepsToTheMemoryItIsGiven) {
-  const TemporaryDirectory directory;
-  const std::string in = mesh_with_a_large_factor(directory), out = directory / "out.ply";
-  const Words words{"smooth", in, out, "--cutoff", "40"};
-  const auto forecast = [&](const Words& more) {
-    return figures(words + Words{"--dry-run", "--quiet"} + more)["forecast"];
-  };
-  const json free = forecast({});
-  EXPECT_EQ(free["solver"], "cholmod");
-  // Halfway between the two, only one of them fits.
-  const double between =
-      (free["solvers"][0]["bytes"].get<double>() + free["solvers"][1]["bytes"].get<double>()) / 2;
-  const Words limit{"--memory", std::to_string(between)};
-  EXPECT_EQ(forecast(limit)["solver"], "cg");
-
-  const RunResult refused = run_program(words + limit + Words{"--solver", "cholmod"});
-  EXPECT_EQ(refused.exit_code, 5);
-  EXPECT_TRUE(contains(refused.err, "--solver cg fits")) << refused.err;
-  const RunResult hopeless = run_program(words + Words{"--memory", "1M"});
-  EXPECT_EQ(hopeless.exit_code, 5);
-  EXPECT_TRUE(contains(hopeless.err, "the limit is 1 MB")) << hopeless.err;
-  EXPECT_EQ(directory.entries(), 1U);
-}
-
 TEST(Program, MeshesGoThroughPipesInEveryFormat) {
   for (const std::string format : {"obj", "ply", "off"}) {
     SCOPED_TRACE(format);
@@ -326,193 +256,6 @@ TEST(Program, ReportFileHoldsWhatJsonPrints) {
                                        {.input = made({"icosphere", "--subdivide", "2"})});
   EXPECT_EQ(result.exit_code, 0) << result.err;
   EXPECT_EQ(test::read_bytes(path), result.out);
-}
-
-TEST(Make, IsReproducibleAndTheSeedMatters) {
-  const Words shape{"icosphere", "--subdivide", "3", "--noise", "0.2"};
-  const std::string bytes = made(shape);
-  EXPECT_EQ(bytes, made(shape + Words{"--threads", "2"}));
-  EXPECT_EQ(bytes, made(shape + Words{"--seed", "1"}));
-  EXPECT_NE(bytes, made(shape + Words{"--seed", "2"}));
-}
-
-TEST(Make, ScalesAndMoves) {
-  const json cube = info_of({"cube", "--scale", "1e-3", "--move", "-1,2.5,1e2"});
-  EXPECT_NEAR(cube["area"], 24e-6, 1e-15);
-  EXPECT_NEAR(cube["bounding_box"]["min"][0], -1.001, 1e-15);
-  EXPECT_NEAR(cube["bounding_box"]["max"][1], 2.501, 1e-15);
-  EXPECT_NEAR(cube["bounding_box"]["max"][2], 100.001, 1e-13);
-}
-
-TEST(Make, NoiseHasTheStandardDeviationAskedFor) {
-  const TemporaryDirectory directory;
-  const Words shape{"icosphere", "--subdivide", "5", "--scale", "7", "--move", "1,2,3"};
-  test::write_bytes(directory / "clean.off", made(shape));
-  test::write_bytes(directory / "noisy.off", made(shape + Words{"--noise", "0.3"}));
-  const json found =
-      figures({"compare", directory / "clean.off", directory / "noisy.off", "--samples", "1"});
-  const json& distance = found["vertex_distance"];
-  // Three coordinates; five standard errors of 30726 normal numbers.
-  EXPECT_NEAR(distance["rms"].get<double>() / distance["mean_edge"].get<double>(),
-              0.3 * std::sqrt(3.0), 0.3 * std::sqrt(3.0) * 5.0 / std::sqrt(2.0 * 30726));
-}
-
-TEST(Info, IcospheresApproachTheSphereAtSecondOrder) {
-  double last_area = 0.0;
-  double last_energy = 0.0;
-  for (int level = 3; level <= 5; ++level) {
-    const json found = info_of({"icosphere", "--subdivide", std::to_string(level)});
-    const double area = 4.0 * pi - found["area"].get<double>();
-    const double energy = 8.0 * pi - found["bending_energy"]["lagrange"].get<double>();
-    if (level > 3) {
-      EXPECT_NEAR(last_area / area, 4.0, 0.05);
-      EXPECT_NEAR(last_energy / energy, 4.0, 0.05);
-    }
-    last_area = area;
-    last_energy = energy;
-    EXPECT_NEAR(found["bending_energy"]["crouzeix-raviart"], 8.0 * pi + 0.385, 0.01);
-    EXPECT_EQ(found["vertices"], 10 * (1 << (2 * level)) + 2);
-    EXPECT_EQ(found["hinges"], found["edges"]);
-    EXPECT_EQ(found["genus"], 0);
-    EXPECT_EQ(found["closed"], true);
-  }
-}
-
-TEST(Info, CliffordToriApproachTheirEnergyWhateverTheTriangles) {
-  for (const Words& grid : {Words{}, Words{"--straight"}}) {
-    double last = 0.0;
-    for (const int rows : {16, 32, 64}) {
-      const json found = info_of(Words{"torus", "--rows", std::to_string(rows)} + grid);
-      EXPECT_EQ(found["genus"], 1);
-      const double error = 4.0 * pi * pi - found["bending_energy"]["lagrange"].get<double>();
-      if (last != 0.0) {
-        EXPECT_NEAR(last / error, 4.0, 0.5);
-      }
-      last = error;
-    }
-  }
-}
-
-TEST(Info, FlatShapesHaveNoEnergyAndOneBoundary) {
-  for (const std::string shape : {"plane", "hexagon"}) {
-    const json found = info_of({shape});
-    EXPECT_EQ(found["boundary_loops"], 1);
-    EXPECT_EQ(found["closed"], false);
-    EXPECT_TRUE(found["volume"].is_null());
-    for (const auto& [model, energy] : found["bending_energy"].items()) {
-      EXPECT_LE(energy.get<double>(), 1e-20) << shape << " " << model;
-    }
-  }
-  EXPECT_EQ(info_of({"cylinder"})["boundary_loops"], 2);
-}
-
-TEST(Info, TellsTheEndsOfTheSpectrumOfTheLaplacianThatIsAskedFor) {
-  const std::string ball = made({"icosphere", "--subdivide", "3"});
-  EXPECT_FALSE(figures({"info", "-"}, {.input = ball}).contains("operator"));
-  const json found = figures({"info", "-", "--laplacian", "lagrange", "--mass", "galerkin"},
-                             {.input = ball})["operator"];
-  EXPECT_EQ(found["laplacian"], "lagrange");
-  EXPECT_EQ(found["mass"], "galerkin");
-  EXPECT_EQ(found["nodes"], 642);
-  EXPECT_EQ(found["zero_eigenvalues"], 1);
-  EXPECT_NEAR(found["bending_energy"], 8.0 * pi, 0.1);
-  EXPECT_NEAR(found["smallest_eigenvalue"], 2.0, 0.02);  // l (l + 1)
-  EXPECT_GT(found["largest_eigenvalue"], 1000);
-  const json defaults = figures({"info", "-", "--laplacian", "umbrella"}, {.input = ball});
-  EXPECT_EQ(defaults["operator"]["mass"], "valence");
-  const RunResult refused =
-      run_program({"info", "-", "--laplacian", "umbrella", "--mass", "voronoi"}, {.input = ball});
-  EXPECT_EQ(refused.exit_code, 2);
-  EXPECT_NE(refused.err.find("barycentric"), std::string::npos);
-}
-
-TEST(Smooth, TakesEveryMassThatGoesWithItsLaplacian) {
-  const std::string rough = made({"icosphere", "--subdivide", "2", "--noise", "0.2"});
-  const Words smooth{"smooth", "-", "-", "--format", "off", "--steps", "2"};
-  const auto result = [&](const Words& more) {
-    const RunResult run = run_program(smooth + more, {.input = rough});
-    EXPECT_EQ(run.exit_code, 0) << run.err;
-    return run.out;
-  };
-  const Words voronoi{"--laplacian", "lagrange", "--mass", "voronoi"};
-  EXPECT_NE(result(voronoi), result({"--laplacian", "lagrange"}));
-  EXPECT_EQ(result({"--mass", "none"}), result({"--no-mass"}));
-  EXPECT_EQ(result({"--mass", "crouzeix-raviart"}), result({}));
-  EXPECT_EQ(run_program(smooth + Words{"--mass", "voronoi"}, {.input = rough}).exit_code, 2);
-}
-
-TEST(Info, FitsASphere) {
-  const json found = figures(
-      {"info", "-", "--sphere"},
-      {.input = made({"icosphere", "--subdivide", "3", "--scale", "2", "--move", "5,6,7"})});
-  EXPECT_NEAR(found["sphere"]["radius"], 2.0, 1e-13);
-  EXPECT_NEAR(found["sphere"]["center"][2], 7.0, 1e-12);
-  EXPECT_LE(found["sphere"]["relative_deviation"], 1e-14);
-  // The twelve corners of the icosahedron are on the sphere, the middle of its edges is not.
-  const json flat =
-      figures({"info", "-", "--sphere"}, {.input = made({"icosahedron", "--subdivide", "4"})});
-  EXPECT_GT(flat["sphere"]["relative_deviation"], 0.03);
-}
-
-TEST(Info, TheTableForPeopleNamesEveryFigure) {
-  const RunResult result = run_program({"info", "-", "--sphere"}, {.input = made({"icosphere"})});
-  EXPECT_EQ(result.exit_code, 0);
-  for (const std::string label :
-       {"vertices", "faces", "edges", "components", "genus", "boundary loops", "defects",
-        "edge length", "smallest angle", "area", "volume", "bounding box", "E_b crouzeix-raviart",
-        "E_b lagrange", "radius deviation"}) {
-    EXPECT_TRUE(contains(result.out, "\n" + label + " ")) << label;
-  }
-}
-
-TEST(Compare, ToleranceDecidesTheExitCode) {
-  const TemporaryDirectory directory;
-  const std::string a = directory / "a.off";
-  const std::string b = directory / "b.ply";
-  test::write_bytes(a, made({"plane"}));
-  test::write_bytes(b, made({"plane", "--move", "0,0,0.125", "--columns", "11"}, "ply"));
-  EXPECT_EQ(run_program({"compare", a, a, "--tolerance", "0", "--samples", "999"}).exit_code, 0);
-  EXPECT_EQ(run_program({"compare", a, b, "--tolerance", "0.1251", "--samples", "999"}).exit_code,
-            0);
-  EXPECT_EQ(run_program({"compare", a, b, "--tolerance", "0.1249", "--samples", "999"}).exit_code,
-            1);
-  const json found = figures({"compare", a, b, "--samples", "999"});
-  EXPECT_EQ(found["same_connectivity"], false);
-  EXPECT_NEAR(found["surface_distance"]["a_to_b"]["max"], 0.125, 1e-15);
-  EXPECT_NEAR(found["surface_distance"]["b_to_a"]["rms"], 0.125, 1e-15);
-  EXPECT_NEAR(found["area_ratio"], 1.0, 1e-12);
-}
-
-TEST(Compare, MeasuresAgainstExactSurfaces) {
-  const json torus = figures({"compare", "-", "--torus", "1,0.4"},
-                             {.input = made({"torus", "--ratio", "2.5", "--rows", "32"})});
-  EXPECT_LE(torus["exact_surface"]["vertex_distance"]["max"], 1e-15);
-  EXPECT_EQ(torus["exact_surface"]["triangle_normal_degrees"]["flipped"], 0);
-
-  const std::string sphere = made({"icosphere", "--subdivide", "3", "--move", "1,0,0"});
-  const Words against{"compare", "-", "--sphere"};
-  EXPECT_LE(figures(against + Words{"1", "--center", "1,0,0"},
-                    {.input = sphere})["exact_surface"]["vertex_distance"]["max"],
-            1e-15);
-  EXPECT_NEAR(
-      figures(against + Words{"1"}, {.input = sphere})["exact_surface"]["vertex_distance"]["max"],
-      1.0, 1e-12);
-  EXPECT_LE(figures(against + Words{"fit"}, {.input = sphere})["radius_deviation"], 1e-14);
-  EXPECT_EQ(run_program(against + Words{"0.5", "--center", "1,0,0", "--tolerance", "0.4"},
-                        {.input = sphere})
-                .exit_code,
-            1);
-}
-
-TEST(Compare, DoesNotDependOnTheNumberOfThreads) {
-  const TemporaryDirectory directory;
-  test::write_bytes(directory / "a.off", made({"torus", "--noise", "0.2"}));
-  test::write_bytes(directory / "b.off", made({"torus", "--noise", "0.1", "--straight"}));
-  const Words both{"compare", directory / "a.off", directory / "b.off", "--json", "--samples",
-                   "3000",    "--threads"};
-  const RunResult one = run_program(both + Words{"1"});
-  EXPECT_EQ(one.exit_code, 0) << one.err;
-  EXPECT_EQ(one.out, run_program(both + Words{"2"}).out);
 }
 
 }  // namespace

@@ -1,0 +1,86 @@
+// What `smooth` forecasts, and that it keeps to its limits.
+#include <string>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "support/program_figures.h"
+#include "support/run_program.h"
+#include "support/temporary_directory.h"
+
+namespace ibmfair {
+namespace {
+
+using nlohmann::json;
+using test::contains;
+using test::figures;
+using test::made;
+using test::run_program;
+using test::RunResult;
+using test::TemporaryDirectory;
+using test::Words;
+using test::operator+;
+
+/// A mesh for which a factor takes some 100 MB and conjugate gradients a fifth of that.
+std::string mesh_with_a_large_factor(const TemporaryDirectory& directory) {
+  std::string mesh = directory / "large.ply";
+  EXPECT_EQ(run_program({"make", "torus", mesh, "--rows", "120", "--columns", "300"}).exit_code, 0);
+  return mesh;
+}
+
+TEST(Smooth, ADryRunForecastsEverySolverAndWritesNothing) {
+  const TemporaryDirectory directory;
+  const std::string in = mesh_with_a_large_factor(directory);
+  const json found =
+      figures({"smooth", in, directory / "out.ply", "--dry-run", "--quiet"})["forecast"];
+  EXPECT_EQ(found["unknowns"], 36000);
+  ASSERT_EQ(found["solvers"].size(), 2U);
+  for (const json& solver : found["solvers"]) {
+    EXPECT_GT(solver["seconds"], 0) << solver;
+    EXPECT_GT(solver["bytes"], 36000 * 100) << solver;
+    EXPECT_EQ(solver["factor_entries"] > 0, solver["solver"] == "cholmod");
+  }
+  EXPECT_EQ(directory.entries(), 1U);
+}
+
+TEST(Smooth, KeepsToTheMemoryItIsGiven) {
+  const TemporaryDirectory directory;
+  const std::string in = mesh_with_a_large_factor(directory), out = directory / "out.ply";
+  const Words words{"smooth", in, out, "--cutoff", "40"};
+  const auto forecast = [&](const Words& more) {
+    return figures(words + Words{"--dry-run", "--quiet"} + more)["forecast"];
+  };
+  const json free = forecast({});
+  EXPECT_EQ(free["solver"], "cholmod");
+  // Halfway between the two, only one of them fits.
+  const double between =
+      (free["solvers"][0]["bytes"].get<double>() + free["solvers"][1]["bytes"].get<double>()) / 2;
+  const Words limit{"--memory", std::to_string(between)};
+  EXPECT_EQ(forecast(limit)["solver"], "cg");
+
+  const RunResult refused = run_program(words + limit + Words{"--solver", "cholmod"});
+  EXPECT_EQ(refused.exit_code, 5);
+  EXPECT_TRUE(contains(refused.err, "--solver cg fits")) << refused.err;
+  const RunResult hopeless = run_program(words + Words{"--memory", "1M"});
+  EXPECT_EQ(hopeless.exit_code, 5);
+  EXPECT_TRUE(contains(hopeless.err, "the limit is 1 MB")) << hopeless.err;
+  EXPECT_EQ(directory.entries(), 1U);
+}
+
+TEST(Smooth, TakesEveryMassThatGoesWithItsLaplacian) {
+  const std::string rough = made({"icosphere", "--subdivide", "2", "--noise", "0.2"});
+  const Words smooth{"smooth", "-", "-", "--format", "off", "--steps", "2"};
+  const auto result = [&](const Words& more) {
+    const RunResult run = run_program(smooth + more, {.input = rough});
+    EXPECT_EQ(run.exit_code, 0) << run.err;
+    return run.out;
+  };
+  const Words voronoi{"--laplacian", "lagrange", "--mass", "voronoi"};
+  EXPECT_NE(result(voronoi), result({"--laplacian", "lagrange"}));
+  EXPECT_EQ(result({"--mass", "none"}), result({"--no-mass"}));
+  EXPECT_EQ(result({"--mass", "crouzeix-raviart"}), result({}));
+  EXPECT_EQ(run_program(smooth + Words{"--mass", "voronoi"}, {.input = rough}).exit_code, 2);
+}
+
+}  // namespace
+}  // namespace ibmfair
