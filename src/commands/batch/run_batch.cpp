@@ -11,6 +11,7 @@
 #include "commands/batch/merge.h"
 #include "commands/batch/resume.h"
 #include "commands/batch/run_items.h"
+#include "commands/batch/running_item.h"
 #include "commands/batch/shared_list.h"
 #include "commands/batch/shell_words.h"
 #include "commands/batch/summary.h"

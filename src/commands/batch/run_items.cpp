@@ -2,17 +2,13 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cstring>
 #include <filesystem>
 #include <memory>
 
-#include <fmt/format.h>
-
-#include "commands/batch/child_process.h"
-#include "commands/batch/child_report.h"
 #include "commands/batch/interrupts.h"
 #include "commands/batch/item_queue.h"
 #include "commands/batch/resume.h"
+#include "commands/batch/running_item.h"
 #include "commands/batch/temporaries.h"
 #include "commands/exit_code.h"
 
@@ -21,40 +17,12 @@ namespace ibmfair::commands {
 namespace {
 
 namespace fs = std::filesystem;
-using Clock = std::chrono::steady_clock;
-
-struct Running {
-  std::size_t index;
-  std::string key;
-  Finished record;
-  bool inputs_known = false;               // they did not change while they were hashed
-  std::unique_ptr<Claim> claim = nullptr;  // given up after the process has ended
-  Clock::time_point start = Clock::now();
-  std::unique_ptr<ChildProcess> process = nullptr;
-};
-
-/// The first file that the item would replace without being allowed to; empty: none.
-std::string file_in_the_way(const Item& item) {
-  for (const std::string& path : item.writes) {
-    std::error_code error;
-    const fs::file_status status = fs::status(path, error);
-    if (fs::is_regular_file(status) || fs::is_directory(status)) {
-      return path;
-    }
-  }
-  return {};
-}
 
 Outcome ended(Status status, ExitCode code) {
   Outcome outcome;
   outcome.status = status;
   outcome.exit_code = static_cast<int>(code);
   return outcome;
-}
-
-std::string signal_text(int signal_number) {
-  return fmt::format("ended by signal {} ({}){}", signal_number, strsignal(signal_number),
-                     signal_number == SIGKILL ? ", perhaps for want of memory" : "");
 }
 
 class ItemRunner {
@@ -112,7 +80,8 @@ class ItemRunner {
   /// Starts the item unless it need not be run, or another process does.
   void take(std::size_t index) {
     const Item& item = items_[index];
-    Running running{index, journal_key(item, settings_.list_journal), begin_record(item)};
+    RunningItem running{index, &item, journal_key(item, settings_.list_journal),
+                        begin_record(item)};
     if (!looked_up_[index]) {
       looked_up_[index] = true;
       if (const auto outcome = earlier_outcome(item, running.key)) {
@@ -160,8 +129,8 @@ class ItemRunner {
     return goes_on() && (earlier_.started(key) || (shared_ != nullptr && shared_->started(key)));
   }
 
-  void start(Running running) {
-    const Item& item = items_[running.index];
+  void start(RunningItem running) {
+    const Item& item = *running.item;
     const bool overwrite =
         item.overwrite || (item.takes_overwrite && (settings_.overwrite || is_ours(running.key)));
     if (const std::string path = overwrite ? "" : file_in_the_way(item); !path.empty()) {
@@ -178,28 +147,10 @@ class ItemRunner {
       fs::create_directories(folder, ignored);
     }
     journal_.add_start(running.key);
-    running.start = Clock::now();
-    running.process = std::make_unique<ChildProcess>(words_of(item, overwrite));
-    if (running.claim) {
-      running.claim->note_process(running.process->id());
-    }
+    running.start_process(overwrite, settings_.threads);
     running_.push_back(std::move(running));
     // While it computes; it has read the file by then or finds it in memory.
     running_.back().inputs_known = add_hashes(item, running_.back().record);
-  }
-
-  std::vector<std::string> words_of(const Item& item, bool overwrite) const {
-    std::vector<std::string> words = item.words;
-    if (item.takes_json) {
-      words.emplace_back("--json");
-    }
-    if (overwrite && !item.overwrite) {
-      words.emplace_back("--overwrite");
-    }
-    if (!item.has_threads) {
-      words.push_back(fmt::format("--threads={}", settings_.threads));
-    }
-    return words;
   }
 
   void wait() {
@@ -208,7 +159,7 @@ class ItemRunner {
       observer_.waits(queue_.size());
     }
     std::vector<pollfd> waits;
-    for (const Running& running : running_) {
+    for (const RunningItem& running : running_) {
       running.process->append_waits(waits);
     }
     interrupts_.wait(waits, time_to_wait());
@@ -219,7 +170,7 @@ class ItemRunner {
     for (std::size_t i = 0; i < running_.size();) {
       const bool ended = running_[i].process->read_streams();
       if (const bool lost = is_lost(running_[i], ended); ended || lost) {
-        const Running running = std::move(running_[i]);
+        const RunningItem running = std::move(running_[i]);
         running_.erase(running_.begin() + static_cast<std::ptrdiff_t>(i));
         lost ? leave_to_others(running) : finish(running);
       } else {
@@ -229,7 +180,7 @@ class ItemRunner {
   }
 
   /// Whether others have taken the item over. One that has `ended` is looked at anew.
-  static bool is_lost(const Running& running, bool ended) {
+  static bool is_lost(const RunningItem& running, bool ended) {
     if (running.claim && ended) {
       running.claim->renew();
     }
@@ -247,52 +198,22 @@ class ItemRunner {
   }
 
   /// Another process has begun the item, as this one seemed to be dead.
-  void leave_to_others(const Running& running) {
-    kill(running);
+  void leave_to_others(const RunningItem& running) {
+    running.kill_process();
     queue_.put_back(running.index);
   }
 
-  void kill(const Running& running) {
-    running.process->kill();
-    running.process->wait();
-    remove_temporaries_of(running.process->id(), output_folders(items_[running.index]));
-  }
-
-  void finish(const Running& running) {
-    const Item& item = items_[running.index];
-    const ChildEnd end = running.process->wait();
-    Outcome outcome;
-    outcome.status = end.exit_code == 0 ? Status::ok : Status::failed;
-    outcome.exit_code = end.exit_code;
-    outcome.seconds = seconds_since(running.start);
-    outcome.peak_megabytes = end.peak_megabytes;
-    outcome.message = first_message(running.process->err());
-    outcome.figures = main_figures(running.process->out());
-    if (end.signal_number != 0) {
-      outcome.message = signal_text(end.signal_number);
-      remove_temporaries_of(running.process->id(), output_folders(item));
-    }
-    note_end(item, running, outcome);
+  void finish(const RunningItem& running) {
+    const Outcome outcome = running.wait_for_end();
+    journal_.add_end(running.key, running.record_of_end(outcome));
     conclude(running.index, outcome);
   }
 
-  void note_end(const Item& item, const Running& running, const Outcome& outcome) {
-    Finished record = running.record;
-    record.outcome = outcome;
-    if (!running.inputs_known && outcome.status == Status::ok) {
-      record.inputs.clear();  // resuming redoes it
-    }
-    for (const std::string& path : item.writes) {
-      record.outputs.push_back(stamp_of(path).value_or(FileStamp{}));
-    }
-    journal_.add_end(running.key, record);
-  }
-
   void stop() {
-    for (const Running& running : running_) {
-      kill(running);
+    for (const RunningItem& running : running_) {
+      running.kill_process();
       Outcome outcome = ended(Status::interrupted, ExitCode::interrupted);
-      outcome.seconds = seconds_since(running.start);
+      outcome.seconds = running.seconds();
       conclude(running.index, outcome);
     }
     running_.clear();
@@ -316,10 +237,6 @@ class ItemRunner {
     observer_.ended(index, outcome);
   }
 
-  static double seconds_since(Clock::time_point start) {
-    return std::chrono::duration<double>(Clock::now() - start).count();
-  }
-
   const std::vector<Item>& items_;
   const RunSettings& settings_;
   const JournalRecord& earlier_;
@@ -329,22 +246,13 @@ class ItemRunner {
   Interrupts interrupts_;
   ItemQueue queue_;
   std::vector<bool> looked_up_;  // in what is known of earlier runs
-  std::vector<Running> running_;
+  std::vector<RunningItem> running_;
   bool failed_ = false;
   bool waits_for_others_ = false;
   RunResult result_;
 };
 
 }  // namespace
-
-std::set<std::string> output_folders(const Item& item) {
-  std::set<std::string> folders;
-  for (const std::string& path : item.writes) {
-    const fs::path folder = fs::path(path).parent_path();
-    folders.insert(folder.empty() ? "." : folder.string());
-  }
-  return folders;
-}
 
 RunResult run_items(const std::vector<Item>& items, const RunSettings& settings,
                     const JournalRecord& earlier, Journal& journal, SharedList* shared,

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <functional>
-#include <set>
 #include <string>
 #include <vector>
 
@@ -41,8 +40,5 @@ struct RunResult {
 RunResult run_items(const std::vector<Item>& items, const RunSettings& settings,
                     const JournalRecord& earlier, Journal& journal, SharedList* shared,
                     const RunObserver& observer);
-
-/// The folders that the item writes to.
-std::set<std::string> output_folders(const Item& item);
 
 }  // namespace ibmfair::commands
