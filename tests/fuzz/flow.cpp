@@ -1,6 +1,7 @@
 // Whatever the mesh and the options, the flow ends in finite places, with held vertices where they
 // were, the guarded one with no more energy than at its start; or it says why not, with the mesh as
 // it was. Run again, it gives the same bits.
+#include <algorithm>
 #include <cmath>
 #include <optional>
 
@@ -43,6 +44,8 @@ struct FlowCase {
     options.newton_iterations = 1 + bytes.below(3);
     cutoff_edges = cutoffs[bytes.below(cutoffs.size())];
     if (short_moves) options.max_move = 0.01;
+    options.twicing =
+        std::max(0, options.steps - 2);  // no byte of its own: seeds mean what they did
   }
 };
 
