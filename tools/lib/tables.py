@@ -25,6 +25,21 @@ def smooth(source, target, *options):
     return ibmfair("smooth", source, target, "--json", "--quiet", "--overwrite", *options)
 
 
+def read_off(path):
+    """The points, and the lines of the faces, of an OFF file with its keyword on a line of its own."""
+    with open(path) as file:
+        lines = [line for line in file.read().splitlines() if line.split("#")[0].strip()]
+    count = int(lines[1].split()[0])
+    return [tuple(map(float, line.split())) for line in lines[2:2 + count]], lines[2 + count:]
+
+
+def write_off(path, points, faces):
+    with open(path, "w") as file:
+        file.write(f"OFF\n{len(points)} {len(faces)} 0\n")
+        file.writelines(f"{x!r} {y!r} {z!r}\n" for x, y, z in points)
+        file.write("\n".join(faces) + "\n")
+
+
 def row(cells, widths):
     print("  ".join(str(cell).rjust(width) if i else str(cell).ljust(width)
                     for i, (cell, width) in enumerate(zip(cells, widths))))
