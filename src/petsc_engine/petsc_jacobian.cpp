@@ -1,6 +1,7 @@
 #include "petsc_engine/petsc_jacobian.h"
 
 #include <algorithm>
+#include <string_view>
 
 #include <fmt/format.h>
 
@@ -136,6 +137,8 @@ void PetscJacobian::make_solver(const JacobianParts& parts) {
   check(KSPGetType(ksp_, &method));
   check(PCGetType(pc, &preconditioner));
   shape_.report.solver = fmt::format("petsc {} {}", method, preconditioner);
+  const std::string_view kind = preconditioner;
+  factors_ = kind == PCCHOLESKY || kind == PCLU;
 }
 
 void PetscJacobian::update(const JacobianParts& parts) {
@@ -166,7 +169,7 @@ void PetscJacobian::update(const JacobianParts& parts) {
         "the preconditioner cannot be set up: the mesh may have triangles "
         "with angles near zero");
   }
-  ++shape_.report.factorizations;
+  shape_.report.factorizations += factors_ ? 1 : 0;
 }
 
 void PetscJacobian::solve(const Points& B, Points& Y) {

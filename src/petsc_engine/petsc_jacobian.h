@@ -47,6 +47,7 @@ class PetscJacobian final : public JacobianSolver {
   Mat J_ = nullptr;
   Vec x_ = nullptr, b_ = nullptr;
   KSP ksp_ = nullptr;
+  bool factors_ = false;  // the preconditioner is a factor of all of J
 };
 
 }  // namespace ibmfair::petsc

@@ -169,6 +169,8 @@ TEST_F(Ranks, TakeTheOptionsOfPetsc) {
   EXPECT_LT(relative_difference(exact.X(), direct.X()), same);
   const Fair mumps = on_ranks(2, input, {"--steps", "2", "--solver", "mumps"});
   EXPECT_LT(relative_difference(exact.X(), mumps.X()), same);
+  EXPECT_EQ(exact.report["flow"]["factorizations"], 0);
+  EXPECT_GT(mumps.report["flow"]["factorizations"], 0);
 }
 
 TEST_F(Ranks, NeedNoMpirunForOne) {
