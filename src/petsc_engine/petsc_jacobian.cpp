@@ -13,8 +13,6 @@
 namespace ibmfair::petsc {
 namespace {
 
-constexpr PetscInt most_iterations = 1000;
-
 /// With the diagonal for a preconditioner: from here on BoomerAMG's set-up and its longer
 /// iterations pay (tools/ranks_table).
 constexpr double many_iterations = 120;
@@ -117,7 +115,7 @@ void PetscJacobian::make_solver(const JacobianParts& parts) {
   check(KSPSetType(ksp_, KSPCG));
   check(KSPSetNormType(ksp_, KSP_NORM_NATURAL));
   check(KSPSetTolerances(ksp_, shape_.options.solver_tolerance, PETSC_DEFAULT, PETSC_DEFAULT,
-                         most_iterations));
+                         most_iterations(shape_.options.solver_tolerance)));
   PC pc = nullptr;
   check(KSPGetPC(ksp_, &pc));
   if (solver_ == LinearSolver::mumps) {

@@ -9,8 +9,6 @@
 namespace ibmfair {
 namespace {
 
-constexpr int most_iterations = 1000;
-
 // Of one core, as in direct_jacobian.cpp.
 constexpr double seconds_per_place = 2.7e-9;  // of the stencils, in each iteration
 
@@ -18,6 +16,12 @@ constexpr double seconds_per_place = 2.7e-9;  // of the stencils, in each iterat
 constexpr double bytes_per_place = 8, bytes_per_row = 300;
 
 }  // namespace
+
+int most_iterations(double tolerance) {
+  constexpr double iterations = 1000, usual_tolerance = 0.05;
+  return static_cast<int>(iterations *
+                          std::max(1.0, std::log(tolerance) / std::log(usual_tolerance)));
+}
 
 /// A square root of a condition number, which the larger ones of diag(J) / D make. The largest of
 /// all belong to needles, of which there are few, or which a noisy mesh has for the first steps
@@ -58,7 +62,7 @@ void IterativeJacobian::update(const JacobianParts& parts) {
 
 void IterativeJacobian::solve(const Points& B, Points& Y) {
   const Stopwatch watch(shape_.report.seconds.solve);
-  shape_.report.iterations += solver_.solve(B, Y, tolerance_, most_iterations);
+  shape_.report.iterations += solver_.solve(B, Y, tolerance_, most_iterations(tolerance_));
 }
 
 void IterativeJacobian::tighten(double tolerance) {

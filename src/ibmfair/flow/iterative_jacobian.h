@@ -23,6 +23,9 @@ class IterativeJacobian final : public JacobianSolver {
   double tolerance_;
 };
 
+/// The iterations after which a solve to that residual is given up: every digit takes as many.
+int most_iterations(double tolerance);
+
 /// About how many iterations a solve takes with the diagonal for a preconditioner, to the default
 /// tolerance.
 double forecast_iterations(const JacobianShape& shape, const JacobianParts& parts);
