@@ -162,7 +162,7 @@ ExitCode run_smooth(SmoothArguments arguments, const CLI::App& app, Console& con
   s.figures.before = mesh_figures(s.before(), s.topology, options);
   if (options.steps > 0) {
     s.held = held(arguments, s.file, s.topology, options.cutoff_factor);
-    run_flow(arguments, options, s.X, s.topology, s.held, MeshParts::one(), s.figures, progress);
+    run_flow(arguments, s.X, s.topology, s.held, MeshParts::one(), s.figures, progress);
   }
   progress.begin("measure");
   s.figures.after = mesh_figures(s.X, s.topology, options);

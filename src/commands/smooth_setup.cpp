@@ -113,9 +113,10 @@ std::vector<std::uint8_t> held_by(const SmoothArguments& arguments, const Topolo
   return held;
 }
 
-void run_flow(const SmoothArguments& arguments, FlowOptions options, Points& X,
-              const Topology& topology, const std::vector<std::uint8_t>& held,
-              const MeshParts& parts, SmoothFigures& figures, Progress& progress) {
+void run_flow(const SmoothArguments& arguments, Points& X, const Topology& topology,
+              const std::vector<std::uint8_t>& held, const MeshParts& parts, SmoothFigures& figures,
+              Progress& progress) {
+  FlowOptions options = arguments.flow;
   set_scale(arguments, X, topology, parts, options, figures);
   std::optional<PostponedEnd> postponed;
   if (!arguments.checkpoint.empty()) {

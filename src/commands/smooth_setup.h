@@ -40,11 +40,11 @@ std::vector<std::uint8_t> held_by(const SmoothArguments& arguments, const Topolo
                                   const std::vector<std::uint8_t>& mask,
                                   const Eigen::VectorXd& weights);
 
-/// Moves X and notes what comes of it. With --checkpoint, a request to end is heeded between two
-/// steps. Throws as set_scale and willmore_flow.
-void run_flow(const SmoothArguments& arguments, FlowOptions options, Points& X,
-              const Topology& topology, const std::vector<std::uint8_t>& held,
-              const MeshParts& parts, SmoothFigures& figures, Progress& progress);
+/// Moves X by `arguments.flow` and notes what comes of it. With --checkpoint, a request to end is
+/// heeded between two steps. Throws as set_scale and willmore_flow.
+void run_flow(const SmoothArguments& arguments, Points& X, const Topology& topology,
+              const std::vector<std::uint8_t>& held, const MeshParts& parts, SmoothFigures& figures,
+              Progress& progress);
 
 /// Notes how far vertices have moved.
 void measure_moves(const Points& before, const Points& after, SmoothFigures& figures);

@@ -218,7 +218,7 @@ class SharedSmooth {
     figures_.mean_edge_length = mean_edge_length(mesh.X, mesh.topology, *mesh.parts);
     figures_.before = mesh_figures(mesh.piece, mesh.X, mesh.topology, arguments_.flow, *mesh.parts);
     if (arguments_.flow.steps > 0) {
-      commands::run_flow(arguments_, arguments_.flow, mesh.X, mesh.topology,
+      commands::run_flow(arguments_, mesh.X, mesh.topology,
                          held(arguments_, mesh, arguments_.flow.cutoff_factor), *mesh.parts,
                          figures_, progress);
     }
