@@ -25,7 +25,7 @@ struct MassMatrix {
   std::string_view name;     ///< as the command line takes it
   std::string_view summary;  ///< one line
   Kind kind;
-  TriangleFormula shares;  ///< of the corners in a triangle, length^2; unused for edges
+  TriangleFormula shares;  ///< of the corners in a triangle, length^2 or a count; unused for edges
 
   /// (M2) and (M3); without, the energy depends on the sampling.
   bool measures_area() const { return kind != Kind::counted && kind != Kind::identity; }

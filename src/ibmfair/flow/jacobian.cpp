@@ -100,4 +100,11 @@ void Jacobian::solve(const Points& B, Points& Y) {
   ++report_.solves;
 }
 
+Eigen::VectorXd Jacobian::solve(const Eigen::VectorXd& b) {
+  Points B = Points::Zero(b.size(), 3), Y;
+  B.col(0) = b;
+  solve(B, Y);
+  return Y.col(0);
+}
+
 }  // namespace ibmfair

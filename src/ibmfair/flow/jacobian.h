@@ -30,6 +30,9 @@ class Jacobian {
   /// Y = J^-1 B, one row per unknown.
   void solve(const Points& B, Points& Y);
 
+  /// J^-1 b for a number at each unknown.
+  Eigen::VectorXd solve(const Eigen::VectorXd& b);
+
   /// After the first `refactor`: from now on to a residual of no more than `tolerance`.
   void tighten(double tolerance) { solver_->tighten(tolerance); }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "ibmfair/base/errors.h"
+#include "ibmfair/flow/unknown_normals.h"
 #include "ibmfair/mesh/geometry.h"
 
 namespace ibmfair {
@@ -16,21 +17,6 @@ constexpr double longest_move = 2;      // along the normal in one step, in edge
 constexpr int most_attempts = 12;
 constexpr int most_steps_with_jacobian = 10;
 constexpr int halvings = 2;  // of a step before the time step shrinks
-
-/// Area-weighted normals of the unknown vertices, unit length or zero.
-Points unknown_normals(const Points& X, const Topology& topology, const Unknowns& unknowns) {
-  Points normals(unknowns.size(), 3);
-  for (Index u = 0; u < unknowns.size(); ++u) {
-    Vec3 N = Vec3::Zero();
-    for (const Index t : topology.stars[unknowns.vertex[u]]) {
-      const auto x = topology.F.row(t);
-      N += double_area_vector(X.row(x[0]), X.row(x[1]), X.row(x[2]));
-    }
-    const double length = N.norm();
-    normals.row(u) = length > 0 ? Vec3(N / length) : N;
-  }
-  return normals;
-}
 
 }  // namespace
 
@@ -105,15 +91,13 @@ bool StationaryFlow::advance() {
 }
 
 Points StationaryFlow::solve(const Points& q) {
-  Points d;
   if (!normal_only_) {
+    Points d;
     problem_.jacobian().solve(h_ * q, d);
     return d;
   }
-  Points lengths = Points::Zero(q.rows(), 3);
-  lengths.col(0) = h_ * q.cwiseProduct(normals_).rowwise().sum();
-  problem_.jacobian().solve(lengths, d);
-  return d.col(0).asDiagonal() * normals_;
+  const Eigen::VectorXd along = h_ * q.cwiseProduct(normals_).rowwise().sum();
+  return problem_.jacobian().solve(along).asDiagonal() * normals_;
 }
 
 bool StationaryFlow::search(const Points& step) {

@@ -1,10 +1,10 @@
 #include "ibmfair/flow/twicing.h"
 
 #include "ibmfair/base/errors.h"
-#include "ibmfair/base/parallel.h"
+#include "ibmfair/base/stopwatch.h"
 #include "ibmfair/flow/fold_free_move.h"
 #include "ibmfair/flow/folds.h"
-#include "ibmfair/mesh/geometry.h"
+#include "ibmfair/flow/unknown_normals.h"
 
 namespace ibmfair {
 namespace {
@@ -28,36 +28,36 @@ class Twicing {
       return false;
     }
     p_.jacobian().tighten(tolerance);
-    find_residual();
-    smooth_residual();
-    return put_back();
+    find_normals();
+    return put_back(smooth_residual());
   }
 
  private:
-  /// The heights (first column) of the start over the state.
-  void find_residual() {
-    normal_.resize(p_.unknowns.size(), 3);
-    height_ = Points::Zero(p_.unknowns.size(), 3);
-    parallel_for(p_.unknowns.size(), [&](std::int64_t u) {
-      const Index v = p_.unknowns.vertex[u];
-      const Vec3 normal =
-          p_.topology.twisted[v] ? Vec3(Vec3::Zero()) : double_area_vector_at(v, p_.X, p_.topology);
-      const double length = normal.norm();
-      normal_.row(u) = length > 0 ? Vec3(normal / length) : Vec3(Vec3::Zero());
-      height_(u, 0) = normal_.row(u).dot(p_.start().row(v) - p_.X.row(v));
-    });
-  }
-
-  void smooth_residual() {
-    Points smoother;
-    for (int i = 0; i < linear_steps; ++i) {
-      p_.jacobian().solve(p_.jacobian().metric().asDiagonal() * height_, smoother);
-      height_.swap(smoother);
+  void find_normals() {
+    normals_ = unknown_normals(p_.X, p_.topology, p_.unknowns);
+    for (Index u = 0; u < p_.unknowns.size(); ++u) {
+      if (p_.topology.twisted[p_.unknowns.vertex[u]]) {
+        normals_.row(u).setZero();
+      }
     }
   }
 
-  bool put_back() {
-    Points move = height_.col(0).asDiagonal() * normal_;
+  /// Of the heights of the start over the state.
+  Eigen::VectorXd smooth_residual() {
+    const std::vector<Index>& vertex = p_.unknowns.vertex;
+    Eigen::VectorXd height =
+        normals_.cwiseProduct(p_.start()(vertex, Eigen::all) - p_.X(vertex, Eigen::all))
+            .rowwise()
+            .sum();
+    for (int i = 0; i < linear_steps; ++i) {
+      height = p_.jacobian().solve(p_.jacobian().metric().cwiseProduct(height));
+    }
+    return height;
+  }
+
+  bool put_back(const Eigen::VectorXd& height) {
+    const Stopwatch watch(p_.report.seconds.guard);
+    Points move = height.asDiagonal() * normals_;
     for (int i = 0; i <= halvings; ++i, move /= 2) {
       std::int64_t withheld = 0;
       if (displace_without_folds(p_, folds_, move, Y_, withheld) == FlowProblem::Landing::nowhere) {
@@ -74,8 +74,8 @@ class Twicing {
 
   FlowProblem& p_;
   FoldWatch folds_;
-  Points normal_, height_;  // one row per unknown
-  Points Y_;                // where the move leads
+  Points normals_;  // one row per unknown
+  Points Y_;        // where the move leads
 };
 
 }  // namespace
