@@ -134,7 +134,8 @@ Points ConservedQuantities::speed(const Points& g, const Eigen::VectorXd& D) con
   return speed;
 }
 
-bool ConservedQuantities::restore(Points& Y) const {
+bool ConservedQuantities::restore(const Points& move, Points& Y) const {
+  const auto stays = [&](std::int64_t u) { return (move.row(u).array() == 0).all(); };
   Eigen::VectorXd missing(static_cast<Eigen::Index>(kept_.size()));
   for (int i = 0; i < most_corrections; ++i) {
     std::vector<Points> gradients;
@@ -150,10 +151,15 @@ bool ConservedQuantities::restore(Points& Y) const {
     }
     for (const Kept& kept : kept_) {
       gradients.push_back(gradient_of(*kept.quantity, Y, topology_, unknowns_));
+      parallel_for(unknowns_.size(), [&](std::int64_t u) {
+        if (stays(u)) {
+          gradients.back().row(u).setZero();
+        }
+      });
     }
     const Eigen::VectorXd factors = solve_small(gradients, Z_, missing);
     parallel_for(unknowns_.size(), [&](std::int64_t u) {
-      for (std::size_t k = 0; k < Z_.size(); ++k) {
+      for (std::size_t k = 0; k < Z_.size() && !stays(u); ++k) {
         Y.row(unknowns_.vertex[u]) += factors[static_cast<Eigen::Index>(k)] * Z_[k].row(u);
       }
     });

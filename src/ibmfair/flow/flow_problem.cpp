@@ -149,7 +149,7 @@ FlowProblem::Landing FlowProblem::displace(const Points& move, Points& Y) const 
     return reached != to ? 1 : 0;
   });
   parts.refresh(Y);
-  if (!conserved_.empty() && !conserved_.restore(Y)) {
+  if (!conserved_.empty() && !conserved_.restore(move, Y)) {
     return Landing::nowhere;
   }
   return parts.sum(stopped) > 0 ? Landing::short_of_it : Landing::as_asked;
