@@ -54,4 +54,8 @@ bool FlowOptions::counts_valence() const {
              MassMatrix::Kind::counted;
 }
 
+bool FlowOptions::energy_is_dimensionless() const {
+  return ibmfair::mass_matrix(bending_model(laplacian), energy_options()).measures_area();
+}
+
 }  // namespace ibmfair

@@ -59,6 +59,9 @@ struct FlowOptions {
 
   /// Whether the metric counts triangles.
   bool counts_valence() const;
+
+  /// Whether the energy is a number, for a mass matrix that measures area; else it is an area.
+  bool energy_is_dimensionless() const;
 };
 
 /// One accepted step.

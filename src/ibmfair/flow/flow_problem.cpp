@@ -176,4 +176,12 @@ double FlowProblem::gradient_norm() const {
   return std::sqrt(parts.sum((D.asDiagonal() * speed).cwiseProduct(speed).sum()));
 }
 
+double FlowProblem::power() const {
+  const Eigen::VectorXd& D = jacobian_->metric();
+  const Eigen::ArrayXd speed = conserved_.speed(g_, D).rowwise().norm();
+  const double weight = parts.sum(D.sum());
+  const double root = parts.sum((D.array() * speed.sqrt()).sum()) / weight;
+  return weight * std::pow(root, 4) / static_cast<double>(report.unknowns);
+}
+
 }  // namespace ibmfair

@@ -20,14 +20,16 @@ constexpr double least_decrease = 0.1;  // of the predicted decrease, to accept 
 constexpr double stale_decrease = 0.1;  // at or below, the Jacobian has gone stale
 constexpr double good_decrease = 0.5;   // above, a time step that was cut may grow again
 constexpr double time_step_cut =
-    1.0 / 32;  // of the time step, where a step distorts too much or fails
-constexpr double growth = 2, fast_growth = 4;  // of the time step; fast below half the distortion
+    1.0 / 32;                        // of the time step, where a step distorts too much or fails
+constexpr double most_taken = 0.25;  // of the energy, off a vertex by one step
+constexpr double growth = 2, fast_growth = 8;  // of the time step; fast below half the distortion
 constexpr double heavier = 16, lighter = 4;    // factors of local damping
 constexpr double standstill = 1e12;            // local damping of a vertex that has gone far enough
 constexpr double culprit_share = 0.05;         // of the largest uphill slope, to be damped
 constexpr double local_share = 0.02;          // of the vertices: more culprits are no local trouble
 constexpr int longest_creep = 8;              // short steps in a row that do little good
 constexpr int backtracks = 2;                 // halvings of a step before it is given up
+constexpr double first_step = 1e-4;           // of the target, at least
 constexpr double smallest_time_step = 1e-12;  // of the target, before giving up
 constexpr double rounding = 1e-14;            // of the energy: a smaller decrease is not seen
 
@@ -47,6 +49,7 @@ class GuardedFlow {
     // Each step either takes time off or makes the next one easier; the bound is for meshes on
     // which that goes on for longer than anyone would wait.
     const int most_solves = 200 + 20 * p_.options.steps;
+    start_short();
     while (left_ > 1e-9 * p_.options.total_time) {
       if (h_ < smallest_time_step * h_target_ || p_.report.solves >= most_solves) {
         p_.report.status = FlowStatus::stalled;
@@ -59,6 +62,21 @@ class GuardedFlow {
   }
 
  private:
+  /// Noise is gone long before a ripple at the cut-off is. A long step, linear as it is, would take
+  /// the force that noise has on the shape, in second order, for one that lasts: noisy scans would
+  /// swell.
+  void start_short() {
+    p_.jacobian().update_metric(p_.X);
+    p_.update_gradient();
+    h_ = patient_step(first_step * h_target_, h_target_);
+  }
+
+  /// Within limits; the shorter where the power is not a number.
+  double patient_step(double shortest, double longest) const {
+    const bool counts = p_.options.energy_is_dimensionless();
+    return counts ? std::min(std::max(shortest, most_taken / p_.power()), longest) : longest;
+  }
+
   /// One attempt at a step; false when the observer asks to stop.
   bool take_step() {
     p_.update_gradient();
@@ -300,7 +318,9 @@ class GuardedFlow {
       stale_ = true;
       h_ *= record.refactored ? 0.5 : 1;
     } else if (record.decrease_ratio > good_decrease && h_ < h_target_) {
-      h_ = std::min(h_target_, h_ * (distortion_ < 0.5 ? fast_growth : growth));
+      p_.update_gradient();
+      const double longest = h_ * (distortion_ < 0.5 ? fast_growth : growth);
+      h_ = std::min(h_target_, patient_step(growth * h_, longest));
       stale_ = true;
     }
     creeping_ = h_ < h_target_ && record.decrease_ratio <= good_decrease ? creeping_ + 1 : 0;

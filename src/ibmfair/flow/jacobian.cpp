@@ -27,9 +27,7 @@ Jacobian::Jacobian(BendingEnergy& energy, const Topology& topology, const Unknow
       D_(Eigen::VectorXd::Ones(unknowns.size())),
       damping_(D_) {}
 
-JacobianParts Jacobian::linearise(const Points& X, double h) {
-  const Stopwatch watch(report_.seconds.assemble);
-  energy_.linearise(X, weights_);
+void Jacobian::update_metric(const Points& X) {
   if (options_.counts_valence()) {
     for (Index u = 0; u < unknowns_.size(); ++u) {
       const std::size_t count = topology_.stars[unknowns_.vertex[u]].size();
@@ -44,6 +42,12 @@ JacobianParts Jacobian::linearise(const Points& X, double h) {
     D_ = D_.array() / options_.cutoff_factor(unknowns_.vertex).array().pow(4);
   }
   D_ = D_.cwiseProduct(damping_);
+}
+
+JacobianParts Jacobian::linearise(const Points& X, double h) {
+  const Stopwatch watch(report_.seconds.assemble);
+  energy_.linearise(X, weights_);
+  update_metric(X);
   return {weights_, D_, h};
 }
 
@@ -54,7 +58,8 @@ JacobianShape Jacobian::shape() const {
 void Jacobian::refactor(const Points& X, double h) {
   const JacobianParts parts = linearise(X, h);
   if (!solver_) {
-    choose_solver(parts);
+    // The first time steps of a guarded flow are shorter than the rest.
+    choose_solver({weights_, D_, std::max(h, options_.total_time / options_.steps)});
   }
   h_ = 0;
   try {

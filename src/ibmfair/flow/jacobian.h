@@ -23,6 +23,9 @@ class Jacobian {
   /// factor also follows one whose factorizations keep failing.
   void refactor(const Points& X, double h);
 
+  /// Takes the metric at `X`, as `refactor` does, too.
+  void update_metric(const Points& X);
+
   /// What each backend is predicted to take. Notes in the report which one `refactor` would choose;
   /// throws what it would throw.
   std::vector<BackendForecast> forecasts(const Points& X, double h);
@@ -38,7 +41,7 @@ class Jacobian {
 
   double time_step() const { return h_; }
 
-  /// The metric D at the reference times the damping, one entry per unknown.
+  /// The metric D, where it was last taken, times the damping: one entry per unknown.
   const Eigen::VectorXd& metric() const { return D_; }
 
   /// Factors of D, one per unknown, at least 1: a heavier vertex follows the flow more slowly.
