@@ -22,7 +22,7 @@ class FormatsTest(ProgramTest):
                          "r.csv")
         self.assertEqual(json.loads(self.path("r.json").read_text()), told)
         rows = self.rows("r.csv")
-        self.assertEqual(len(rows), 3)
+        self.assertEqual(len(rows), len(told["steps"]))
         for row, step in zip(rows, told["steps"]):
             self.assertEqual(list(row), list(step))
             self.assertEqual(float(row["energy"]), step["energy"])
@@ -66,8 +66,9 @@ class FormatsTest(ProgramTest):
         self.run_program("batch", "jobs.json", "--report", "r.json", "--report", "r.csv")
         self.assertEqual(json.loads(self.path("r.json").read_text())["items"][0]["status"], "ok")
         self.assertEqual(self.rows("r.csv")[0]["status"], "ok")
-        self.assertEqual(len(self.rows("a.csv")), 1)
-        self.assertEqual(json.loads(self.path("a-1.json").read_text())["command"], "smooth")
+        told = json.loads(self.path("a-1.json").read_text())
+        self.assertEqual(told["command"], "smooth")
+        self.assertEqual(len(self.rows("a.csv")), len(told["steps"]))
 
     def test_what_cannot_be_written_is_refused_before_the_work(self):
         self.make("a.off", "icosphere", "--subdivide", "2")
