@@ -29,8 +29,10 @@ void add_amount_options(CLI::App& app, SmoothArguments& a) {
       add_length(app, "--cutoff", a.cutoff, Length::Unit::edges,
                  "smooth ripples up to about this wavelength, in all steps together");
   note_of(app, *cutoff).default_text = "8e for 16 steps, more with more steps";
-  CLI::Option* steps = add_integer(app, "--steps", a.flow.steps, 0, most,
-                                   "time steps; 0 writes the mesh as it was read");
+  CLI::Option* steps =
+      add_integer(app, "--steps", a.flow.steps, 0, most,
+                  "time steps, where noise does not ask for shorter ones first; 0 writes the "
+                  "mesh as it was read");
   note_of(app, *steps).unit = "steps";
   CLI::Option* time_step = add_real(app, "--time-step", a.time_step, positive,
                                     "time of one step, in place of a cut-off for all of them");
