@@ -7,6 +7,8 @@
 
 #include "ibmfair/base/errors.h"
 #include "ibmfair/base/threads.h"
+#include "ibmfair/energy/bending_energy.h"
+#include "ibmfair/energy/mass_matrices.h"
 #include "ibmfair/fill/fill_holes.h"
 #include "ibmfair/fill/fill_region.h"
 #include "ibmfair/fill/harmonic_extension.h"
@@ -164,6 +166,19 @@ TEST(Fill, SphericalCapsComeBack) {
     const double height = 1 - std::cos(degrees * std::numbers::pi / 180);
     const double error = (filling.new_X.rowwise().norm().array() - 1).abs().maxCoeff();
     EXPECT_LT(error, 0.015 * height);
+  }
+}
+
+TEST(Fill, EveryLaplacianBringsTheCapToTheEnd) {
+  const State state = icosphere_without_cap(4, 20);
+  for (const BendingModel& model : bending_models()) {
+    FillOptions options;
+    options.fairing.laplacian = model.name;
+    const Filling filling = fill_all(state, options);
+    EXPECT_EQ(filling.holes[0].status, HoleStatus::filled) << model.name;
+    // The flow's own times are those of an energy whose masses measure area.
+    const FlowOptions flow = options.fairing.flow_options();
+    EXPECT_TRUE(mass_matrix(model, flow.energy_options()).measures_area()) << model.name;
   }
 }
 

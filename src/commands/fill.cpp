@@ -145,10 +145,7 @@ ShownMesh shown_mesh(const FillArguments& arguments, const Topology& topology,
 
 /// One of the two states that a page and the report beside it tell of.
 nlohmann::ordered_json state_json(const FillArguments& arguments, const SceneState& state) {
-  FlowOptions options;
-  options.laplacian = arguments.fill.fairing.laplacian;
-  options.mass = arguments.mass.mass();
-  options.mass_matrix = arguments.mass.name;
+  const FlowOptions options = fill_options(arguments).fairing.flow_options();
   return mesh_state_json(*state.X, *state.topology, options);
 }
 

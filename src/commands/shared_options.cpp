@@ -114,7 +114,8 @@ CLI::Option* add_mass_option(CLI::App& app, std::string& name) {
   CLI::Option* option =
       app.add_option("--mass", name, "mass matrix of the energy, one that goes with the Laplacian")
           ->check(CLI::IsMember(names));
-  note_of(app, *option).default_text = "the first in the Laplacian's list";
+  note_of(app, *option).default_text =
+      "the first in the Laplacian's list; fill: the first that is an area";
   return option;
 }
 

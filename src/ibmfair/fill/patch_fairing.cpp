@@ -81,11 +81,9 @@ class PatchFairing {
   PatchFairing(Patch& patch, const FairingOptions& options)
       : patch_(patch),
         options_(options),
+        flow_options_(options.flow_options()),
         h_(time_for_cutoff(first_cutoff * first_length(patch))),
         h_limit_(h_ * limit_growth) {
-    flow_options_.laplacian = options.laplacian;
-    flow_options_.mass = options.mass;
-    flow_options_.mass_matrix = options.mass_matrix;
     flow_options_.solver = "cholmod";  // toward the limit no other solver's steps are good enough
     flow_options_.memory_limit = options.memory_limit;
   }
@@ -190,6 +188,15 @@ void FairingOptions::validate() const {
     throw BadOption(
         "the tolerance must be positive and there must be at least one step and one level");
   }
+}
+
+FlowOptions FairingOptions::flow_options() const {
+  FlowOptions options;
+  options.laplacian = laplacian;
+  options.mass = mass;
+  options.mass_matrix =
+      mass_matrix.empty() ? std::string(area_mass(bending_model(laplacian)).name) : mass_matrix;
+  return options;
 }
 
 FairingReport fair(Patch& patch, const FairingOptions& options) {

@@ -12,7 +12,7 @@ namespace ibmfair {
 struct FairingOptions {
   std::string laplacian = "lagrange";  ///< a name from bending_models()
   bool mass = true;                    ///< with the mass matrix in the energy
-  std::string mass_matrix = {};        ///< one that goes with the Laplacian; empty: its default
+  std::string mass_matrix = {};        ///< one that goes with the Laplacian; empty: area_mass of it
   double tolerance = 1e-3;             ///< of the normal gradient, relative to its start
   int most_steps = 100;                ///< at one level of refinement
   int most_levels = 32;                ///< of refinement
@@ -21,6 +21,9 @@ struct FairingOptions {
 
   /// Throws BadOption where a value cannot be used.
   void validate() const;
+
+  /// What they say of the energy; the rest as it is by default.
+  FlowOptions flow_options() const;
 };
 
 struct FairingReport {
