@@ -2,6 +2,7 @@
 
 import json
 import os
+import random
 import subprocess
 import sys
 
@@ -38,6 +39,14 @@ def write_off(path, points, faces):
         file.write(f"OFF\n{len(points)} {len(faces)} 0\n")
         file.writelines(f"{x!r} {y!r} {z!r}\n" for x, y, z in points)
         file.write("\n".join(faces) + "\n")
+
+
+def add_noise(source, target, amount):
+    """Normal noise on every coordinate of an OFF file, in mean edge lengths."""
+    points, faces = read_off(source)
+    deviation = amount * ibmfair("info", source, "--json")["edge_length"]["mean"]
+    generator = random.Random(1)
+    write_off(target, [[x + generator.gauss(0, deviation) for x in point] for point in points], faces)
 
 
 def row(cells, widths):
