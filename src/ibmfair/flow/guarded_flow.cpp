@@ -203,7 +203,7 @@ class GuardedFlow {
       std::int64_t withheld = 0;
       if (displace(move_, withheld)) {
         trial_energy_ = p_.energy_at(Y_);
-        const double promised = promised_decrease();
+        const double promised = promised_decrease(withheld);
         record.decrease_ratio = (p_.energy() - trial_energy_) / promised;
         if (promised > 0 && record.decrease_ratio >= least_decrease) {
           record.held_back += count(static_cast<double>(withheld));
@@ -223,10 +223,10 @@ class GuardedFlow {
     return std::min((a - a * a / 2) * slope_ + a * a / 2 * metric_part_, p_.energy());
   }
 
-  /// The same for the trial in Y_, which may have stopped short of the step: half of what the slope
-  /// says of the way that it went.
-  double promised_decrease() const {
-    if (landing_ == FlowProblem::Landing::as_asked) {
+  /// The same for the trial in Y_, which may have stopped short of the step, or withheld some of
+  /// it: half of what the slope says of the way that it went.
+  double promised_decrease(std::int64_t withheld) const {
+    if (landing_ == FlowProblem::Landing::as_asked && !p_.parts.any(withheld > 0)) {
       return predicted_decrease();
     }
     const double slope = parallel_sum(p_.unknowns.size(), [&](std::int64_t u) {
