@@ -178,9 +178,10 @@ double FlowProblem::gradient_norm() const {
 
 double FlowProblem::power() const {
   const Eigen::VectorXd& D = jacobian_->metric();
+  const Eigen::ArrayXd undamped = D.array() / jacobian_->damping().array();
   const Eigen::ArrayXd speed = conserved_.speed(g_, D).rowwise().norm();
-  const double weight = parts.sum(D.sum());
-  const double root = parts.sum((D.array() * speed.sqrt()).sum()) / weight;
+  const double weight = parts.sum(undamped.sum());
+  const double root = parts.sum((undamped * speed.sqrt()).sum()) / weight;
   return weight * std::pow(root, 4) / static_cast<double>(report.unknowns);
 }
 

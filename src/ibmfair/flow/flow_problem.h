@@ -86,8 +86,8 @@ class FlowProblem {
   double gradient_norm() const;
 
   /// The energy that the flow takes off a vertex in a unit of time, on the average: |D| s^2 / #V,
-  /// |D| the sum over D. Of the speed |D^-1 g| counts the mean s of power 1/2: noise is everywhere,
-  /// and a few needles, as fast as they are, have little part in it.
+  /// |D| the sum over D without damping. Of the speed |D^-1 g| counts the mean s of power 1/2:
+  /// noise is everywhere, and a few needles, as fast as they are, have little part in it.
   double power() const;
 
   Jacobian& jacobian() { return *jacobian_; }
