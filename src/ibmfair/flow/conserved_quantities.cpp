@@ -135,7 +135,14 @@ Points ConservedQuantities::speed(const Points& g, const Eigen::VectorXd& D) con
 }
 
 bool ConservedQuantities::restore(const Points& move, Points& Y) const {
-  const auto stays = [&](std::int64_t u) { return (move.row(u).array() == 0).all(); };
+  std::vector<Points> Z = Z_;
+  parallel_for(unknowns_.size(), [&](std::int64_t u) {
+    if ((move.row(u).array() == 0).all()) {
+      for (Points& z : Z) {
+        z.row(u).setZero();
+      }
+    }
+  });
   Eigen::VectorXd missing(static_cast<Eigen::Index>(kept_.size()));
   for (int i = 0; i < most_corrections; ++i) {
     std::vector<Points> gradients;
@@ -151,16 +158,11 @@ bool ConservedQuantities::restore(const Points& move, Points& Y) const {
     }
     for (const Kept& kept : kept_) {
       gradients.push_back(gradient_of(*kept.quantity, Y, topology_, unknowns_));
-      parallel_for(unknowns_.size(), [&](std::int64_t u) {
-        if (stays(u)) {
-          gradients.back().row(u).setZero();
-        }
-      });
     }
-    const Eigen::VectorXd factors = solve_small(gradients, Z_, missing);
+    const Eigen::VectorXd factors = solve_small(gradients, Z, missing);
     parallel_for(unknowns_.size(), [&](std::int64_t u) {
-      for (std::size_t k = 0; k < Z_.size() && !stays(u); ++k) {
-        Y.row(unknowns_.vertex[u]) += factors[static_cast<Eigen::Index>(k)] * Z_[k].row(u);
+      for (std::size_t k = 0; k < Z.size(); ++k) {
+        Y.row(unknowns_.vertex[u]) += factors[static_cast<Eigen::Index>(k)] * Z[k].row(u);
       }
     });
   }

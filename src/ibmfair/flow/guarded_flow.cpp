@@ -42,6 +42,7 @@ class GuardedFlow {
         folds_(problem.X, problem.topology, problem.unknowns),
         relaxation_(problem.topology, rings_, problem.unknowns),
         h_target_(problem.options.total_time / problem.options.steps),
+        has_limit_(problem.options.energy_is_dimensionless()),
         h_(h_target_),
         left_(problem.options.total_time) {}
 
@@ -66,15 +67,20 @@ class GuardedFlow {
   /// the force that noise has on the shape, in second order, for one that lasts: noisy scans would
   /// swell.
   void start_short() {
-    p_.jacobian().update_metric(p_.X);
-    p_.update_gradient();
+    if (has_limit_) {
+      p_.jacobian().update_metric(p_.X);
+    }
     h_ = patient_step(first_step * h_target_, h_target_);
   }
 
   /// Within limits; the shorter where the power is not a number.
-  double patient_step(double shortest, double longest) const {
-    const bool counts = p_.options.energy_is_dimensionless();
-    return counts ? std::min(std::max(shortest, most_taken / p_.power()), longest) : longest;
+  double patient_step(double shortest, double longest) {
+    if (!has_limit_) {
+      return longest;
+    }
+    p_.update_gradient();
+    const Stopwatch watch(p_.report.seconds.guard);
+    return std::min(std::max(shortest, most_taken / p_.power()), longest);
   }
 
   /// One attempt at a step; false when the observer asks to stop.
@@ -318,7 +324,6 @@ class GuardedFlow {
       stale_ = true;
       h_ *= record.refactored ? 0.5 : 1;
     } else if (record.decrease_ratio > good_decrease && h_ < h_target_) {
-      p_.update_gradient();
       const double longest = h_ * (distortion_ < 0.5 ? fast_growth : growth);
       h_ = std::min(h_target_, patient_step(growth * h_, longest));
       stale_ = true;
@@ -339,6 +344,7 @@ class GuardedFlow {
   FoldWatch folds_;
   TangentialRelaxation relaxation_;
   const double h_target_;
+  const bool has_limit_;       // of the energy that a step may take
   double h_;                   // the time step to use next
   double left_;                // of the total time
   bool stale_ = true;          // the Jacobian is to be renewed before the next step
