@@ -85,6 +85,14 @@ TEST_F(Interrupt, WithACheckpointTheStateIsKeptAndCanBeGoneOnFrom) {
   }
 }
 
+TEST_F(Interrupt, ItTellsWhatGoingOnWillMeasureFromTheCheckpoint) {
+  const std::string anew = " from there";
+  EXPECT_FALSE(contains(interrupted({"--checkpoint", state_, "--overwrite"}).err, anew));
+  const RunResult result =
+      interrupted({"--checkpoint", state_, "--overwrite", "--max-move", "5e", "--twicing", "1"});
+  EXPECT_TRUE(contains(result.err, "--max-move and --twicing count" + anew)) << result.err;
+}
+
 TEST_F(Interrupt, WithoutOneOrASecondTimeItEndsAtOnce) {
   const RunResult plain = interrupted({});
   EXPECT_EQ(plain.exit_code, 130);

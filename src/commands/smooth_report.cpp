@@ -111,16 +111,25 @@ std::string effort(const FlowReport& flow) {
                                            flow.factorizations == 1 ? "" : "s");
 }
 
+/// What a run that goes on from here measures from here, although it means the start.
+std::string_view what_begins_anew(const SmoothArguments& arguments) {
+  const bool bounded = arguments.max_move.has_value(), put_back = arguments.flow.twicing > 0;
+  return bounded && put_back ? "; --max-move and --twicing count from there"
+         : bounded           ? "; --max-move counts from there"
+         : put_back          ? "; --twicing counts from there"
+                             : "";
+}
+
 /// What is left of the flow, in time steps of about the same length.
-std::string way_on(const SmoothFigures& figures, int steps) {
+std::string way_on(const SmoothFigures& figures, const SmoothArguments& arguments) {
   const double left = figures.total_time - figures.flow.time_reached;
   const double share = left / figures.total_time;
   if (!(share > 1e-9)) {
     return "the flow was complete";
   }
-  const double count = std::max(1.0, std::ceil(share * steps - 1e-6));
-  return fmt::format("`smooth` goes on from it with --steps {:.0f} --time-step {}, no --cutoff",
-                     count, left / count);
+  const double count = std::max(1.0, std::ceil(share * arguments.flow.steps - 1e-6));
+  return fmt::format("`smooth` goes on from it with --steps {:.0f} --time-step {}, no --cutoff{}",
+                     count, left / count, what_begins_anew(arguments));
 }
 
 }  // namespace
@@ -246,19 +255,19 @@ void add_smooth_figures(const SmoothFigures& figures, const FlowOptions& options
 }
 
 std::string remark_on(const SmoothFigures& figures, const std::string& output,
-                      const FlowOptions& options) {
+                      const SmoothArguments& arguments) {
   switch (figures.flow.status) {
     case FlowStatus::completed:
-      if (options.steps > 0 && figures.flow.unknowns == 0) {
+      if (arguments.flow.steps > 0 && figures.flow.unknowns == 0) {
         return "no vertex is free to move: the mesh is written as it was read";
       }
-      return figures.flow.twicings < options.twicing && options.steps > 0
+      return figures.flow.twicings < arguments.flow.twicing && arguments.flow.steps > 0
                  ? fmt::format("the residual could be put back {} of {} times only",
-                               figures.flow.twicings, options.twicing)
+                               figures.flow.twicings, arguments.flow.twicing)
                  : "";
     case FlowStatus::interrupted:
       return fmt::format("interrupted; {} holds the state that was reached: {}", output,
-                         way_on(figures, options.steps));
+                         way_on(figures, arguments));
     case FlowStatus::stalled:
       return "the flow stalled before its time was up; the state it reached was written";
     case FlowStatus::diverged:

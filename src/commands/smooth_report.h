@@ -7,6 +7,7 @@
 
 #include "commands/exit_code.h"
 #include "commands/report/report.h"
+#include "commands/smooth_arguments.h"
 #include "ibmfair/flow/willmore_flow.h"
 #include "ibmfair/mesh/topology.h"
 
@@ -46,7 +47,7 @@ std::string smooth_table(const SmoothFigures& figures, bool detailed);
 /// What is to be said about the end of the flow, whose state is in the file `output`; empty: it
 /// went as it should.
 std::string remark_on(const SmoothFigures& figures, const std::string& output,
-                      const FlowOptions& options);
+                      const SmoothArguments& arguments);
 
 ExitCode exit_code_of(FlowStatus status);
 

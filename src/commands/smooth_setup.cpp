@@ -153,7 +153,7 @@ void tell_of_smoothing(const SmoothArguments& arguments, const SmoothFigures& fi
   console.note(fmt::format("{} -> {}, {} of {} vertices moved{}", arguments.input, output,
                            written.moved_vertices, figures.vertices, by),
                smooth_table(figures, console.level() == Console::Level::verbose));
-  if (const std::string remark = remark_on(figures, output, arguments.flow); !remark.empty()) {
+  if (const std::string remark = remark_on(figures, output, arguments); !remark.empty()) {
     console.warning(remark);
     report.warnings.push_back({remark});
   }
