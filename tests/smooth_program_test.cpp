@@ -1,4 +1,5 @@
-// What `smooth` forecasts, and that it keeps to its limits.
+// What `smooth` forecasts and tells, and that it keeps to its limits.
+#include <regex>
 #include <string>
 
 #include <gtest/gtest.h>
@@ -65,6 +66,29 @@ TEST(Smooth, KeepsToTheMemoryItIsGiven) {
   EXPECT_EQ(hopeless.exit_code, 5);
   EXPECT_TRUE(contains(hopeless.err, "the limit is 1 MB")) << hopeless.err;
   EXPECT_EQ(directory.entries(), 1U);
+}
+
+TEST(Smooth, TellsWhereTheDefaultCutoffIsAsLongAsTheMesh) {
+  const std::string told = "its whole shape is smoothed";
+  const Words smooth{"smooth", "-", "-", "--format", "off"};
+  const std::string few = made({"icosahedron"}), many = made({"icosphere", "--subdivide", "4"});
+  EXPECT_TRUE(contains(run_program(smooth, {.input = few}).err, told));
+  EXPECT_FALSE(contains(run_program(smooth, {.input = many}).err, told));
+  const Words asked = smooth + Words{"--cutoff", "8"};
+  EXPECT_FALSE(contains(run_program(asked, {.input = few}).err, told));
+}
+
+TEST(Smooth, TellsHowFarAFlowThatStalledHasSmoothed) {
+  const std::string crumpled = made({"icosphere", "--subdivide", "2", "--noise", "0.7"});
+  const RunResult run =
+      run_program({"smooth", "-", "-", "--format", "off", "--cutoff", "100"}, {.input = crumpled});
+  EXPECT_EQ(run.exit_code, 1) << run.err;
+  std::smatch lengths;
+  ASSERT_TRUE(std::regex_search(
+      run.err, lengths, std::regex("up to a length of ([-+.e0-9]+) instead of ([-+.e0-9]+)")))
+      << run.err;
+  EXPECT_GT(std::stod(lengths[1]), 0);
+  EXPECT_LT(std::stod(lengths[1]), std::stod(lengths[2]));
 }
 
 TEST(Smooth, TakesEveryMassThatGoesWithItsLaplacian) {

@@ -269,7 +269,12 @@ std::string remark_on(const SmoothFigures& figures, const std::string& output,
       return fmt::format("interrupted; {} holds the state that was reached: {}", output,
                          way_on(figures, arguments));
     case FlowStatus::stalled:
-      return "the flow stalled before its time was up; the state it reached was written";
+      return fmt::format(
+          "the flow stalled before its time was up; the state that it reached was written: "
+          "smoothed "
+          "up to a length of {:.4g} instead of {:.4g}",
+          figures.cutoff * std::pow(figures.flow.time_reached / figures.total_time, 0.25),
+          figures.cutoff);
     case FlowStatus::diverged:
       return "the flow diverged; the last finite state was written (smaller steps, or no --plain)";
   }

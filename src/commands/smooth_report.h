@@ -26,6 +26,7 @@ struct SmoothFigures {
   double largest_move = 0, rms_move = 0;  ///< of all vertices, length
   double mean_edge_length = 0;            ///< before
   double cutoff = 0;                      ///< length that the total time corresponds to
+  double diagonal = 0;                    ///< of the bounding box, before
   double total_time = 0;                  ///< that the flow was to run for, in its unit
   std::int64_t vertices = 0, triangles = 0;
   bool closed = true;

@@ -89,6 +89,7 @@ void set_flow_options(const SmoothArguments& arguments, const Points& X, const T
 void set_scale(const SmoothArguments& arguments, const Points& X, const Topology& topology,
                const MeshParts& parts, FlowOptions& options, SmoothFigures& figures) {
   options.total_time = total_time(arguments, X, topology, parts);
+  figures.diagonal = diagonal(X, parts);
   figures.cutoff =
       cutoff_of(options.total_time, time_in_flow_units(1, X, topology, arguments.flow, parts));
   if (arguments.max_move) {
@@ -143,6 +144,12 @@ void measure_moves(const Points& before, const Points& after, SmoothFigures& fig
 void tell_of_smoothing(const SmoothArguments& arguments, const SmoothFigures& figures,
                        const std::string& output, const WriteReport& written, std::string_view by,
                        const Console& console, Report& report) {
+  if (!arguments.cutoff && !arguments.time_step && figures.cutoff > figures.diagonal / 2) {
+    console.note(fmt::format(
+        "the cut-off, {:.4g}, is more than half of the mesh's diagonal, {:.4g}: its whole shape "
+        "is smoothed; --cutoff LENGTH smooths what is shorter than that",
+        figures.cutoff, figures.diagonal));
+  }
   for (const std::string& note : written.notes) {
     console.note(note);
   }
