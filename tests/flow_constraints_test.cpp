@@ -76,6 +76,24 @@ TEST(KeptQuantity, LetsNoiseThatFoldsTheMeshBeSmoothed) {
   }
 }
 
+TEST(KeptQuantity, IsKeptFarFromTheOrigin) {
+  // As in the coordinates of a map, which are rounded to more than the volume is summed to.
+  State state(make_shape("icosphere", {.subdivide = 3}));
+  state.X = shaken(state, 0.3);
+  FlowOptions options;
+  options.keep_volume = options.keep_area = true;
+  const auto near = run_flow(state, 8, options);
+  const Vec3 away(4e5, 5.8e6, -1e6);
+  state.X.rowwise() += away.transpose();
+  const auto [X, report] = run_flow(state, 8, options);
+  EXPECT_EQ(report.status, FlowStatus::completed);
+  EXPECT_EQ(report.steps.size(), near.report.steps.size());
+  const Triangles& F = state.topology.F;
+  EXPECT_NEAR(enclosed_volume(X, F) / enclosed_volume(state.X, F), 1, 1e-7);
+  EXPECT_NEAR(surface_area(X, F) / surface_area(state.X, F), 1, 1e-7);
+  EXPECT_LT(((X.rowwise() - away.transpose()) - near.X).rowwise().norm().maxCoeff(), 1e-5);
+}
+
 TEST(KeptQuantity, LeavesASphereASphere) {
   // Volume and area of a sphere depend on each other: no step can keep one and change the other.
   const State state(make_shape("icosphere", {.subdivide = 3}));

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <iterator>
+#include <limits>
 
 #include "ibmfair/base/errors.h"
 #include "ibmfair/base/parallel.h"
@@ -55,6 +56,13 @@ Points gradient_of(const Quantity& quantity, const Points& X, const Topology& to
   return gradient;
 }
 
+/// What rounding the coordinates can change: far from the origin, more than rounding the sum does.
+double coarseness_of(const Quantity& quantity, const Points& X, const Topology& topology,
+                     const Unknowns& unknowns) {
+  const double rounding = std::numeric_limits<double>::epsilon() * X.cwiseAbs().maxCoeff();
+  return rounding * gradient_of(quantity, X, topology, unknowns).cwiseAbs().sum();
+}
+
 double inner(const Points& A, const Points& B) {
   return A.cwiseProduct(B).sum();
 }
@@ -102,7 +110,9 @@ ConservedQuantities::ConservedQuantities(const Points& X, const Topology& topolo
     : topology_(topology), unknowns_(unknowns) {
   for (const Quantity& quantity : quantities) {
     if (options.*quantity.wanted) {
-      kept_.push_back({&quantity, quantity.value(X, topology.F)});
+      const double target = quantity.value(X, topology.F);
+      kept_.push_back({&quantity, target,
+                       exact * std::abs(target) + coarseness_of(quantity, X, topology, unknowns)});
     }
   }
   if (!kept_.empty() && !(topology.boundary_loops.empty() && topology.orientable)) {
@@ -148,10 +158,9 @@ bool ConservedQuantities::restore(const Points& move, Points& Y) const {
     std::vector<Points> gradients;
     bool reached = true;
     for (std::size_t k = 0; k < kept_.size(); ++k) {
-      const auto& [quantity, target] = kept_[k];
-      const double off = target - quantity->value(Y, topology_.F);
+      const double off = kept_[k].target - kept_[k].quantity->value(Y, topology_.F);
       missing[static_cast<Eigen::Index>(k)] = off;
-      reached = reached && std::abs(off) <= exact * std::abs(target);
+      reached = reached && std::abs(off) <= kept_[k].rounding;
     }
     if (reached || !missing.allFinite()) {
       return reached;

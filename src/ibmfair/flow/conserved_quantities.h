@@ -36,9 +36,9 @@ class ConservedQuantities {
   /// The speed D^-1 g less what would change the quantities.
   Points speed(const Points& g, const Eigen::VectorXd& D) const;
 
-  /// After `move` (one row per unknown) to `Y`: moves the unknowns along J^-1 A until all quantities
-  /// have their targets to rounding; false where that fails. Those whose move is zero stay, as they
-  /// may have been withheld from folding.
+  /// After `move` (one row per unknown) to `Y`: moves the unknowns along J^-1 A until all
+  /// quantities have their targets to rounding; false where that fails. Those whose move is zero
+  /// stay, as they may have been withheld from folding.
   bool restore(const Points& move, Points& Y) const;
 
   struct Quantity;  ///< a row of the table
@@ -47,6 +47,7 @@ class ConservedQuantities {
   struct Kept {
     const Quantity* quantity;
     double target;
+    double rounding;  ///< what may be missing to it
   };
 
   const Topology& topology_;
