@@ -268,9 +268,11 @@ TEST(Flow, MoreNewtonIterationsSolveTheStepBetter) {
   EXPECT_LT(six, 0.3 * three);
 }
 
-TEST(Flow, MaxMoveIsHeld) {
-  const State state(shape("icosahedron", 3));
-  for (const bool guarded : {true, false}) {
+TEST(Flow, MaxMoveIsHeldFarFromTheOriginToo) {
+  State state(shape("icosahedron", 3));
+  for (const auto& [guarded, away] :
+       {std::pair(true, 0.0), std::pair(false, 0.0), std::pair(true, 5e6)}) {
+    state.X.array() += away;
     FlowOptions options;
     options.guarded = guarded;
     options.steps = 6;

@@ -1,5 +1,7 @@
 #include "ibmfair/flow/move_bound.h"
 
+#include <algorithm>
+
 namespace ibmfair {
 
 Vec3 MoveBound::within(Index v, const Vec3& p) const {
@@ -8,12 +10,15 @@ Vec3 MoveBound::within(Index v, const Vec3& p) const {
   if (!(offset.norm() > radius_)) {
     return p;
   }
-  // Rounding may leave the scaled point outside by a digit; the bound is a promise.
-  for (double room = 1; (centre + offset - centre).norm() > radius_;
-       room -= std::numeric_limits<double>::epsilon()) {
-    offset *= room * radius_ / offset.norm();
+  offset *= radius_ / offset.norm();
+  // Rounding may leave the scaled point outside, by a digit or, far from the origin, by many; the
+  // bound is a promise.
+  Vec3 reached = centre + offset;
+  for (double gap = std::numeric_limits<double>::epsilon(); (reached - centre).norm() > radius_;
+       gap *= 2) {
+    reached = centre + (1 - std::min(gap, 1.0)) * offset;
   }
-  return centre + offset;
+  return reached;
 }
 
 bool MoveBound::stops(Index v, const Vec3& x, const Vec3& direction) const {
