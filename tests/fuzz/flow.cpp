@@ -9,6 +9,7 @@
 #include "fuzz/targets.h"
 #include "ibmfair/base/errors.h"
 #include "ibmfair/energy/bending_energy.h"
+#include "ibmfair/energy/material_axes.h"
 #include "ibmfair/flow/held_vertices.h"
 #include "ibmfair/flow/time_scale.h"
 #include "ibmfair/flow/willmore_flow.h"
@@ -38,7 +39,9 @@ struct FlowCase {
     options.guarded = (kinds & 8) == 0;
     options.relax = (kinds & 16) == 0;
     const bool short_moves = (kinds & 32) != 0;
-    options.solver = solvers[bytes.below(solvers.size())];
+    const std::uint8_t solver = bytes.next();
+    options.solver = solvers[solver % solvers.size()];
+    further_ = static_cast<std::uint8_t>(solver / solvers.size());
     boundary = static_cast<BoundaryCondition>(bytes.below(3));
     options.steps = 1 + bytes.below(4);
     options.newton_iterations = 1 + bytes.below(3);
@@ -46,7 +49,29 @@ struct FlowCase {
     if (short_moves) options.max_move = 0.01;
     options.twicing =
         std::max(0, options.steps - 2);  // no byte of its own: seeds mean what they did
+    options.keep_volume = asks_for(1);
+    options.keep_area = asks_for(2);
+    options.sharp_angle = asks_for(4) ? 0.4 : 0;
   }
+
+  /// What has a value for each vertex or triangle.
+  void fit_to(const Mesh& mesh, const Topology& topology) {
+    if (asks_for(8)) {
+      const auto values = Eigen::VectorXd::LinSpaced(mesh.X.rows(), 0.2, 3);
+      options.cutoff_factor = values;
+    }
+    if (asks_for(16)) {
+      const double size = mean_edge_length(mesh.X, topology.E);
+      options.spontaneous_curvature = Eigen::VectorXd::Constant(mesh.X.rows(), 0.5 / size);
+    }
+    if (asks_for(32)) options.material_axes = material_axes(mesh.X, topology, {1, 0.5, 0}, 4);
+  }
+
+ private:
+  /// No byte of its own, either.
+  bool asks_for(std::uint8_t kind) const { return (further_ & kind) != 0; }
+
+  std::uint8_t further_ = 0;
 };
 
 /// Where a flow ended, or why it did not begin.
@@ -71,10 +96,28 @@ Ending run(const Mesh& mesh, const Topology& topology, const std::vector<std::ui
 
 double energy_of(const Points& X, const Topology& topology, const std::vector<std::uint8_t>& held,
                  const FlowOptions& options) {
-  EnergyOptions energy{options.mass, held, options.mass_matrix};
+  EnergyOptions energy = options.energy_options();
+  energy.active = held;
   for (std::uint8_t& flag : energy.active)
     flag = flag != 0 ? 0 : 1;
   return bending_model(options.laplacian).bind(topology, energy)->energy(X);
+}
+
+/// Volume and area, where they are to be kept, up to what rounding the coordinates changes.
+void require_kept(const Points& from, const Points& to, const Topology& topology,
+                  const FlowOptions& options) {
+  constexpr double rounding = 1e-9;
+  const double reach = from.cwiseAbs().maxCoeff() + to.cwiseAbs().maxCoeff();
+  const double edges = static_cast<double>(topology.E.rows()) *
+                       (mean_edge_length(from, topology.E) + mean_edge_length(to, topology.E));
+  const double volume = enclosed_volume(from, topology.F), area = surface_area(from, topology.F);
+  if (options.keep_volume && std::isfinite(volume))
+    law(std::abs(enclosed_volume(to, topology.F) - volume) <=
+            rounding * (std::abs(volume) + reach * edges * edges),
+        "the volume is kept");
+  if (options.keep_area && std::isfinite(area))
+    law(std::abs(surface_area(to, topology.F) - area) <= rounding * (area + reach * edges),
+        "the area is kept");
 }
 
 }  // namespace
@@ -86,6 +129,7 @@ void flow(std::string_view input) {
   if (mesh.faces.size() == 0) return;  // no reader returns such a mesh
   const Topology topology = build_topology(mesh.X, triangulate(mesh).F);
   const std::vector<std::uint8_t> held = held_vertices(topology, wanted.boundary);
+  wanted.fit_to(mesh, topology);
   FlowOptions& options = wanted.options;
   const double cutoff = wanted.cutoff_edges * mean_edge_length(mesh.X, topology.E);
   options.total_time = time_in_flow_units(time_for_cutoff(cutoff), mesh.X, topology, options);
@@ -94,6 +138,7 @@ void flow(std::string_view input) {
   law(once.X.rows() == mesh.X.rows() && once.X.allFinite(), "all ends in finite places");
   for (Index v = 0; v < topology.vertex_count; ++v)
     law(held[v] == 0 || once.X.row(v) == mesh.X.row(v), "held vertices stay where they are");
+  if (once.refusal.empty()) require_kept(mesh.X, once.X, topology, options);
   if (once.refusal.empty() && options.guarded) {
     const FlowReport& report = once.report;
     law(report.energy_after <= report.energy_before, "the report's energy does not rise");
