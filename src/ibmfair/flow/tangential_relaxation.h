@@ -1,8 +1,12 @@
 // Moves vertices within the surface toward even spacing. Noise displaces vertices tangentially,
-// too, which a curvature energy hardly sees.
+// too, which a curvature energy hardly sees. What noise has folded over the energy does see, but
+// has no force to turn it back: the curvature of a hinge is largest where it is folded. There,
+// where a vertex has no tangent plane but its neighbours have, the sweep moves it off whatever it
+// is in.
 #pragma once
 
 #include "ibmfair/energy/hessian.h"
+#include "ibmfair/flow/mesh_parts.h"
 #include "ibmfair/mesh/topology.h"
 
 namespace ibmfair {
@@ -11,17 +15,28 @@ namespace ibmfair {
 /// with and stay.
 class TangentialRelaxation {
  public:
-  /// Refers to all three; `rings` are those of vertex_rings.
-  TangentialRelaxation(const Topology& topology, const Rows& rings, const Unknowns& unknowns);
+  /// Refers to all that it is given; `rings` are those of vertex_rings. `unfolds` tells whether
+  /// vertices that stick out may leave the surface.
+  TangentialRelaxation(const Topology& topology, const Rows& rings, const Unknowns& unknowns,
+                       const MeshParts& parts, bool unfolds);
 
   /// The moves of one sweep at `X` (one row per unknown, length): half way to the mean of the
-  /// neighbours, projected off the area-weighted vertex normal.
-  void moves(const Points& X, Points& move) const;
+  /// neighbours, projected off the area-weighted vertex normal unless the vertex sticks out.
+  void moves(const Points& X, Points& move);
 
  private:
+  void find_normals(const Points& X);
+
+  /// Whether vertex v has hardly a tangent plane, and its neighbours agree on one.
+  bool sticks_out(Index v) const;
+
   const Topology& topology_;
   const Rows& rings_;
   const Unknowns& unknowns_;
+  const MeshParts& parts_;
+  const bool unfolds_;
+  Points normals_;  // #V x 3, the sum of the double area vectors around each
+  PerVertex left_;  // #V, its share of the sum of their lengths
 };
 
 }  // namespace ibmfair

@@ -1,0 +1,102 @@
+// The sweep of tangential relaxation: within the surface, but off it where noise left spikes and
+// flaps, which the energy does not turn back.
+#include "ibmfair/flow/tangential_relaxation.h"
+
+#include <cmath>
+#include <numbers>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "ibmfair/mesh/geometry.h"
+#include "ibmfair/shapes/shapes.h"
+#include "support/flow_run.h"
+#include "support/states.h"
+
+namespace ibmfair::test {
+namespace {
+
+Points sweep(const State& state, bool unfolds) {
+  const Unknowns unknowns(held_vertices(state.topology, BoundaryCondition::fixed));
+  const Rows rings = vertex_rings(state.topology);
+  TangentialRelaxation relaxation(state.topology, rings, unknowns, MeshParts::one(), unfolds);
+  Points move, by_vertex = Points::Zero(state.X.rows(), 3);
+  relaxation.moves(state.X, move);
+  for (Index u = 0; u < unknowns.size(); ++u) {
+    by_vertex.row(unknowns.vertex[u]) = move.row(u);
+  }
+  return by_vertex;
+}
+
+State made(const std::string& shape) {
+  const bool rolled = shape == "torus" || shape == "catenoid";
+  return State(rolled             ? make_shape(shape, {.rows = 24, .columns = 40})
+               : shape == "plane" ? make_shape(shape, {.rows = 25, .columns = 40})
+                                  : make_shape(shape, {.subdivide = 4}));
+}
+
+constexpr double degree = std::numbers::pi / 180;
+
+/// A sheet folded along its middle row, so that its halves enclose the angle.
+State wedge(double angle) {
+  State state = made("plane");
+  state.X.col(1).array() -= state.X.col(1).mean();
+  for (auto x : state.X.rowwise()) {
+    const double across = x[1];
+    x[1] = std::abs(across) * std::cos(angle / 2);
+    x[2] = across * std::sin(angle / 2);
+  }
+  return state;
+}
+
+/// A disc drawn up to a cone with this angle between its axis and its side.
+State needle(double angle) {
+  State state = made("hexagon");
+  for (auto x : state.X.rowwise()) {
+    x[2] = -x.head<2>().norm() / std::tan(angle);
+  }
+  return state;
+}
+
+TEST(TangentialRelaxation, StaysWithinSurfacesThatAreSmoothOrThin) {
+  for (const State& state :
+       {made("icosphere"), made("torus"), made("catenoid"), made("plane"), wedge(20 * degree),
+        wedge(60 * degree), wedge(90 * degree), needle(20 * degree)}) {
+    EXPECT_TRUE(sweep(state, true) == sweep(state, false));
+  }
+}
+
+TEST(TangentialRelaxation, LaysSpikesDown) {
+  const State state = made("torus");
+  const double edge = mean_edge_length(state.X, state.topology.E);
+  const Rows rings = vertex_rings(state.topology);
+  for (const double height : {-3.0, 2.0, 4.0}) {
+    State spiky = state;
+    const Index v = 100;
+    const Vec3 normal = double_area_vector_at(v, state.X, state.topology).normalized();
+    spiky.X.row(v) += height * edge * normal.transpose();
+    Vec3 mean = Vec3::Zero();
+    for (const Index q : rings[v]) {
+      mean += spiky.X.row(q).transpose() / static_cast<double>(rings[v].size());
+    }
+    const Vec3 half_way = (mean - spiky.X.row(v).transpose()) / 2;
+    EXPECT_LT((sweep(spiky, true).row(v).transpose() - half_way).norm(), 1e-12 * edge);
+    const Vec3 own_normal = double_area_vector_at(v, spiky.X, state.topology).normalized();
+    EXPECT_LT(std::abs(sweep(spiky, false).row(v).dot(own_normal)), 1e-12 * edge);
+  }
+}
+
+TEST(TangentialRelaxation, LetsNoFlapsOfNoiseSurviveTheFlow) {
+  for (const char* shape : {"icosphere", "torus"}) {
+    State state = made(shape);
+    state.X = shaken(state, 0.5);
+    const auto flaps = [&](const Points& X) {
+      return (dihedral_angles(X, state.topology.H).array() < 90 * degree).count();
+    };
+    EXPECT_GT(flaps(state.X), state.topology.H.rows() / 50) << shape;
+    EXPECT_EQ(flaps(run_flow(state, 4, {}).X), 0) << shape;
+  }
+}
+
+}  // namespace
+}  // namespace ibmfair::test
