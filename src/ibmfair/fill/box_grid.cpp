@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 
 namespace ibmfair {
 namespace {
@@ -47,8 +48,12 @@ BoxGrid::BoxGrid(std::vector<Box> boxes) : boxes_(std::move(boxes)) {
   }
 }
 
-/// `x` lies within all boxes' box, where cutting decimals off is rounding down.
+/// `x` lies within all boxes' box, where cutting decimals off is rounding down. Boxes that are
+/// farther apart than a number can hold are in one cell without end.
 BoxGrid::Cell BoxGrid::cell(const Vec3& x) const {
+  if (!std::isfinite(size_)) {
+    return Cell::Zero();
+  }
   return ((x - all_.min()) / size_).array().cast<std::int64_t>();
 }
 
