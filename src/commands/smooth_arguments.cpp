@@ -81,8 +81,10 @@ void add_flow_options(CLI::App& app, SmoothArguments& a) {
                                         1000, "inexact Newton iterations per step");
   note_of(app, *iterations).unit = "iterations";
   CLI::Option* tangential =
-      app.add_option("--tangential", a.tangential,
-                     "even out vertices within the surface after each step (relax), or do not")
+      app.add_option(
+             "--tangential", a.tangential,
+             "after each step, even out vertices within the surface and lay down those that "
+             "stick out of it (relax), or do not")
           ->check(CLI::IsMember({"relax", "none"}));
   note_of(app, *tangential).default_text =
       "relax, or none where the mesh has texture coordinates, with --plain and with "
