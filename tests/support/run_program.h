@@ -16,12 +16,18 @@ enum class StandardOutput {
   full          ///< /dev/full: every write fails for want of space
 };
 
+#ifdef __SANITIZE_ADDRESS__
+inline constexpr std::chrono::seconds patience{480};  // sanitizers take that much longer
+#else
+inline constexpr std::chrono::seconds patience{120};
+#endif
+
 struct RunOptions {
   std::string input = {};  ///< bytes on standard input
   StandardOutput output = StandardOutput::captured;
   std::string directory = {};                 ///< working directory; empty: the test's own
   std::vector<std::string> environment = {};  ///< `NAME=value`, on top of the test's own
-  std::chrono::seconds limit{120};            ///< the program is killed after this long
+  std::chrono::seconds limit = patience;      ///< the program is killed after this long
   std::int64_t address_space = 0;  ///< bytes that the program may map (by prlimit); 0: no limit
   std::vector<std::string> limits = {};  ///< others, as prlimit takes them: `--fsize=1000`
   /// What starts the program, by its full name and with its arguments; empty: the test itself.
