@@ -156,18 +156,38 @@ void PetscJacobian::update(const JacobianParts& parts) {
   if (ksp_ == nullptr) {
     make_solver(parts);
   }
-  check(KSPSetOperators(ksp_, J_, J_));
-  check(KSPSetUp(ksp_));
-  PC pc = nullptr;
-  PCFailedReason reason = PC_NOERROR;
-  check(KSPGetPC(ksp_, &pc));
-  check(PCGetFailedReason(pc, &reason));
-  if (comm_.any(reason != PC_NOERROR)) {
+  SetUp result = set_up();
+  // MUMPS works in a space that it estimates, with 20 % to spare; what it needs depends on when the
+  // messages of other ranks arrive.
+  for (const char* to_spare : {"100", "400", "1600"}) {
+    if (result != SetUp::short_of_space || !factors_) {
+      break;
+    }
+    check(PetscOptionsSetValue(nullptr, "-mat_mumps_icntl_14", to_spare));
+    result = set_up();
+  }
+  if (result != SetUp::done) {
     throw FactorizationFailed(
-        "the preconditioner cannot be set up: the mesh may have triangles "
-        "with angles near zero");
+        result == SetUp::short_of_space
+            ? "the system cannot be factored: there is not enough memory"
+            : "the preconditioner cannot be set up: the mesh may have triangles with angles near "
+              "zero");
   }
   shape_.report.factorizations += factors_ ? 1 : 0;
+}
+
+PetscJacobian::SetUp PetscJacobian::set_up() {
+  PC pc = nullptr;
+  PCFailedReason reason = PC_NOERROR;
+  check(KSPSetOperators(ksp_, J_, J_));
+  check(KSPSetUp(ksp_));
+  check(KSPGetPC(ksp_, &pc));
+  check(PCGetFailedReason(pc, &reason));
+  if (!comm_.any(reason != PC_NOERROR)) {
+    return SetUp::done;
+  }
+  check(PCReset(pc));  // a factor that failed once stays so, whatever the matrix
+  return comm_.any(reason == PC_FACTOR_OUTMEMORY) ? SetUp::short_of_space : SetUp::failed;
 }
 
 void PetscJacobian::solve(const Points& B, Points& Y) {

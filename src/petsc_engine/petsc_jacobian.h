@@ -1,6 +1,7 @@
 // The Jacobian as a matrix over all ranks, solved with by PETSc's KSP.
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include <petscksp.h>
@@ -28,6 +29,10 @@ class PetscJacobian final : public JacobianSolver {
   void number_unknowns(const PetscParts& parts);
   void make_matrix();
   void make_solver(const JacobianParts& parts);
+
+  /// Of the preconditioner for J_, the same on all ranks.
+  enum class SetUp : std::uint8_t { done, short_of_space, failed };
+  SetUp set_up();
 
   /// Gathers row u of J: the unknowns of all ranks in it, and their values.
   struct Row {
