@@ -173,6 +173,15 @@ TEST_F(Ranks, TakeTheOptionsOfPetsc) {
   EXPECT_GT(mumps.report["flow"]["factorizations"], 0);
 }
 
+TEST_F(Ranks, FactorAgainWhereTheSpaceWasTooSmall) {
+  const std::string input = file_of(noisy_torus());
+  const Words settings{"--steps", "2", "--solver", "mumps"};
+  const Fair ample = on_ranks(2, input, settings);
+  const Fair short_of_it = on_ranks(2, input, settings, {"-mat_mumps_icntl_14", "-90"});
+  EXPECT_EQ(short_of_it.report["status"], "completed");
+  EXPECT_LT(relative_difference(ample.X(), short_of_it.X()), same);
+}
+
 TEST_F(Ranks, NeedNoMpirunForOne) {
   const std::string input = file_of(noisy_torus());
   const RunResult run = run_program(
