@@ -28,7 +28,7 @@ constexpr double renewals = 5;         // of the guarded flow, where the mesh is
 
 // Bytes, as seen on tori of 41 and 164 thousand vertices: the analysis and the assembled matrix,
 // and the factor, which may have to be float64, with what factoring it needs.
-constexpr double bytes_per_unknown = 1600, bytes_per_entry = 8.5;
+constexpr double bytes_per_unknown = 1630, bytes_per_entry = 8.5;
 
 // Surfaces have small separators: nested dissection leaves about this much.
 double factor_entries(double n) {
