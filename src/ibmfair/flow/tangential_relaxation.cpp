@@ -1,5 +1,7 @@
 #include "ibmfair/flow/tangential_relaxation.h"
 
+#include <algorithm>
+
 #include "ibmfair/base/parallel.h"
 #include "ibmfair/mesh/geometry.h"
 
@@ -22,7 +24,17 @@ constexpr double more_left = 1.02;  // times that, where the neighbours are no w
 TangentialRelaxation::TangentialRelaxation(const Topology& topology, const Rows& rings,
                                            const Unknowns& unknowns, const MeshParts& parts,
                                            bool unfolds)
-    : topology_(topology), rings_(rings), unknowns_(unknowns), parts_(parts), unfolds_(unfolds) {}
+    : topology_(topology), rings_(rings), unknowns_(unknowns), parts_(parts), unfolds_(unfolds) {
+  normals_ = Points::Zero(topology.vertex_count, 3);
+  left_ = PerVertex::Zero(topology.vertex_count);
+  const auto moves = [&](Index v) { return unknowns.unknown[v] >= 0; };
+  for (Index v = 0; v < topology.vertex_count; ++v) {
+    const auto ring = rings[v];
+    if (moves(v) || std::any_of(ring.begin(), ring.end(), moves)) {
+      near_.push_back(v);
+    }
+  }
+}
 
 void TangentialRelaxation::moves(const Points& X, Points& move) {
   find_normals(X);
@@ -47,19 +59,11 @@ void TangentialRelaxation::moves(const Points& X, Points& move) {
 }
 
 void TangentialRelaxation::find_normals(const Points& X) {
-  normals_.resize(X.rows(), 3);
-  left_.resize(X.rows());
-  parallel_for(X.rows(), [&](std::int64_t v) {
-    Vec3 sum = Vec3::Zero();
-    double area = 0;
-    for (const Index t : topology_.stars[v]) {
-      const auto x = topology_.F.row(t);
-      const Vec3 N = double_area_vector(X.row(x[0]), X.row(x[1]), X.row(x[2]));
-      sum += N;
-      area += N.norm();
-    }
-    normals_.row(v) = sum;
-    left_[v] = area > 0 ? sum.norm() / area : 0;
+  parallel_for(static_cast<std::int64_t>(near_.size()), [&](std::int64_t i) {
+    const Index v = near_[i];
+    const DoubleAreasAt areas = double_areas_at(v, X, topology_);
+    normals_.row(v) = areas.sum;
+    left_[v] = areas.lengths > 0 ? areas.sum.norm() / areas.lengths : 0;
   });
   parts_.refresh(normals_);
 }

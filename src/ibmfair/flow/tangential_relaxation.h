@@ -5,6 +5,8 @@
 // is in.
 #pragma once
 
+#include <vector>
+
 #include "ibmfair/energy/hessian.h"
 #include "ibmfair/flow/mesh_parts.h"
 #include "ibmfair/mesh/topology.h"
@@ -35,8 +37,9 @@ class TangentialRelaxation {
   const Unknowns& unknowns_;
   const MeshParts& parts_;
   const bool unfolds_;
-  Points normals_;  // #V x 3, the sum of the double area vectors around each
-  PerVertex left_;  // #V, its share of the sum of their lengths
+  std::vector<Index> near_;  // the vertices that move, and their neighbours
+  Points normals_;           // #V x 3, where near: the sum of the double area vectors
+  PerVertex left_;           // #V, its share of the sum of their lengths
 };
 
 }  // namespace ibmfair

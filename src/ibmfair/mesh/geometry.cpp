@@ -84,13 +84,15 @@ double mean_edge_length(const Points& X, const Edges& E) {
   return E.rows() > 0 ? sum / static_cast<double>(E.rows()) : 0;
 }
 
-Vec3 double_area_vector_at(Index v, const Points& X, const Topology& topology) {
-  Vec3 sum = Vec3::Zero();
+DoubleAreasAt double_areas_at(Index v, const Points& X, const Topology& topology) {
+  DoubleAreasAt areas;
   for (const Index t : topology.stars[v]) {
     const auto x = topology.F.row(t);
-    sum += double_area_vector(X.row(x[0]), X.row(x[1]), X.row(x[2]));
+    const Vec3 N = double_area_vector(X.row(x[0]), X.row(x[1]), X.row(x[2]));
+    areas.sum += N;
+    areas.lengths += N.norm();
   }
-  return sum;
+  return areas;
 }
 
 PerVertex lumped_vertex_mass(const Points& X, const Topology& topology) {
