@@ -18,6 +18,12 @@
 namespace ibmfair {
 
 inline constexpr int lane_count = 4;
+
+/// How many groups of four a kernel takes through one of its stages before the next. Square roots
+/// and divisions take so long that they must be under way for several groups at once; in one long
+/// stage the rest of the work on a group would fill up the processor's queue.
+inline constexpr std::int64_t run_length = 16;
+
 using Lanes = double __attribute__((vector_size(8 * lane_count)));
 
 IBMFAIR_INLINE Lanes sqrt(const Lanes& a) {
@@ -64,17 +70,17 @@ struct Lanes4 {
 
 namespace simd_detail {
 
-using Half = double __attribute__((vector_size(16)));
+/// Numbers at `p`, which need not be aligned.
+using HalfAt = double __attribute__((vector_size(16), aligned(8), may_alias));
+using LanesAt = double __attribute__((vector_size(8 * lane_count), aligned(8), may_alias));
 
-IBMFAIR_INLINE Half half(const double* p) {
-  Half h;
-  std::memcpy(&h, p, sizeof h);
-  return h;
-}
-
-/// The halves at `a` and `b` as one: the shuffles that remain are the cheap ones, within halves.
+/// The two numbers at `a` and at `b` as one. The shuffles that remain are the cheap ones, within
+/// halves; and as four numbers are read at `b`, the compiler inserts two of them from memory, with
+/// no shuffle at all.
 IBMFAIR_INLINE Lanes halves(const double* a, const double* b) {
-  return __builtin_shufflevector(half(a), half(b), 0, 1, 2, 3);
+  const HalfAt& low = *reinterpret_cast<const HalfAt*>(a);
+  return __builtin_shufflevector(__builtin_shufflevector(low, low, 0, 1, -1, -1),
+                                 *reinterpret_cast<const LanesAt*>(b), 0, 1, 4, 5);
 }
 
 IBMFAIR_INLINE void add(const Lanes& a, double* to) {
@@ -86,7 +92,8 @@ IBMFAIR_INLINE void add(const Lanes& a, double* to) {
 
 }  // namespace simd_detail
 
-/// Lane i from the row `rows + at[i]`.
+/// Lane i from the row `rows + at[i]`. Reads two numbers more behind a row, and drops them: behind
+/// the last row there must be room.
 IBMFAIR_INLINE Lanes4 gather(const double* rows, const std::int32_t* at) {
   const double* r0 = rows + at[0];
   const double* r1 = rows + at[1];
@@ -129,11 +136,27 @@ IBMFAIR_INLINE void scatter_add(const Lanes3& a, const Lanes3& b, const Lanes3& 
   }
 }
 
-/// Writes lane i to the row `rows + 4 * i`.
+/// The same for a = -(b + c) and no w: three forces that sum to 0.
+IBMFAIR_INLINE void scatter_add_balanced(const Lanes3& b, const Lanes3& c, double* rows,
+                                         const std::int32_t* at) {
+  Lanes row_b[lane_count], row_c[lane_count];
+  rows_of(b, Lanes{}, row_b);
+  rows_of(c, Lanes{}, row_c);
+  for (int i = 0; i < lane_count; ++i) {
+    simd_detail::add(-(row_b[i] + row_c[i]), rows + at[i]);
+    simd_detail::add(row_b[i], rows + at[lane_count + i]);
+    simd_detail::add(row_c[i], rows + at[2 * lane_count + i]);
+  }
+}
+
+/// Writes lane i to the row `rows + 4 * i`. One by one: GCC would take a copy of them all through
+/// the processor's integers.
 IBMFAIR_INLINE void store_rows(const Lanes3& a, const Lanes& w, double* rows) {
   Lanes row[lane_count];
   rows_of(a, w, row);
-  std::memcpy(rows, row, sizeof row);
+  for (int i = 0; i < lane_count; ++i) {
+    std::memcpy(rows + lane_count * i, &row[i], sizeof row[i]);
+  }
 }
 
 }  // namespace ibmfair

@@ -75,7 +75,8 @@ CrouzeixRaviart::CrouzeixRaviart(const Topology& topology, const EnergyOptions& 
 double CrouzeixRaviart::block_energy(const MeshBlock& b, const Points& X, bool gradient,
                                      BlockScratch& scratch) {
   blocks_.load(b, X, scratch.vertices);
-  const auto triangles = static_cast<std::size_t>(lanes_per_group * b.framed_groups);
+  const auto triangles = static_cast<std::size_t>(lanes_per_group * b.framed_groups) +
+                         1;  // gather() reads behind the last
   if (scratch.triangles.size() < triangles) {
     scratch.triangles.resize(triangles);
   }
@@ -95,6 +96,7 @@ double CrouzeixRaviart::energy(const Points& X) {
 double CrouzeixRaviart::energy_and_gradient(const Points& X, Points& G) {
   blocks_.prepare(G);
   return loop_.sum(blocks_, [&](const MeshBlock& b, BlockScratch& scratch) {
+    blocks_.expect(b, G);
     const double E = block_energy(b, X, true, scratch);
     blocks_.store(b, scratch.vertices, G);
     return E;

@@ -52,34 +52,46 @@ struct HingeKernel {
     }
   };
 
+  /// The forces at x1 and x2 are p x e + f, e the opposite edge; at x0 what makes their sum 0.
+  struct Forces {
+    Lanes3 e1, e2, p, f1, f2;
+  };
+
   IBMFAIR_INLINE static double run(const Index* x, const Index* neighbours, std::int64_t own_groups,
                                    std::int64_t groups, double inverse_bound, BlockVertex* vertices,
                                    const BlockRow* triangles) {
-    constexpr Index group_size = lane_count * row_size;
     constexpr Index consecutive[lane_count] = {0, row_size, 2 * row_size, 3 * row_size};
     const double *X = &vertices->x.x, *T = &triangles->x;
-    double* G = &vertices->sum.x;
     Lanes E = {};
-    for (std::int64_t g = 0; g < groups; ++g, x += 12, neighbours += 12) {
-      const Lanes3 x0 = gather(X, x).xyz, x1 = gather(X, x + 4).xyz, x2 = gather(X, x + 8).xyz;
-      const Lanes3 e0 = x2 - x1, e1 = x0 - x2, e2 = x1 - x0;
-      const Lanes4 own = gather(T + group_size * g, consecutive);
-      Derivatives d;
-      const Lanes3 f0 = d.add(e0, own, gather(T, neighbours), inverse_bound);
-      const Lanes3 f1 = d.add(e1, own, gather(T, neighbours + 4), inverse_bound);
-      const Lanes3 f2 = d.add(e2, own, gather(T, neighbours + 8), inverse_bound);
-      if (g < own_groups) {
-        E += d.energy;
-      }
-      if (gradient) {
-        const Lanes3& n = own.xyz;
-        const Lanes3 tangential = d.normal - dot(n, d.normal) * n;
-        Lanes3 p = 0.5 / own.w * tangential;  // the derivative by N = 2 area n
-        if (mass) {
-          p = p + 1.0 / 6.0 * d.area * n;
+    Forces forces[run_length];
+    for (std::int64_t first = 0; first < groups; first += run_length) {
+      const std::int64_t last = first + run_length < groups ? first + run_length : groups;
+      for (std::int64_t g = first; g < last; ++g) {
+        const Index *corner = x + 12 * g, *neighbour = neighbours + 12 * g;
+        const Lanes3 x0 = gather(X, corner).xyz, x1 = gather(X, corner + 4).xyz;
+        const Lanes3 x2 = gather(X, corner + 8).xyz;
+        const Lanes3 e0 = x2 - x1, e1 = x0 - x2, e2 = x1 - x0;
+        const Lanes4 own = gather(T + lane_count * row_size * g, consecutive);
+        Derivatives d;
+        const Lanes3 f0 = d.add(e0, own, gather(T, neighbour), inverse_bound);
+        const Lanes3 f1 = d.add(e1, own, gather(T, neighbour + 4), inverse_bound);
+        const Lanes3 f2 = d.add(e2, own, gather(T, neighbour + 8), inverse_bound);
+        if (g < own_groups) {
+          E += d.energy;
         }
-        const Lanes3 g1 = cross(p, e1) + (f2 - f0), g2 = cross(p, e2) + (f0 - f1);
-        scatter_add(-(g1 + g2), g1, g2, Lanes{}, G, x);  // the three sum to 0
+        if (gradient) {
+          const Lanes3& n = own.xyz;
+          const Lanes3 tangential = d.normal - dot(n, d.normal) * n;
+          Lanes3 p = 0.5 / own.w * tangential;  // the derivative by N = 2 area n
+          if (mass) {
+            p = p + 1.0 / 6.0 * d.area * n;
+          }
+          forces[g - first] = {e1, e2, p, f2 - f0, f0 - f1};
+        }
+      }
+      for (std::int64_t g = first; gradient && g < last; ++g) {
+        const auto& [e1, e2, p, f1, f2] = forces[g - first];
+        scatter_add_balanced(cross(p, e1) + f1, cross(p, e2) + f2, &vertices->sum.x, x + 12 * g);
       }
     }
     return sum(E) / 2;

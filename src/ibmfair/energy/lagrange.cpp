@@ -87,6 +87,7 @@ double Lagrange::energy_and_gradient(const Points& X, Points& G) {
   });
   blocks_.prepare(G);
   loop_.sum(blocks_, [&](const MeshBlock& b, BlockScratch& scratch) {
+    blocks_.expect(b, G);
     load(b, X, scratch.vertices);
     blocks_.load(b, y_, scratch.vertices);
     lagrange_forces(&blocks_.corners[b.first_corner], b.groups, !spontaneous_.empty(),

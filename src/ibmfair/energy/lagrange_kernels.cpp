@@ -12,11 +12,6 @@ struct Frames {
   Lanes area;
 };
 
-/// Square roots and divisions take so long that they must be under way for several groups at once;
-/// the rest of the work on a group would fill up the processor's queue. Hence frames are taken
-/// first, this many groups at a time.
-constexpr std::int64_t run_length = 16;
-
 IBMFAIR_INLINE void find_frames(const Index* x, std::int64_t groups, const double* X,
                                 Frames* frames) {
   for (std::int64_t g = 0; g < groups; ++g, x += 12) {
@@ -93,8 +88,7 @@ struct Forces {
         const auto& [e0, e1, e2, n, area] = frames[g];
         const auto& [f1, f2, p] = factors[g];
         const Lanes3 g1 = cross(p, e1) + cross(n, f1), g2 = cross(p, e2) + cross(n, f2);
-        // The three sum to 0.
-        scatter_add(-(g1 + g2), g1, g2, Lanes{}, G, x + 12 * g);
+        scatter_add_balanced(g1, g2, G, x + 12 * g);
       }
     }
   }

@@ -218,6 +218,13 @@ void MeshBlocks::load(const MeshBlock& b, const std::vector<double>& w,
                   [&](BlockVertex& vertex, std::int64_t at) { vertex.x.w = w[at]; });
 }
 
+void MeshBlocks::expect(const MeshBlock& b, Points& G) const {
+  const Index* vertex = owned.data() + b.first_owned;
+  std::for_each(vertex, vertex + b.owned, [&](Index v) {
+    __builtin_prefetch(G.data() + 3 * std::ptrdiff_t{v}, 1);  // 1: for writing
+  });
+}
+
 void MeshBlocks::store(const MeshBlock& b, const BlockVertices& vertices, Points& G) const {
   const Index* vertex = owned.data() + b.first_owned;
   for (Index i = 0; i < b.owned; ++i) {

@@ -72,6 +72,9 @@ struct MeshBlocks {
   void load(const MeshBlock& b, const std::vector<BlockRow>& y, BlockVertices& vertices) const;
   /// The fourth number of their x, out of numbers that stand like `owned`.
   void load(const MeshBlock& b, const std::vector<double>& w, BlockVertices& vertices) const;
+  /// Has the places of a block's own vertices in G (#V x 3) fetched while the block is computed:
+  /// store() would wait for them.
+  void expect(const MeshBlock& b, Points& G) const;
   /// A block's sums to its own vertices in G (#V x 3).
   void store(const MeshBlock& b, const BlockVertices& vertices, Points& G) const;
   /// Makes G #V x 3, zero where no block stores anything.
