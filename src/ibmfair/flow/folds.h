@@ -23,7 +23,17 @@ class FoldWatch {
   std::vector<Index> new_folds(const Points& X);
 
  private:
-  std::vector<std::array<Index, 4>> hinges_;
+  struct Hinge {
+    Index first, second;  // triangles
+    double agree;         // 1, or -1 where their orientations do not
+  };
+
+  void find_normals(const Points& X);
+  bool is_folded(const Hinge& hinge) const;
+
+  std::vector<std::array<Index, 3>> triangles_;  // of the hinges
+  std::vector<Hinge> hinges_;
+  std::vector<Vec3> normals_;  // double area vectors of the triangles
   std::vector<std::uint8_t> known_;
   std::vector<std::uint8_t> folded_;  // of the last look
 };
