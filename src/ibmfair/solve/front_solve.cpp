@@ -21,19 +21,76 @@ struct QuadOf<double> {
   using type __attribute__((vector_size(32))) = double;
 };
 
+template <class Real>
+using Quad = typename QuadOf<Real>::type;
+
+/// Rows of quads that fill 32 bytes, which loops over rows take at a time.
+template <class Real>
+struct PackOf;
+template <>
+struct PackOf<float> {
+  using type __attribute__((vector_size(32))) = float;
+  static constexpr Index rows = 2;
+};
+template <>
+struct PackOf<double> {
+  using type = Quad<double>;
+  static constexpr Index rows = 1;
+};
+template <class Real>
+using Pack = typename PackOf<Real>::type;
+
+/// In every row of a pack the same quad.
+IBMFAIR_INLINE Pack<float> repeat(const Quad<float>& quad) {
+  return __builtin_shufflevector(quad, quad, 0, 1, 2, 3, 0, 1, 2, 3);
+}
+IBMFAIR_INLINE Pack<double> repeat(const Quad<double>& quad) {
+  return quad;
+}
+
+/// What to multiply a pack by: in every row of it four times the next number. Both floats are read
+/// as one, which costs no more than one of them would.
+IBMFAIR_INLINE Pack<float> spread(const float* numbers) {
+  double both;
+  std::memcpy(&both, numbers, sizeof both);
+  const Quad<double> copies = {both, both, both, both};
+  Pack<float> pack;
+  std::memcpy(&pack, &copies, sizeof pack);
+  return __builtin_shufflevector(pack, pack, 0, 0, 0, 0, 5, 5, 5, 5);
+}
+IBMFAIR_INLINE double spread(const double* number) {
+  return *number;
+}
+
+/// The sum of the rows of a pack.
+IBMFAIR_INLINE Quad<float> sum(const Pack<float>& pack) {
+  return __builtin_shufflevector(pack, pack, 0, 1, 2, 3) +
+         __builtin_shufflevector(pack, pack, 4, 5, 6, 7);
+}
+IBMFAIR_INLINE Quad<double> sum(const Pack<double>& pack) {
+  return pack;
+}
+
 /// A list of quads in memory that need not be aligned.
 template <class Real>
 class QuadList {
  public:
-  using Quad = typename QuadOf<Real>::type;
   IBMFAIR_INLINE explicit QuadList(Real* numbers) : numbers_(numbers) {}
-  IBMFAIR_INLINE Quad get(Index i) const {
-    Quad quad;
+  IBMFAIR_INLINE Quad<Real> get(Index i) const {
+    Quad<Real> quad;
     std::memcpy(&quad, numbers_ + 4 * std::size_t(i), sizeof quad);
     return quad;
   }
-  IBMFAIR_INLINE void set(Index i, const Quad& quad) {
+  IBMFAIR_INLINE void set(Index i, const Quad<Real>& quad) {
     std::memcpy(numbers_ + 4 * std::size_t(i), &quad, sizeof quad);
+  }
+  IBMFAIR_INLINE Pack<Real> pack(Index i) const {
+    Pack<Real> pack;
+    std::memcpy(&pack, numbers_ + 4 * std::size_t(i), sizeof pack);
+    return pack;
+  }
+  IBMFAIR_INLINE void set_pack(Index i, const Pack<Real>& pack) {
+    std::memcpy(numbers_ + 4 * std::size_t(i), &pack, sizeof pack);
   }
 
  private:
@@ -45,6 +102,8 @@ class QuadList {
 
 template <class Real>
 struct Forward {
+  static constexpr Index pack_rows = PackOf<Real>::rows;
+
   IBMFAIR_INLINE static void run(const Real* L, Index rows, Index columns, Real* vectors) {
     QuadList<Real> W(vectors);
     Index j = 0;
@@ -56,7 +115,13 @@ struct Forward {
       const auto r = (W.get(j + 2) - a[j + 2] * p - b[j + 2] * q) / c[j + 2];
       const auto s = (W.get(j + 3) - a[j + 3] * p - b[j + 3] * q - c[j + 3] * r) / d[j + 3];
       W.set(j, p), W.set(j + 1, q), W.set(j + 2, r), W.set(j + 3, s);
-      for (Index i = j + 4; i < rows; ++i) {
+      const auto P = repeat(p), Q = repeat(q), R = repeat(r), S = repeat(s);
+      Index i = j + 4;
+      for (; i + pack_rows <= rows; i += pack_rows) {
+        W.set_pack(i, W.pack(i) - (spread(a + i) * P + spread(b + i) * Q + spread(c + i) * R +
+                                   spread(d + i) * S));
+      }
+      for (; i < rows; ++i) {
         W.set(i, W.get(i) - (a[i] * p + b[i] * q + c[i] * r + d[i] * s));
       }
     }
@@ -73,6 +138,8 @@ struct Forward {
 
 template <class Real>
 struct Backward {
+  static constexpr Index pack_rows = PackOf<Real>::rows;
+
   IBMFAIR_INLINE static void run(const Real* L, Index rows, Index columns, Real* vectors) {
     QuadList<Real> W(vectors);
     Index j = columns;
@@ -88,8 +155,16 @@ struct Backward {
       j -= 4;
       const Real* a = L + std::int64_t{j} * rows;
       const Real *b = a + rows, *c = b + rows, *d = c + rows;
-      auto p = W.get(j), q = W.get(j + 1), r = W.get(j + 2), s = W.get(j + 3);
-      for (Index i = j + 4; i < rows; ++i) {
+      Pack<Real> P = {}, Q = {}, R = {}, S = {};
+      Index i = j + 4;
+      for (; i + pack_rows <= rows; i += pack_rows) {
+        const auto w = W.pack(i);
+        P += spread(a + i) * w, Q += spread(b + i) * w;
+        R += spread(c + i) * w, S += spread(d + i) * w;
+      }
+      auto p = W.get(j) - sum(P), q = W.get(j + 1) - sum(Q);
+      auto r = W.get(j + 2) - sum(R), s = W.get(j + 3) - sum(S);
+      for (; i < rows; ++i) {
         const auto w = W.get(i);
         p -= a[i] * w, q -= b[i] * w, r -= c[i] * w, s -= d[i] * w;
       }
