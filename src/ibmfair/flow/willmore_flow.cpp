@@ -5,6 +5,7 @@
 #include "ibmfair/base/errors.h"
 #include "ibmfair/flow/flow_problem.h"
 #include "ibmfair/flow/guarded_flow.h"
+#include "ibmfair/flow/local_mesh.h"
 #include "ibmfair/flow/plain_flow.h"
 #include "ibmfair/flow/twicing.h"
 
@@ -31,12 +32,8 @@ void require_usable(const Points& X, const std::vector<std::uint8_t>& held,
   }
 }
 
-}  // namespace
-
-FlowReport willmore_flow(Points& X, const Topology& topology, const std::vector<std::uint8_t>& held,
-                         const FlowOptions& options, const StepObserver& observer,
-                         const MeshParts& parts) {
-  require_usable(X, held, options, parts);
+FlowReport run(Points& X, const Topology& topology, const std::vector<std::uint8_t>& held,
+               const FlowOptions& options, const StepObserver& observer, const MeshParts& parts) {
   FlowProblem problem(X, topology, held, options, parts);
   if (problem.report.unknowns > 0) {
     (options.guarded ? run_guarded : run_plain)(problem, observer);
@@ -48,11 +45,9 @@ FlowReport willmore_flow(Points& X, const Topology& topology, const std::vector<
   return std::move(problem.report);
 }
 
-FlowForecast forecast_flow(const Points& X, const Topology& topology,
-                           const std::vector<std::uint8_t>& held, const FlowOptions& options) {
-  const MeshParts& parts = MeshParts::one();
-  require_usable(X, held, options, parts);
-  FlowProblem problem(X, topology, held, options, parts);
+FlowForecast forecast(const Points& X, const Topology& topology,
+                      const std::vector<std::uint8_t>& held, const FlowOptions& options) {
+  FlowProblem problem(X, topology, held, options, MeshParts::one());
   FlowForecast forecast;
   forecast.unknowns = problem.unknowns.size();
   if (forecast.unknowns > 0) {
@@ -60,6 +55,31 @@ FlowForecast forecast_flow(const Points& X, const Topology& topology,
     forecast.solver = problem.report.solver;
   }
   return forecast;
+}
+
+}  // namespace
+
+FlowReport willmore_flow(Points& X, const Topology& topology, const std::vector<std::uint8_t>& held,
+                         const FlowOptions& options, const StepObserver& observer,
+                         const MeshParts& parts) {
+  require_usable(X, held, options, parts);
+  if (!parts.is_whole() || !is_scattered(topology)) {
+    return run(X, topology, held, options, observer, parts);
+  }
+  LocalMesh local = local_mesh(X, topology, held, options);
+  FlowReport report = run(local.X, local.topology, local.held, local.options, observer, parts);
+  X(local.vertex, Eigen::all) = local.X;
+  return report;
+}
+
+FlowForecast forecast_flow(const Points& X, const Topology& topology,
+                           const std::vector<std::uint8_t>& held, const FlowOptions& options) {
+  require_usable(X, held, options, MeshParts::one());
+  if (!is_scattered(topology)) {
+    return forecast(X, topology, held, options);
+  }
+  const LocalMesh local = local_mesh(X, topology, held, options);
+  return forecast(local.X, local.topology, local.held, local.options);
 }
 
 }  // namespace ibmfair

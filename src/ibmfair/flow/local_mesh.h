@@ -1,0 +1,30 @@
+// Meshes come with their vertices in any order. Where neighbours are far apart in memory, a flow
+// takes several times as long, most of it waiting for memory; so it numbers such a mesh anew.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "ibmfair/flow/flow_options.h"
+#include "ibmfair/mesh/topology.h"
+
+namespace ibmfair {
+
+/// Whether a flow had better number the mesh anew: nearly all of its edges are long in memory, and
+/// the cache does not hold it. Not where the mesh is not orientable: where the cut lies, along
+/// which its orientations disagree, depends on the numbers.
+bool is_scattered(const Topology& topology);
+
+/// What a flow takes, numbered block by block (energy/vertex_blocks.h).
+struct LocalMesh {
+  std::vector<Index> vertex;  ///< #V, the mesh's own number of each
+  Points X;
+  Topology topology;
+  std::vector<std::uint8_t> held;
+  FlowOptions options;
+};
+
+LocalMesh local_mesh(const Points& X, const Topology& topology,
+                     const std::vector<std::uint8_t>& held, const FlowOptions& options);
+
+}  // namespace ibmfair
