@@ -142,7 +142,8 @@ MeshFigures mesh_figures(const Points& X, const Topology& topology, const FlowOp
   figures.volume = enclosed_volume(X, topology.F);
   const Eigen::VectorXd angles = smallest_angles(X, topology.F);
   figures.smallest_angle = angles.size() > 0 ? angles.minCoeff() * 180 / std::numbers::pi : 0;
-  figures.folds = (dihedral_angles(X, topology.H).array() < fold_angle).count();
+  const std::vector<std::uint8_t> folded = folded_hinges(X, topology);
+  figures.folds = std::count(folded.begin(), folded.end(), 1);
   return figures;
 }
 

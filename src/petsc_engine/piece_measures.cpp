@@ -41,10 +41,10 @@ double smallest_angle(const Topology& topology, const MeshPiece& piece, const Po
 }
 
 std::int64_t folds(const Topology& topology, const Points& X, const PetscParts& parts) {
-  const Eigen::VectorXd angles = dihedral_angles(X, topology.H);
+  const std::vector<std::uint8_t> folded = folded_hinges(X, topology);
   double count = 0;
-  for (Index h = 0; h < angles.size(); ++h) {
-    count += angles[h] < fold_angle ? own_share({topology.H.row(h).data(), 4}, parts) : 0;
+  for (Index h = 0; h < topology.H.rows(); ++h) {
+    count += folded[h] ? own_share({topology.H.row(h).data(), 4}, parts) : 0;
   }
   return std::llround(parts.sum(count));
 }

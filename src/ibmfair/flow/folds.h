@@ -13,6 +13,9 @@ namespace ibmfair {
 /// A hinge with a smaller dihedral angle than this (radians; 10 degrees) counts as folded over.
 inline constexpr double fold_angle = 0.17453292519943295;
 
+/// Whether each hinge is folded over, #H; one with a triangle that has no area is.
+std::vector<std::uint8_t> folded_hinges(const Points& X, const Topology& topology);
+
 /// Watches the hinges that a set of unknown vertices can move.
 class FoldWatch {
  public:
@@ -29,7 +32,7 @@ class FoldWatch {
   };
 
   void find_normals(const Points& X);
-  bool is_folded(const Hinge& hinge) const;
+  bool is_folded_now(const Hinge& hinge) const;
 
   std::vector<std::array<Index, 3>> triangles_;  // of the hinges
   std::vector<Hinge> hinges_;
