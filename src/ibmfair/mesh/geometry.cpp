@@ -134,9 +134,8 @@ Eigen::VectorXd smallest_angles(const Points& X, const Triangles& F) {
     const auto [a, b, c] = corners(X, F, t);
     const Vec3 u = b - a, v = c - b, w = a - c;
     const double sine = u.cross(v).norm();  // |u||v| sin, the same for all three corners
-    const double smallest = std::min(
-        {std::atan2(sine, -u.dot(w)), std::atan2(sine, -v.dot(u)), std::atan2(sine, -w.dot(v))});
-    angles[t] = sine > 0 ? smallest : 0;
+    const double cosine = std::max({-u.dot(w), -v.dot(u), -w.dot(v)});  // the largest, as sized
+    angles[t] = sine > 0 ? std::atan2(sine, cosine) : 0;
   });
   return angles;
 }
