@@ -1,7 +1,6 @@
 // Hinges that are folded over, and a watch that no new one appears.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -19,26 +18,23 @@ std::vector<std::uint8_t> folded_hinges(const Points& X, const Topology& topolog
 /// Watches the hinges that a set of unknown vertices can move.
 class FoldWatch {
  public:
-  /// Hinges folded at `X` are known from then on and never reported.
+  /// Refers to the topology. Hinges folded at `X` are known from then on and never reported.
   FoldWatch(const Points& X, const Topology& topology, const Unknowns& unknowns);
 
   /// The vertices (sorted, each once) of hinges folded at `X` that were not folded at the start.
   std::vector<Index> new_folds(const Points& X);
 
  private:
-  struct Hinge {
-    Index first, second;  // triangles
-    double agree;         // 1, or -1 where their orientations do not
-  };
-
   void find_normals(const Points& X);
-  bool is_folded_now(const Hinge& hinge) const;
+  bool is_folded_now(std::size_t i) const;
 
-  std::vector<std::array<Index, 3>> triangles_;  // of the hinges
-  std::vector<Hinge> hinges_;
-  std::vector<Vec3> normals_;  // double area vectors of the triangles
+  const Topology& topology_;
+  std::vector<Index> hinges_;
+  std::vector<std::uint8_t> turned_;  // of each, whether its triangles' orientations disagree
   std::vector<std::uint8_t> known_;
-  std::vector<std::uint8_t> folded_;  // of the last look
+  std::vector<std::uint8_t> folded_;  // at the last look
+  std::vector<Index> triangles_;      // of the hinges
+  std::vector<Vec3> normals_;         // #F, their double area vectors at the last look
 };
 
 }  // namespace ibmfair
