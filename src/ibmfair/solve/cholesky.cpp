@@ -16,9 +16,11 @@ namespace {
 
 /// Operations an entry of the factor, in the order of minimum degree, from which on nested
 /// dissection may pay: it takes three to seven times as long to find, and leaves half the
-/// operations at best, for the few factorizations of a flow. Thin and limbed surfaces stay below
-/// with hundreds of thousands of unknowns, spheres and tori with 40,000.
+/// operations at best, for the few factorizations of a flow. Spheres and tori come to that with
+/// 40,000 unknowns, thin and limbed surfaces with ten times as many: above, it is taken for
+/// granted.
 constexpr double worth_dissecting = 500;
+constexpr std::int64_t large = 400'000;
 
 template <class Value>
 std::vector<Value> copy(const void* from, std::size_t count) {
@@ -66,7 +68,8 @@ class Analysis {
 /// As asked for, or the one that costs less in all.
 std::unique_ptr<const Analysis> analyse(const SymmetricMatrix& J, Ordering ordering) {
   std::unique_ptr<const Analysis> by_degree;
-  if (ordering != Ordering::metis) {
+  const bool open = ordering == Ordering::automatic && J.size() < large;
+  if (open || ordering == Ordering::amd) {
     by_degree = std::make_unique<Analysis>(J);
     const FactorForecast& forecast = by_degree->forecast();
     if (ordering == Ordering::amd || forecast.flops < worth_dissecting * forecast.factor_entries) {
