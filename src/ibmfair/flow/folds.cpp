@@ -27,7 +27,7 @@ bool is_turned(const Topology& topology, Index h) {
   return !runs_along(topology.F, second, topology.H(h, 1), topology.H(h, 0));
 }
 
-Vec3 normal(const Points& X, const Triangles& F, Index t) {
+Vec3 area_vector(const Points& X, const Triangles& F, Index t) {
   return double_area_vector(X.row(F(t, 0)), X.row(F(t, 1)), X.row(F(t, 2)));
 }
 
@@ -35,8 +35,9 @@ Vec3 normal(const Points& X, const Triangles& F, Index t) {
 
 std::vector<std::uint8_t> folded_hinges(const Points& X, const Topology& topology) {
   std::vector<Vec3> normals(static_cast<std::size_t>(topology.F.rows()));
-  parallel_for(topology.F.rows(),
-               [&](std::int64_t t) { normals[t] = normal(X, topology.F, static_cast<Index>(t)); });
+  parallel_for(topology.F.rows(), [&](std::int64_t t) {
+    normals[t] = area_vector(X, topology.F, static_cast<Index>(t));
+  });
   std::vector<std::uint8_t> folded(static_cast<std::size_t>(topology.H.rows()));
   parallel_for(topology.H.rows(), [&](std::int64_t h) {
     const auto t = topology.hinge_triangles.row(h);
@@ -87,7 +88,7 @@ std::vector<Index> FoldWatch::new_folds(const Points& X) {
 
 void FoldWatch::find_normals(const Points& X) {
   parallel_for(static_cast<std::int64_t>(triangles_.size()), [&](std::int64_t i) {
-    normals_[triangles_[i]] = normal(X, topology_.F, triangles_[i]);
+    normals_[triangles_[i]] = area_vector(X, topology_.F, triangles_[i]);
   });
 }
 

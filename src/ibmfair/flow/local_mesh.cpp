@@ -17,7 +17,7 @@ constexpr Index fits_the_cache = 30000;
 /// much longer. Hardly an edge of an ordered mesh is, and nine in ten of one in no order, which
 /// takes two to three times as long. In a mesh that was subdivided up to three in four are, but in
 /// an order that the processor foresees: that would save a tenth, for a second topology in memory.
-constexpr Index close = 2048;
+constexpr Index near_in_memory = 2048;
 constexpr double most_far = 0.8;  // of the edges
 
 /// The vertices block by block, those without a triangle last.
@@ -70,8 +70,8 @@ std::vector<Index> by_first_vertex(const Triangles& F, const std::vector<Index>&
 }
 
 /// The same connectivity, its vertices at new places and its triangles in another order.
-Topology renumbered(const Topology& topology, const std::vector<Index>& place,
-                    const std::vector<Index>& triangle) {
+Topology with_new_numbers(const Topology& topology, const std::vector<Index>& place,
+                          const std::vector<Index>& triangle) {
   Triangles F = reordered(topology.F, triangle);
   for (Index& corner : F.reshaped()) {
     corner = place[corner];
@@ -92,7 +92,7 @@ bool is_scattered(const Topology& topology) {
     return false;
   }
   const auto far = parallel_sum(topology.E.rows(), [&](std::int64_t e) {
-    return topology.E(e, 1) - topology.E(e, 0) > close ? 1.0 : 0.0;
+    return topology.E(e, 1) - topology.E(e, 0) > near_in_memory ? 1.0 : 0.0;
   });
   return far > most_far * static_cast<double>(topology.E.rows());
 }
@@ -102,7 +102,7 @@ LocalMesh local_mesh(const Points& X, const Topology& topology,
   std::vector<Index> order = blockwise(topology);
   const std::vector<Index> place = inverse(order);
   const std::vector<Index> triangle = by_first_vertex(topology.F, place);
-  LocalMesh mesh{std::move(order), {}, renumbered(topology, place, triangle), {}, options};
+  LocalMesh mesh{std::move(order), {}, with_new_numbers(topology, place, triangle), {}, options};
   mesh.X = reordered(X, mesh.vertex);
   mesh.held = reordered(held, mesh.vertex);
   mesh.options.cutoff_factor = reordered(options.cutoff_factor, mesh.vertex);

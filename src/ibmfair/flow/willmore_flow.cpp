@@ -32,8 +32,9 @@ void require_usable(const Points& X, const std::vector<std::uint8_t>& held,
   }
 }
 
-FlowReport run(Points& X, const Topology& topology, const std::vector<std::uint8_t>& held,
-               const FlowOptions& options, const StepObserver& observer, const MeshParts& parts) {
+FlowReport flow_as_numbered(Points& X, const Topology& topology,
+                            const std::vector<std::uint8_t>& held, const FlowOptions& options,
+                            const StepObserver& observer, const MeshParts& parts) {
   FlowProblem problem(X, topology, held, options, parts);
   if (problem.report.unknowns > 0) {
     (options.guarded ? run_guarded : run_plain)(problem, observer);
@@ -45,8 +46,9 @@ FlowReport run(Points& X, const Topology& topology, const std::vector<std::uint8
   return std::move(problem.report);
 }
 
-FlowForecast forecast(const Points& X, const Topology& topology,
-                      const std::vector<std::uint8_t>& held, const FlowOptions& options) {
+FlowForecast forecast_as_numbered(const Points& X, const Topology& topology,
+                                  const std::vector<std::uint8_t>& held,
+                                  const FlowOptions& options) {
   FlowProblem problem(X, topology, held, options, MeshParts::one());
   FlowForecast forecast;
   forecast.unknowns = problem.unknowns.size();
@@ -64,10 +66,11 @@ FlowReport willmore_flow(Points& X, const Topology& topology, const std::vector<
                          const MeshParts& parts) {
   require_usable(X, held, options, parts);
   if (!parts.is_whole() || !is_scattered(topology)) {
-    return run(X, topology, held, options, observer, parts);
+    return flow_as_numbered(X, topology, held, options, observer, parts);
   }
   LocalMesh local = local_mesh(X, topology, held, options);
-  FlowReport report = run(local.X, local.topology, local.held, local.options, observer, parts);
+  FlowReport report =
+      flow_as_numbered(local.X, local.topology, local.held, local.options, observer, parts);
   X(local.vertex, Eigen::all) = local.X;
   return report;
 }
@@ -76,10 +79,10 @@ FlowForecast forecast_flow(const Points& X, const Topology& topology,
                            const std::vector<std::uint8_t>& held, const FlowOptions& options) {
   require_usable(X, held, options, MeshParts::one());
   if (!is_scattered(topology)) {
-    return forecast(X, topology, held, options);
+    return forecast_as_numbered(X, topology, held, options);
   }
   const LocalMesh local = local_mesh(X, topology, held, options);
-  return forecast(local.X, local.topology, local.held, local.options);
+  return forecast_as_numbered(local.X, local.topology, local.held, local.options);
 }
 
 }  // namespace ibmfair

@@ -20,7 +20,7 @@ namespace {
 /// 40,000 unknowns, thin and limbed surfaces with ten times as many: above, it is taken for
 /// granted.
 constexpr double worth_dissecting = 500;
-constexpr std::int64_t large = 400'000;
+constexpr std::int64_t dissected_at_once = 400'000;
 
 template <class Value>
 std::vector<Value> copy(const void* from, std::size_t count) {
@@ -68,7 +68,7 @@ class Analysis {
 /// As asked for, or the one that costs less in all.
 std::unique_ptr<const Analysis> analyse(const SymmetricMatrix& J, Ordering ordering) {
   std::unique_ptr<const Analysis> by_degree;
-  const bool open = ordering == Ordering::automatic && J.size() < large;
+  const bool open = ordering == Ordering::automatic && J.size() < dissected_at_once;
   if (open || ordering == Ordering::amd) {
     by_degree = std::make_unique<Analysis>(J);
     const FactorForecast& forecast = by_degree->forecast();

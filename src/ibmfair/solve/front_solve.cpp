@@ -22,7 +22,7 @@ struct QuadOf<double> {
 };
 
 template <class Real>
-using Quad = typename QuadOf<Real>::type;
+using Quadruple = typename QuadOf<Real>::type;
 
 /// Rows of quads that fill 32 bytes, which loops over rows take at a time.
 template <class Real>
@@ -34,17 +34,17 @@ struct PackOf<float> {
 };
 template <>
 struct PackOf<double> {
-  using type = Quad<double>;
+  using type = Quadruple<double>;
   static constexpr Index rows = 1;
 };
 template <class Real>
 using Pack = typename PackOf<Real>::type;
 
 /// In every row of a pack the same quad.
-IBMFAIR_INLINE Pack<float> repeat(const Quad<float>& quad) {
+IBMFAIR_INLINE Pack<float> repeat(const Quadruple<float>& quad) {
   return __builtin_shufflevector(quad, quad, 0, 1, 2, 3, 0, 1, 2, 3);
 }
-IBMFAIR_INLINE Pack<double> repeat(const Quad<double>& quad) {
+IBMFAIR_INLINE Pack<double> repeat(const Quadruple<double>& quad) {
   return quad;
 }
 
@@ -53,7 +53,7 @@ IBMFAIR_INLINE Pack<double> repeat(const Quad<double>& quad) {
 IBMFAIR_INLINE Pack<float> spread(const float* numbers) {
   double both;
   std::memcpy(&both, numbers, sizeof both);
-  const Quad<double> copies = {both, both, both, both};
+  const Quadruple<double> copies = {both, both, both, both};
   Pack<float> pack;
   std::memcpy(&pack, &copies, sizeof pack);
   return __builtin_shufflevector(pack, pack, 0, 0, 0, 0, 5, 5, 5, 5);
@@ -63,11 +63,11 @@ IBMFAIR_INLINE double spread(const double* number) {
 }
 
 /// The sum of the rows of a pack.
-IBMFAIR_INLINE Quad<float> sum(const Pack<float>& pack) {
+IBMFAIR_INLINE Quadruple<float> sum_of_rows(const Pack<float>& pack) {
   return __builtin_shufflevector(pack, pack, 0, 1, 2, 3) +
          __builtin_shufflevector(pack, pack, 4, 5, 6, 7);
 }
-IBMFAIR_INLINE Quad<double> sum(const Pack<double>& pack) {
+IBMFAIR_INLINE Quadruple<double> sum_of_rows(const Pack<double>& pack) {
   return pack;
 }
 
@@ -76,12 +76,12 @@ template <class Real>
 class QuadList {
  public:
   IBMFAIR_INLINE explicit QuadList(Real* numbers) : numbers_(numbers) {}
-  IBMFAIR_INLINE Quad<Real> get(Index i) const {
-    Quad<Real> quad;
+  IBMFAIR_INLINE Quadruple<Real> get(Index i) const {
+    Quadruple<Real> quad;
     std::memcpy(&quad, numbers_ + 4 * std::size_t(i), sizeof quad);
     return quad;
   }
-  IBMFAIR_INLINE void set(Index i, const Quad<Real>& quad) {
+  IBMFAIR_INLINE void set(Index i, const Quadruple<Real>& quad) {
     std::memcpy(numbers_ + 4 * std::size_t(i), &quad, sizeof quad);
   }
   IBMFAIR_INLINE Pack<Real> pack(Index i) const {
@@ -162,8 +162,8 @@ struct Backward {
         P += spread(a + i) * w, Q += spread(b + i) * w;
         R += spread(c + i) * w, S += spread(d + i) * w;
       }
-      auto p = W.get(j) - sum(P), q = W.get(j + 1) - sum(Q);
-      auto r = W.get(j + 2) - sum(R), s = W.get(j + 3) - sum(S);
+      auto p = W.get(j) - sum_of_rows(P), q = W.get(j + 1) - sum_of_rows(Q);
+      auto r = W.get(j + 2) - sum_of_rows(R), s = W.get(j + 3) - sum_of_rows(S);
       for (; i < rows; ++i) {
         const auto w = W.get(i);
         p -= a[i] * w, q -= b[i] * w, r -= c[i] * w, s -= d[i] * w;
