@@ -44,6 +44,17 @@ TEST(Cholesky, SolvesUnderEveryOrdering) {
   }
 }
 
+/// Nested dissection is looked for only where there is much to save.
+TEST(Cholesky, AutomaticOrderingGoesByWhatMinimumDegreeLeaves) {
+  const SymmetricMatrix thin =
+      example(State(make_shape("torus", {.ratio = 40, .rows = 20, .columns = 1000})));
+  EXPECT_EQ(SymbolicCholesky(thin).forecast().ordering, "AMD");
+  const SymmetricMatrix compact = example(State(make_shape("icosphere", {.subdivide = 6})));
+  const FactorForecast chosen = SymbolicCholesky(compact).forecast();
+  EXPECT_EQ(chosen.ordering, "METIS");
+  EXPECT_LT(chosen.flops, 0.7 * SymbolicCholesky(compact, Ordering::amd).forecast().flops);
+}
+
 TEST(Cholesky, Float32SolvesToItsPrecisionWhateverTheScaleOfTheRows) {
   for (const auto& [name, mesh] : all_meshes()) {
     SymmetricMatrix J = example(State(mesh));
