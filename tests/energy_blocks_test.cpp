@@ -1,7 +1,5 @@
 // Meshes of several blocks, whose triangles are shared out among threads.
 #include <algorithm>
-#include <numeric>
-#include <random>
 
 #include <gtest/gtest.h>
 
@@ -12,32 +10,10 @@
 #include "ibmfair/shapes/grids.h"
 #include "ibmfair/shapes/noise.h"
 #include "ibmfair/shapes/polyhedra.h"
+#include "support/renumbered.h"
 
 namespace ibmfair::test {
 namespace {
-
-std::vector<Index> permutation(Eigen::Index size, unsigned seed) {
-  std::vector<Index> order(static_cast<std::size_t>(size));
-  std::iota(order.begin(), order.end(), 0);
-  std::mt19937 generator(seed);
-  for (std::size_t i = order.size(); i > 1; --i) {
-    std::swap(order[i - 1], order[generator() % i]);
-  }
-  return order;
-}
-
-/// Vertex v becomes vertex number[v]; triangles, too, stand in another order.
-TriangleMesh renumbered(const TriangleMesh& mesh, const std::vector<Index>& number) {
-  TriangleMesh other = mesh;
-  for (Index v = 0; v < mesh.X.rows(); ++v) {
-    other.X.row(number[v]) = mesh.X.row(v);
-  }
-  other.F = mesh.F(permutation(mesh.F.rows(), 5), Eigen::all);
-  for (Index& corner : other.F.reshaped()) {
-    corner = number[corner];
-  }
-  return other;
-}
 
 TriangleMesh rough_torus() {
   GridSize size;

@@ -5,7 +5,6 @@
 #include <array>
 #include <cmath>
 #include <numeric>
-#include <random>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -16,20 +15,11 @@
 #include "ibmfair/mesh/geometry.h"
 #include "ibmfair/shapes/grids.h"
 #include "ibmfair/shapes/noise.h"
+#include "support/renumbered.h"
 #include "support/states.h"
 
 namespace ibmfair::test {
 namespace {
-
-std::vector<Index> shuffled_numbers(Eigen::Index count, unsigned seed) {
-  std::vector<Index> numbers(static_cast<std::size_t>(count));
-  std::iota(numbers.begin(), numbers.end(), 0);
-  std::mt19937 generator(seed);
-  for (std::size_t i = numbers.size(); i > 1; --i) {
-    std::swap(numbers[i - 1], numbers[generator() % i]);
-  }
-  return numbers;
-}
 
 TriangleMesh noisy_torus(Index rows, Index columns) {
   GridSize size;
@@ -60,13 +50,8 @@ struct Shuffled {
 };
 
 Shuffled shuffled(const TriangleMesh& mesh) {
-  Shuffled result{mesh, shuffled_numbers(mesh.X.rows(), 3)};
-  result.mesh.X(result.number, Eigen::all) = mesh.X;
-  result.mesh.F = mesh.F(shuffled_numbers(mesh.F.rows(), 4), Eigen::all);
-  for (Index& corner : result.mesh.F.reshaped()) {
-    corner = result.number[corner];
-  }
-  return result;
+  const std::vector<Index> number = permutation(mesh.X.rows(), 3);
+  return {renumbered(mesh, number), number};
 }
 
 State state_of(const TriangleMesh& mesh) {
@@ -106,11 +91,9 @@ TEST(LocalMesh, IsTheSameMesh) {
   const std::vector<Index>& vertex = local.vertex;
   std::vector<Index> all = vertex;
   std::sort(all.begin(), all.end());
-  EXPECT_EQ(all, [&] {
-    std::vector<Index> numbers(static_cast<std::size_t>(topology.vertex_count));
-    std::iota(numbers.begin(), numbers.end(), 0);
-    return numbers;
-  }());
+  std::vector<Index> numbers(static_cast<std::size_t>(topology.vertex_count));
+  std::iota(numbers.begin(), numbers.end(), 0);
+  EXPECT_EQ(all, numbers);
   for (Index i = 0; i < topology.vertex_count; ++i) {
     const Index v = vertex[i];
     ASSERT_EQ(local.X.row(i), state.X.row(v));
