@@ -154,8 +154,9 @@ IBMFAIR_INLINE void scatter_add_balanced(const Lanes3& b, const Lanes3& c, doubl
 IBMFAIR_INLINE void store_rows(const Lanes3& a, const Lanes& w, double* rows) {
   Lanes row[lane_count];
   rows_of(a, w, row);
-  for (int i = 0; i < lane_count; ++i) {
-    std::memcpy(rows + lane_count * i, &row[i], sizeof row[i]);
+  for (const Lanes& four : row) {
+    std::memcpy(rows, &four, sizeof four);
+    rows += lane_count;
   }
 }
 

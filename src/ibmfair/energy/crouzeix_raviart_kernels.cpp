@@ -60,6 +60,7 @@ struct HingeKernel {
   IBMFAIR_INLINE static double run(const Index* x, const Index* neighbours, std::int64_t own_groups,
                                    std::int64_t groups, double inverse_bound, BlockVertex* vertices,
                                    const BlockRow* triangles) {
+    constexpr std::int64_t group_size = std::int64_t{lane_count} * row_size;
     constexpr Index consecutive[lane_count] = {0, row_size, 2 * row_size, 3 * row_size};
     const double *X = &vertices->x.x, *T = &triangles->x;
     Lanes E = {};
@@ -71,7 +72,7 @@ struct HingeKernel {
         const Lanes3 x0 = gather(X, corner).xyz, x1 = gather(X, corner + 4).xyz;
         const Lanes3 x2 = gather(X, corner + 8).xyz;
         const Lanes3 e0 = x2 - x1, e1 = x0 - x2, e2 = x1 - x0;
-        const Lanes4 own = gather(T + lane_count * row_size * g, consecutive);
+        const Lanes4 own = gather(T + group_size * g, consecutive);
         Derivatives d;
         const Lanes3 f0 = d.add(e0, own, gather(T, neighbour), inverse_bound);
         const Lanes3 f1 = d.add(e1, own, gather(T, neighbour + 4), inverse_bound);
