@@ -272,7 +272,7 @@ std::string remark_on(const SmoothFigures& figures, const std::string& output,
     case FlowStatus::stalled:
       return fmt::format(
           "the flow stalled before its time was up; the state that it reached was written: "
-          "smoothed up to a length of {:.4g} instead of {:.4g}",  // the fourth root of the time
+          "smoothed up to a length of {:.4g} instead of {:.4g}",
           figures.cutoff * std::pow(figures.flow.time_reached / figures.total_time, 0.25),
           figures.cutoff);
     case FlowStatus::diverged:

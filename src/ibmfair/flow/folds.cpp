@@ -49,12 +49,14 @@ std::vector<std::uint8_t> folded_hinges(const Points& X, const Topology& topolog
 
 FoldWatch::FoldWatch(const Points& X, const Topology& topology, const Unknowns& unknowns)
     : topology_(topology), normals_(static_cast<std::size_t>(topology.F.rows())) {
+  const std::vector<std::uint8_t> folded = folded_hinges(X, topology);
   std::vector<std::uint8_t> listed(normals_.size(), 0);
   for (Index h = 0; h < topology.H.rows(); ++h) {
     const auto x = topology.H.row(h);
     if (std::any_of(x.begin(), x.end(), [&](Index v) { return unknowns.unknown[v] >= 0; })) {
       hinges_.push_back(h);
       turned_.push_back(is_turned(topology, h) ? 1 : 0);
+      known_.push_back(folded[h]);
       for (const Index t : topology.hinge_triangles.row(h)) {
         if (!listed[t]) {
           listed[t] = 1;
@@ -62,10 +64,6 @@ FoldWatch::FoldWatch(const Points& X, const Topology& topology, const Unknowns& 
         }
       }
     }
-  }
-  find_normals(X);
-  for (std::size_t i = 0; i < hinges_.size(); ++i) {
-    known_.push_back(is_folded_now(i) ? 1 : 0);
   }
   folded_.resize(hinges_.size());
 }

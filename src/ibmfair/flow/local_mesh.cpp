@@ -1,7 +1,6 @@
 #include "ibmfair/flow/local_mesh.h"
 
 #include <algorithm>
-#include <numeric>
 #include <utility>
 
 #include "ibmfair/base/parallel.h"

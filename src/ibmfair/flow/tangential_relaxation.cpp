@@ -1,9 +1,8 @@
 #include "ibmfair/flow/tangential_relaxation.h"
 
-#include <algorithm>
-
 #include "ibmfair/base/parallel.h"
 #include "ibmfair/mesh/geometry.h"
+#include "ibmfair/mesh/select.h"
 
 namespace ibmfair {
 namespace {
@@ -27,13 +26,12 @@ TangentialRelaxation::TangentialRelaxation(const Topology& topology, const Rows&
     : topology_(topology), rings_(rings), unknowns_(unknowns), parts_(parts), unfolds_(unfolds) {
   normals_ = Points::Zero(topology.vertex_count, 3);
   left_ = PerVertex::Zero(topology.vertex_count);
-  const auto moves = [&](Index v) { return unknowns.unknown[v] >= 0; };
+  std::vector<std::uint8_t> near(static_cast<std::size_t>(topology.vertex_count));
   for (Index v = 0; v < topology.vertex_count; ++v) {
-    const auto ring = rings[v];
-    if (moves(v) || std::any_of(ring.begin(), ring.end(), moves)) {
-      near_.push_back(v);
-    }
+    near[v] = unknowns.unknown[v] >= 0 ? 1 : 0;
   }
+  near = grow_one_ring(topology, near);
+  near_ = indices_where(topology.vertex_count, [&](Index v) { return near[v] != 0; });
 }
 
 void TangentialRelaxation::moves(const Points& X, Points& move) {

@@ -76,21 +76,16 @@ template <class Real>
 class QuadList {
  public:
   IBMFAIR_INLINE explicit QuadList(Real* numbers) : numbers_(numbers) {}
-  IBMFAIR_INLINE Quadruple<Real> get(Index i) const {
-    Quadruple<Real> quad;
-    std::memcpy(&quad, numbers_ + 4 * std::size_t(i), sizeof quad);
-    return quad;
+  /// The quad at i, or the pack from there on.
+  template <class Rows = Quadruple<Real>>
+  IBMFAIR_INLINE Rows get(Index i) const {
+    Rows rows;
+    std::memcpy(&rows, numbers_ + 4 * std::size_t(i), sizeof rows);
+    return rows;
   }
-  IBMFAIR_INLINE void set(Index i, const Quadruple<Real>& quad) {
-    std::memcpy(numbers_ + 4 * std::size_t(i), &quad, sizeof quad);
-  }
-  IBMFAIR_INLINE Pack<Real> pack(Index i) const {
-    Pack<Real> pack;
-    std::memcpy(&pack, numbers_ + 4 * std::size_t(i), sizeof pack);
-    return pack;
-  }
-  IBMFAIR_INLINE void set_pack(Index i, const Pack<Real>& pack) {
-    std::memcpy(numbers_ + 4 * std::size_t(i), &pack, sizeof pack);
+  template <class Rows>
+  IBMFAIR_INLINE void set(Index i, const Rows& rows) {
+    std::memcpy(numbers_ + 4 * std::size_t(i), &rows, sizeof rows);
   }
 
  private:
@@ -118,8 +113,9 @@ struct Forward {
       const auto P = repeat(p), Q = repeat(q), R = repeat(r), S = repeat(s);
       Index i = j + 4;
       for (; i + pack_rows <= rows; i += pack_rows) {
-        W.set_pack(i, W.pack(i) - (spread(a + i) * P + spread(b + i) * Q + spread(c + i) * R +
-                                   spread(d + i) * S));
+        const auto w = W.template get<Pack<Real>>(i);
+        W.set(i,
+              w - (spread(a + i) * P + spread(b + i) * Q + spread(c + i) * R + spread(d + i) * S));
       }
       for (; i < rows; ++i) {
         W.set(i, W.get(i) - (a[i] * p + b[i] * q + c[i] * r + d[i] * s));
@@ -158,7 +154,7 @@ struct Backward {
       Pack<Real> P = {}, Q = {}, R = {}, S = {};
       Index i = j + 4;
       for (; i + pack_rows <= rows; i += pack_rows) {
-        const auto w = W.pack(i);
+        const auto w = W.template get<Pack<Real>>(i);
         P += spread(a + i) * w, Q += spread(b + i) * w;
         R += spread(c + i) * w, S += spread(d + i) * w;
       }
