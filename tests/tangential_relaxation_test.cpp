@@ -86,6 +86,49 @@ TEST(TangentialRelaxation, LaysSpikesDown) {
   }
 }
 
+TEST(TangentialRelaxation, FindsTheCornersOfNeedlesAlone) {
+  for (const char* shape : {"icosphere", "torus"}) {
+    State state = made(shape);
+    const Unknowns unknowns(held_vertices(state.topology, BoundaryCondition::fixed));
+    const Rows rings = vertex_rings(state.topology);
+    TangentialRelaxation relaxation(state.topology, rings, unknowns, MeshParts::one(), true);
+    Points all, move;
+    EXPECT_FALSE(relaxation.moves_at_needles(state.X, move)) << shape;
+    const Index triangle = 50;
+    state.X = with_needle(state, triangle, 0.003);
+    ASSERT_TRUE(relaxation.moves_at_needles(state.X, move)) << shape;
+    relaxation.moves(state.X, all);
+    for (Index v = 0; v < state.X.rows(); ++v) {
+      const bool at_needle = (state.topology.F.row(triangle).array() == v).any();
+      EXPECT_TRUE(move.row(v) == (at_needle ? Vec3(all.row(v)) : Vec3(Vec3::Zero())).transpose())
+          << shape << ", vertex " << v;
+    }
+  }
+}
+
+TEST(TangentialRelaxation, KeepsNeedlesFromMagnifyingRounding) {
+  for (const char* shape : {"icosphere", "torus"}) {
+    for (const bool keep_volume : {false, true}) {
+      State state = made(shape);
+      state.X = shaken(state, 0.2);
+      for (const Index triangle : {50, 333, 700}) {
+        state.X = with_needle(state, triangle, 1e-9);
+      }
+      State rounded = state;
+      rounded.X = rounded.X.unaryExpr([](double x) { return std::nextafter(x, 2 * x); });
+      FlowOptions options;
+      options.keep_volume = keep_volume;
+      options.solver_tolerance = 1e-12;
+      const FlowRun one = run_flow(state, 6, options), other = run_flow(rounded, 6, options);
+      EXPECT_EQ(one.report.status, FlowStatus::completed) << shape;
+      EXPECT_LT((one.X - other.X).cwiseAbs().maxCoeff(), 1e-9) << shape;
+      const Triangles& F = state.topology.F;
+      const double change = enclosed_volume(one.X, F) / enclosed_volume(state.X, F) - 1;
+      EXPECT_EQ(std::abs(change) < 1e-12, keep_volume) << shape << ": " << change;
+    }
+  }
+}
+
 TEST(TangentialRelaxation, LetsNoFlapsOfNoiseSurviveTheFlow) {
   for (const char* shape : {"icosphere", "torus"}) {
     State state = made(shape);

@@ -60,6 +60,15 @@ TEST_F(Ranks, AllMeshesOfTheTestsEndAsOnOneProcess) {
   }
 }
 
+TEST_F(Ranks, NeedlesDoNotTellThemApart) {
+  Mesh mesh = in_triangles(noisy_torus());
+  mesh.X = with_needle(State(mesh), 50, 1e-9);
+  const std::string input = file_of(mesh);
+  for (const int ranks : {1, 2, 3}) {
+    expect_the_same(input, {"--steps", "4"}, ranks, "needle");
+  }
+}
+
 TEST_F(Ranks, EveryOptionOfTheFlowMeansTheSame) {
   const std::string torus = file_of(noisy_torus(), "torus.ply");
   const std::string sheet = file_of(noisy_sheet(), "sheet.ply");

@@ -38,4 +38,15 @@ inline Points shaken(const State& state, double amount, unsigned seed = 2) {
                        random_directions(state.X.rows(), seed);
 }
 
+/// `X` with a corner of a triangle moved to this many lengths of the opposite side from it: the
+/// triangle's smallest angle is about twice that.
+inline Points with_needle(const State& state, Index triangle, double height) {
+  Points X = state.X;
+  const auto corners = state.topology.F.row(triangle);
+  const Vec3 a = X.row(corners[0]), b = X.row(corners[1]), c = X.row(corners[2]);
+  const Vec3 foot = (b + c) / 2;
+  X.row(corners[0]) = foot + height * (c - b).norm() * (a - foot).normalized();
+  return X;
+}
+
 }  // namespace ibmfair::test

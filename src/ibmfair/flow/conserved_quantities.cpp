@@ -120,6 +120,7 @@ ConservedQuantities::ConservedQuantities(const Points& X, const Topology& topolo
                       ? "volume and area can be kept on closed meshes only; this one has holes"
                       : "volume and area can be kept on meshes with two sides only");
   }
+  linearise(X, [](const Points& B, Points& Y) { Y = B; });
 }
 
 void ConservedQuantities::linearise(const Points& X, const Solve& solve) {

@@ -27,7 +27,8 @@ class ConservedQuantities {
   /// Y = J^-1 B, one row per unknown.
   using Solve = std::function<void(const Points& B, Points& Y)>;
 
-  /// Takes A and J^-1 A at the state X, from which steps start.
+  /// Takes A and J^-1 A at the state X, from which steps start. Before the first one, J is the
+  /// identity.
   void linearise(const Points& X, const Solve& solve);
 
   /// Makes the step one that keeps the quantities in first order.

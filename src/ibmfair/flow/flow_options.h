@@ -41,7 +41,9 @@ struct FlowOptions {
   double total_time = 0;      ///< in the flow's unit; positive
   int newton_iterations = 1;  ///< per step; 1 is the semi-implicit scheme
   bool guarded = true;        ///< false: the scheme of [W07] as published
-  bool relax = true;          ///< a sweep of tangential relaxation after each guarded step
+  /// A sweep of tangential relaxation after each guarded step, and before the first one where there
+  /// are needles.
+  bool relax = true;
   double max_move = std::numeric_limits<double>::infinity();  ///< from the start, length
   std::string solver = "auto";  ///< a name from jacobian_backends(), or "auto"
   /// Of the residual, for iterative solvers; below 1. Below 1e-4 factors are float64.

@@ -51,6 +51,7 @@ class GuardedFlow {
     // Each step either takes time off or makes the next one easier; the bound is for meshes on
     // which that goes on for longer than anyone would wait.
     const int most_solves = 200 + 20 * p_.options.steps;
+    relax_needles();
     start_short();
     while (left_ > 1e-9 * p_.options.total_time) {
       if (h_ < smallest_time_step * h_target_ || p_.report.solves >= most_solves) {
@@ -64,6 +65,20 @@ class GuardedFlow {
   }
 
  private:
+  /// Where there are needles, most of the Jacobian's digits go to entries that belong to them, and
+  /// what rounding leaves of their neighbours' moves them by chance.
+  void relax_needles() {
+    p_.update_gradient();
+    if (!p_.options.relax || p_.energy() == 0) {
+      return;
+    }
+    const Stopwatch watch(p_.report.seconds.relax);
+    if (relaxation_.moves_at_needles(p_.X, move_)) {
+      energy_before_step_ = p_.energy();
+      sweep();
+    }
+  }
+
   /// Noise is gone long before a ripple at the cut-off is. A long step, linear as it is, would take
   /// the force that noise has on the shape, in second order, for one that lasts: noisy scans would
   /// swell.
@@ -295,18 +310,20 @@ class GuardedFlow {
     p_.move_to(Y_);
   }
 
-  /// One sweep of tangential relaxation, shortened until the energy stays below that before the
-  /// step.
   void relax() {
     if (!p_.options.relax) {
       return;
     }
     const Stopwatch watch(p_.report.seconds.relax);
-    Points move;
-    relaxation_.moves(p_.X, move);
-    for (int i = 0; i <= backtracks; ++i, move /= 2) {
+    relaxation_.moves(p_.X, move_);
+    sweep();
+  }
+
+  /// Moves by `move_`, shortened until the energy is no more than before the step.
+  void sweep() {
+    for (int i = 0; i <= backtracks; ++i, move_ /= 2) {
       std::int64_t withheld = 0;
-      if (displace(move, withheld)) {
+      if (displace(move_, withheld)) {
         const double energy = p_.try_state(Y_);
         if (energy <= energy_before_step_) {
           p_.report.energy_after = energy;

@@ -1,5 +1,7 @@
 #include "ibmfair/flow/tangential_relaxation.h"
 
+#include <numbers>
+
 #include "ibmfair/base/parallel.h"
 #include "ibmfair/mesh/geometry.h"
 #include "ibmfair/mesh/select.h"
@@ -17,6 +19,8 @@ double left_around_edge(double left) {
   return 3 * left / (2 + left);
 }
 constexpr double more_left = 1.02;  // times that, where the neighbours are no wedge
+
+constexpr double needle = std::numbers::pi / 180;  // the smallest angle of wider triangles
 
 }  // namespace
 
@@ -54,6 +58,26 @@ void TangentialRelaxation::moves(const Points& X, Points& move) {
     }
     move.row(u) = step;
   });
+}
+
+bool TangentialRelaxation::moves_at_needles(const Points& X, Points& move) {
+  const Eigen::VectorXd angles = smallest_angles(X, topology_.F);
+  const std::vector<Index> needles =
+      indices_where(angles.size(), [&](Index t) { return angles[t] < needle; });
+  if (!parts_.any(!needles.empty())) {
+    return false;
+  }
+  Points all;
+  moves(X, all);
+  move = Points::Zero(all.rows(), 3);
+  for (const Index t : needles) {
+    for (const Index v : topology_.F.row(t)) {
+      if (const Index u = unknowns_.unknown[v]; u >= 0 && u < unknowns_.size()) {
+        move.row(u) = all.row(u);
+      }
+    }
+  }
+  return true;
 }
 
 void TangentialRelaxation::find_normals(const Points& X) {

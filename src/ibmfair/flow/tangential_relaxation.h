@@ -26,6 +26,10 @@ class TangentialRelaxation {
   /// neighbours, projected off the area-weighted vertex normal unless the vertex sticks out.
   void moves(const Points& X, Points& move);
 
+  /// The same for the corners of needles, triangles with an angle of less than a degree; zero for
+  /// all others. False, and nothing done, where no part of the mesh has any.
+  bool moves_at_needles(const Points& X, Points& move);
+
  private:
   void find_normals(const Points& X);
 
