@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -283,6 +284,39 @@ TEST(Flow, MaxMoveIsHeldFarFromTheOriginToo) {
     const double largest = (X - state.X).rowwise().norm().maxCoeff();
     EXPECT_LE(largest, 0.01);
     EXPECT_GT(largest, 0.009);
+  }
+}
+
+/// Triangles that shrink toward a point take conjugate gradients many more iterations than most of
+/// the mesh lets expect.
+TEST(Flow, FactorsWhereIterationsTurnOutToBeMany) {
+  const State regular(shape("icosphere", 4));
+  State graded = regular;
+  constexpr double radius = 0.6;  // of the part that is drawn together, radians
+  for (auto x : graded.X.rowwise()) {
+    const double angle = std::acos(std::clamp(x[2], -1.0, 1.0));
+    if (angle > 0 && angle < radius) {
+      const double nearer = radius * std::pow(angle / radius, 4);
+      x.head<2>() *= std::sin(nearer) / std::sin(angle);
+      x[2] = std::cos(nearer);
+    }
+  }
+  for (const char* laplacian : {"lagrange", "crouzeix-raviart"}) {
+    const auto run = [&](const State& state, const char* solver) {
+      FlowOptions options;
+      options.laplacian = laplacian;
+      options.solver = solver;
+      Points X = shaken(state, 0.02);
+      return willmore_flow(X, state.topology, hold(state), options_for(state, 4, options));
+    };
+    const FlowReport mixed = run(graded, "auto"), iterative = run(graded, "cg");
+    EXPECT_EQ(mixed.solver, "cholmod") << laplacian;
+    EXPECT_GT(mixed.factorizations, 0) << laplacian;
+    EXPECT_GT(mixed.iterations, 0) << laplacian;
+    EXPECT_LT(mixed.iterations, iterative.iterations / 2) << laplacian;
+    EXPECT_EQ(mixed.status, FlowStatus::completed) << laplacian;
+    EXPECT_NEAR(mixed.energy_after / iterative.energy_after, 1, 0.05) << laplacian;
+    EXPECT_EQ(run(regular, "auto").solver, "cg") << laplacian;
   }
 }
 

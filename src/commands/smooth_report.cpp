@@ -106,9 +106,12 @@ std::string curve(const FlowReport& flow) {
 
 /// What the linear systems took.
 std::string effort(const FlowReport& flow) {
-  return flow.iterations > 0 ? fmt::format("{} iterations", flow.iterations)
-                             : fmt::format("{} factorization{}", flow.factorizations,
-                                           flow.factorizations == 1 ? "" : "s");
+  const std::string factorizations =
+      fmt::format("{} factorization{}", flow.factorizations, flow.factorizations == 1 ? "" : "s");
+  return flow.iterations == 0 ? factorizations
+         : flow.factorizations == 0
+             ? fmt::format("{} iterations", flow.iterations)
+             : fmt::format("{} iterations, {}", flow.iterations, factorizations);
 }
 
 /// What a run that goes on from here measures from here, although it means the start.

@@ -12,6 +12,10 @@
 namespace ibmfair {
 namespace {
 
+/// Of the seconds forecast for a backend without a factor, to compare: where it takes more, one
+/// with a factor follows before long (Jacobian::reconsider), where less, nobody would know.
+constexpr double doubt = 0.5;
+
 bool fits(const SolverForecast& forecast, const FlowOptions& options) {
   const bool allowed =
       std::isinf(options.memory_limit) || resident_bytes() + forecast.bytes <= options.memory_limit;
@@ -51,9 +55,10 @@ const JacobianBackend& choose_backend(const JacobianShape& shape, const Jacobian
   double least_seconds = 0, least_bytes = std::numeric_limits<double>::infinity();
   for (const JacobianBackend& backend : jacobian_backends()) {
     const SolverForecast forecast = backend.forecast(shape, parts);
-    if (fits(forecast, shape.options) && (best == nullptr || forecast.seconds < least_seconds)) {
+    const double seconds = (backend.has_factor ? 1 : doubt) * forecast.seconds;
+    if (fits(forecast, shape.options) && (best == nullptr || seconds < least_seconds)) {
       best = &backend;
-      least_seconds = forecast.seconds;
+      least_seconds = seconds;
     }
     if (forecast.bytes < least_bytes) {
       smallest = &backend;
@@ -66,13 +71,28 @@ const JacobianBackend& choose_backend(const JacobianShape& shape, const Jacobian
   return *best;
 }
 
+const JacobianBackend* cheaper_backend(const JacobianShape& shape, const JacobianParts& parts,
+                                       double seconds) {
+  if (shape.options.solver != "auto" || !shape.options.guarded) {
+    return nullptr;
+  }
+  for (const JacobianBackend& backend : jacobian_backends()) {
+    if (backend.has_factor) {
+      const SolverForecast forecast = backend.forecast(shape, parts);
+      if (forecast.seconds < seconds && fits(forecast, shape.options)) {
+        return &backend;
+      }
+    }
+  }
+  return nullptr;
+}
+
 const JacobianBackend* without_factor(const JacobianShape& shape, const JacobianParts& parts) {
   if (shape.options.solver != "auto" || !shape.options.guarded) {
     return nullptr;
   }
   for (const JacobianBackend& backend : jacobian_backends()) {
-    const SolverForecast forecast = backend.forecast(shape, parts);
-    if (forecast.factor_entries == 0 && fits(forecast, shape.options)) {
+    if (!backend.has_factor && fits(backend.forecast(shape, parts), shape.options)) {
       return &backend;
     }
   }

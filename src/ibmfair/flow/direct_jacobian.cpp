@@ -21,10 +21,10 @@ constexpr double widest_float32 = 1e6;
 
 // Seconds on one core of a machine of 2023; only their ratios matter. tools/solver_table prints
 // what they were chosen by, here and in iterative_jacobian.cpp.
-constexpr double ordering_per_unknown = 5.5e-6;
-constexpr double per_flop = 1 / 20e9;  // of the factorization, float32
-constexpr double per_entry = 8 / 5e9;  // of the factor, read twice in each solve
-constexpr double renewals = 5;         // of the guarded flow, where the mesh is noisy
+constexpr double ordering_per_unknown = 2e-6;  // minimum degree; dissection takes thrice that
+constexpr double per_flop = 1 / 20e9;          // of the factorization, float32
+constexpr double per_entry = 8 / 5e9;          // of the factor, read twice in each solve
+constexpr double renewals = 5;                 // of the guarded flow, where the mesh is noisy
 
 // Bytes, as seen on tori of 41 and 164 thousand vertices: the analysis and the assembled matrix,
 // and the factor, which may have to be float64, with what factoring it needs.

@@ -72,6 +72,7 @@ void Jacobian::refactor(const Points& X, double h) {
       throw;
     }
     take(*other);
+    settled_ = true;
     solver_->update(parts);
   }
   h_ = h;
@@ -82,6 +83,7 @@ void Jacobian::choose_solver(const JacobianParts& parts) {
     take(choose_backend(shape(), parts));
   } else {
     solver_ = parts_.make_solver(shape());
+    settled_ = true;
   }
 }
 
@@ -103,6 +105,31 @@ std::vector<BackendForecast> Jacobian::forecasts(const Points& X, double h) {
 void Jacobian::solve(const Points& B, Points& Y) {
   solver_->solve(B, Y);
   ++report_.solves;
+  if (!settled_) {
+    reconsider();
+  }
+}
+
+/// How many iterations a solve takes is hardly to be foreseen. Where they turn out to be so many
+/// that a factor for the steps that are left is cheaper, it follows.
+void Jacobian::reconsider() {
+  const int left = options_.steps - report_.solves;
+  const double seconds = solver_->seconds_of_last_solve() * left;
+  const JacobianParts parts{weights_, D_, h_};
+  const JacobianBackend* other = seconds > 0 ? cheaper_backend(shape(), parts, seconds) : nullptr;
+  if (other == nullptr) {
+    return;
+  }
+  settled_ = true;
+  const std::string last_name = report_.solver;
+  std::unique_ptr<JacobianSolver> last = std::move(solver_);
+  try {
+    take(*other);
+    solver_->update(parts);
+  } catch (const Error&) {  // too thin a triangle, or too little memory
+    report_.solver = last_name;
+    solver_ = std::move(last);
+  }
 }
 
 Eigen::VectorXd Jacobian::solve(const Eigen::VectorXd& b) {

@@ -20,7 +20,8 @@ class Jacobian {
 
   /// Takes `X` as the reference and `h` as the time step. Throws FactorizationFailed, OutOfMemory.
   /// The first call chooses the backend where the options leave that open; then one that has no
-  /// factor also follows one whose factorizations keep failing.
+  /// factor also follows one whose factorizations keep failing, and one that has a factor follows
+  /// one whose solves take too many iterations.
   void refactor(const Points& X, double h);
 
   /// Takes the metric at `X`, as `refactor` does, too.
@@ -54,6 +55,7 @@ class Jacobian {
   JacobianShape shape() const;
   void choose_solver(const JacobianParts& parts);
   void take(const JacobianBackend& backend);
+  void reconsider();
 
   BendingEnergy& energy_;
   const Topology& topology_;
@@ -66,6 +68,7 @@ class Jacobian {
   Eigen::VectorXd D_, damping_;
   double h_ = 0;
   int failures_ = 0;
+  bool settled_ = false;  // on this backend, whatever it takes
 };
 
 }  // namespace ibmfair

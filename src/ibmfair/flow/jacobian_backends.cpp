@@ -15,9 +15,10 @@ std::unique_ptr<JacobianSolver> make(const JacobianShape& shape) {
 }
 
 constexpr JacobianBackend backends[] = {
-    {"cholmod", "factored once, by CHOLMOD's analysis", make<DirectJacobian>, forecast_direct},
+    {"cholmod", "factored once, by CHOLMOD's analysis", make<DirectJacobian>, forecast_direct,
+     true},
     {"cg", "conjugate gradients without a factor: least memory", make<IterativeJacobian>,
-     forecast_iterative},
+     forecast_iterative, false},
 };
 
 }  // namespace

@@ -35,6 +35,10 @@ class JacobianSolver {
   /// energy.
   virtual void solve(const Points& B, Points& Y) = 0;
 
+  /// What one more solve like the last one takes on one core, counted, not timed; 0 where it takes
+  /// what was forecast.
+  virtual double seconds_of_last_solve() const { return 0; }
+
   /// From now on iterative solvers leave a residual of no more than `tolerance`.
   virtual void tighten(double /*tolerance*/) {}
 };
@@ -53,6 +57,7 @@ struct JacobianBackend {
   std::string_view summary;  ///< one line
   std::unique_ptr<JacobianSolver> (*make)(const JacobianShape& shape);
   SolverForecast (*forecast)(const JacobianShape& shape, const JacobianParts& parts);
+  bool has_factor;
 };
 
 /// All backends; options.solver names one of them, or "auto".
@@ -62,9 +67,14 @@ std::span<const JacobianBackend> jacobian_backends();
 const JacobianBackend& jacobian_backend(std::string_view name);
 
 /// The backend that options.solver names; for "auto", of those that fit into the memory the one
-/// that is predicted to take the least time for a Jacobian of these parts. Throws OutOfMemory where
-/// the named one, or none of them, fits.
+/// that is predicted to take the least time for a Jacobian of these parts, those without a factor
+/// half of it, as they can be left. Throws OutOfMemory where the named one, or none of them, fits.
 const JacobianBackend& choose_backend(const JacobianShape& shape, const JacobianParts& parts);
+
+/// A backend with a factor, where the options leave the choice open, it fits, and it is predicted
+/// to take less time than `seconds`; else null.
+const JacobianBackend* cheaper_backend(const JacobianShape& shape, const JacobianParts& parts,
+                                       double seconds);
 
 /// The backend without a factor, where the options leave the choice open and it fits; else null.
 /// Triangles with angles below 1e-8 are too much for a factor, not for the differences that such a
