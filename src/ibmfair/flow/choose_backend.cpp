@@ -71,29 +71,17 @@ const JacobianBackend& choose_backend(const JacobianShape& shape, const Jacobian
   return *best;
 }
 
-const JacobianBackend* cheaper_backend(const JacobianShape& shape, const JacobianParts& parts,
-                                       double seconds) {
+const JacobianBackend* other_backend(const JacobianShape& shape, const JacobianParts& parts,
+                                     bool has_factor, double seconds) {
   if (shape.options.solver != "auto" || !shape.options.guarded) {
     return nullptr;
   }
   for (const JacobianBackend& backend : jacobian_backends()) {
-    if (backend.has_factor) {
+    if (backend.has_factor == has_factor) {
       const SolverForecast forecast = backend.forecast(shape, parts);
       if (forecast.seconds < seconds && fits(forecast, shape.options)) {
         return &backend;
       }
-    }
-  }
-  return nullptr;
-}
-
-const JacobianBackend* without_factor(const JacobianShape& shape, const JacobianParts& parts) {
-  if (shape.options.solver != "auto" || !shape.options.guarded) {
-    return nullptr;
-  }
-  for (const JacobianBackend& backend : jacobian_backends()) {
-    if (!backend.has_factor && fits(backend.forecast(shape, parts), shape.options)) {
-      return &backend;
     }
   }
   return nullptr;

@@ -56,11 +56,11 @@ Points gradient_of(const Quantity& quantity, const Points& X, const Topology& to
   return gradient;
 }
 
-/// What rounding the coordinates can change: far from the origin, more than rounding the sum does.
-double coarseness_of(const Quantity& quantity, const Points& X, const Topology& topology,
-                     const Unknowns& unknowns) {
+/// What rounding the coordinates can change of a quantity with this gradient: far from the origin,
+/// more than rounding the sum does.
+double coarseness(const Points& gradient, const Points& X) {
   const double rounding = std::numeric_limits<double>::epsilon() * X.cwiseAbs().maxCoeff();
-  return rounding * gradient_of(quantity, X, topology, unknowns).cwiseAbs().sum();
+  return rounding * gradient.cwiseAbs().sum();
 }
 
 double inner(const Points& A, const Points& B) {
@@ -111,8 +111,7 @@ ConservedQuantities::ConservedQuantities(const Points& X, const Topology& topolo
   for (const Quantity& quantity : quantities) {
     if (options.*quantity.wanted) {
       const double target = quantity.value(X, topology.F);
-      kept_.push_back({&quantity, target,
-                       exact * std::abs(target) + coarseness_of(quantity, X, topology, unknowns)});
+      kept_.push_back({&quantity, target, exact * std::abs(target)});
     }
   }
   if (!kept_.empty() && !(topology.boundary_loops.empty() && topology.orientable)) {
@@ -121,6 +120,9 @@ ConservedQuantities::ConservedQuantities(const Points& X, const Topology& topolo
                       : "volume and area can be kept on meshes with two sides only");
   }
   linearise(X, [](const Points& B, Points& Y) { Y = B; });
+  for (std::size_t i = 0; i < kept_.size(); ++i) {
+    kept_[i].rounding += coarseness(A_[i], X);
+  }
 }
 
 void ConservedQuantities::linearise(const Points& X, const Solve& solve) {

@@ -108,7 +108,7 @@ struct FlowReport {
   double energy_before = 0, energy_after = 0;  ///< over the stencils that touch a free vertex
   double time_reached = 0;
   std::int64_t unknowns = 0;
-  std::string solver;  ///< the backend that was used
+  std::string solver;  ///< the backend that was used last
   int solves = 0, factorizations = 0, rejected = 0, shortened_relaxations = 0;
   int iterations = 0;  ///< of conjugate gradients, in all
   int twicings = 0;    ///< passes that were made

@@ -66,8 +66,9 @@ void Jacobian::refactor(const Points& X, double h) {
     solver_->update(parts);
   } catch (const FactorizationFailed&) {
     // With a shorter time step, which the flow tries next, the matrix may have a factor.
-    const JacobianBackend* other =
-        parts_.is_whole() && ++failures_ > patience ? without_factor(shape(), parts) : nullptr;
+    const JacobianBackend* other = parts_.is_whole() && ++failures_ > patience
+                                       ? other_backend(shape(), parts, false)
+                                       : nullptr;
     if (other == nullptr || other->name == report_.solver) {
       throw;
     }
@@ -116,7 +117,8 @@ void Jacobian::reconsider() {
   const int left = options_.steps - report_.solves;
   const double seconds = solver_->seconds_of_last_solve() * left;
   const JacobianParts parts{weights_, D_, h_};
-  const JacobianBackend* other = seconds > 0 ? cheaper_backend(shape(), parts, seconds) : nullptr;
+  const JacobianBackend* other =
+      seconds > 0 ? other_backend(shape(), parts, true, seconds) : nullptr;
   if (other == nullptr) {
     return;
   }

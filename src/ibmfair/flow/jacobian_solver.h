@@ -1,6 +1,7 @@
 // How systems with the Jacobian J = D + h S are solved. A new backend is one file and one row.
 #pragma once
 
+#include <limits>
 #include <memory>
 #include <span>
 #include <string_view>
@@ -71,14 +72,12 @@ const JacobianBackend& jacobian_backend(std::string_view name);
 /// half of it, as they can be left. Throws OutOfMemory where the named one, or none of them, fits.
 const JacobianBackend& choose_backend(const JacobianShape& shape, const JacobianParts& parts);
 
-/// A backend with a factor, where the options leave the choice open, it fits, and it is predicted
-/// to take less time than `seconds`; else null.
-const JacobianBackend* cheaper_backend(const JacobianShape& shape, const JacobianParts& parts,
-                                       double seconds);
-
-/// The backend without a factor, where the options leave the choice open and it fits; else null.
-/// Triangles with angles below 1e-8 are too much for a factor, not for the differences that such a
-/// backend takes.
-const JacobianBackend* without_factor(const JacobianShape& shape, const JacobianParts& parts);
+/// A backend with a factor, or one without, to go on with: where the options leave the choice open,
+/// it fits, and it is predicted to take less than `seconds` for all steps; else null.
+/// Triangles with angles below 1e-8 are too much for a factor, not for the differences that a
+/// backend without one takes.
+const JacobianBackend* other_backend(const JacobianShape& shape, const JacobianParts& parts,
+                                     bool has_factor,
+                                     double seconds = std::numeric_limits<double>::infinity());
 
 }  // namespace ibmfair
