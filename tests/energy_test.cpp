@@ -172,6 +172,33 @@ TEST_P(BendingEnergies, DoesNotDependOnOrientation) {
   }
 }
 
+TEST_P(BendingEnergies, LargestTurnIsThatOfTheSharpestHinge) {
+  for (const auto& [name, mesh] : all_meshes()) {
+    for (const Mesh& turned : {in_triangles(mesh), with_mixed_orientation(in_triangles(mesh))}) {
+      const State state(turned);
+      const auto energy = GetParam().bind(state.topology);
+      const double untold = energy->largest_turn();
+      for (const double amount : {0.05, 0.5}) {
+        const Points X = shaken(state, amount);
+        const Eigen::VectorXd theta = dihedral_angles(X, state.topology.H);
+        const double sharpest = theta.size() > 0 ? 1 + std::cos(theta.minCoeff()) : 0;
+        const double expected = std::isfinite(untold) ? sharpest : untold;
+        Points G;
+        energy->energy(X);
+        EXPECT_DOUBLE_EQ(energy->largest_turn() + 1, expected + 1) << name;
+        energy->energy_and_gradient(state.X, G);
+        energy->energy_and_gradient(X, G);
+        EXPECT_DOUBLE_EQ(energy->largest_turn() + 1, expected + 1) << name;
+      }
+    }
+  }
+}
+
+TEST(CrouzeixRaviart, TellsOfTurns) {
+  const State state(flat_sheet(3, 3));
+  EXPECT_EQ(bending_model("crouzeix-raviart").bind(state.topology, {})->largest_turn(), 0);
+}
+
 TEST_P(BendingEnergies, ActiveStencilsHaveTheWholeGradientAtActiveVertices) {
   for (const auto& [name, mesh] : good_meshes()) {
     const State state(mesh);

@@ -35,6 +35,16 @@ IBMFAIR_INLINE double sum(const Lanes& a) {
   return (a[0] + a[1]) + (a[2] + a[3]);
 }
 
+/// b where it is not a number.
+IBMFAIR_INLINE Lanes larger(const Lanes& a, const Lanes& b) {
+  return a > b ? a : b;
+}
+
+IBMFAIR_INLINE double largest(const Lanes& a) {
+  const double low = a[0] > a[1] ? a[0] : a[1], high = a[2] > a[3] ? a[2] : a[3];
+  return low > high ? low : high;
+}
+
 /// Four vectors of space.
 struct Lanes3 {
   Lanes x, y, z;

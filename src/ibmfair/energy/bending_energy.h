@@ -12,6 +12,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <span>
 #include <string>
@@ -80,6 +81,11 @@ class BendingEnergy {
 
   /// E_b(X), and its exact gradient (not assuming isometry) in G, #V x 3.
   virtual double energy_and_gradient(const Points& X, Points& G) = 0;
+
+  /// The largest 1 + cos(theta) that the last evaluation saw at a hinge: 0 where all are flat, 2
+  /// where one is folded over. Infinite for members that do not look at hinges; says nothing where
+  /// the energy was not finite.
+  virtual double largest_turn() const { return std::numeric_limits<double>::infinity(); }
 
   /// The vertices of each stencil.
   virtual const Rows& stencils() const = 0;

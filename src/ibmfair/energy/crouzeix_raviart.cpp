@@ -70,6 +70,7 @@ CrouzeixRaviart::CrouzeixRaviart(const Topology& topology, const EnergyOptions& 
   const std::vector<Index> hinges = active_hinges(topology, options.active);
   stencils_ = rows_of_four(topology.H, hinges);
   blocks_ = hinge_blocks(topology, hinges, options.own_triangles);
+  turns_.resize(blocks_.block.size());
 }
 
 double CrouzeixRaviart::block_energy(const MeshBlock& b, const Points& X, bool gradient,
@@ -83,8 +84,15 @@ double CrouzeixRaviart::block_energy(const MeshBlock& b, const Points& X, bool g
   const Index* corners = &blocks_.corners[b.first_corner];
   crouzeix_raviart_frames(corners, b.framed_groups, scratch.vertices.data(),
                           scratch.triangles.data());
-  return crouzeix_raviart_hinges(b, corners, &blocks_.neighbours[b.first_neighbour], terms_,
-                                 gradient, scratch.vertices.data(), scratch.triangles.data());
+  const HingeSums sums =
+      crouzeix_raviart_hinges(b, corners, &blocks_.neighbours[b.first_neighbour], terms_, gradient,
+                              scratch.vertices.data(), scratch.triangles.data());
+  turns_[&b - blocks_.block.data()] = sums.largest_turn;
+  return sums.energy;
+}
+
+double CrouzeixRaviart::largest_turn() const {
+  return turns_.empty() ? 0 : *std::max_element(turns_.begin(), turns_.end());
 }
 
 double CrouzeixRaviart::energy(const Points& X) {

@@ -14,6 +14,8 @@
 // bound u, not 1 + cos theta alone, leaves sharp hinges no force within the surface either.
 #pragma once
 
+#include <vector>
+
 #include "ibmfair/energy/bending_energy.h"
 #include "ibmfair/energy/block_loop.h"
 #include "ibmfair/energy/crouzeix_raviart_kernels.h"
@@ -27,6 +29,7 @@ class CrouzeixRaviart final : public BendingEnergy {
 
   double energy(const Points& X) override;
   double energy_and_gradient(const Points& X, Points& G) override;
+  double largest_turn() const override;
   const Rows& stencils() const override { return stencils_; }
   void linearise(const Points& X, StencilWeights& weights) override;
 
@@ -37,6 +40,7 @@ class CrouzeixRaviart final : public BendingEnergy {
   Rows stencils_;      // #H rows of four
   MeshBlocks blocks_;  // of the triangles at the hinges
   BlockLoop loop_;
+  std::vector<double> turns_;  // the largest of each block in the last evaluation
 };
 
 }  // namespace ibmfair

@@ -27,6 +27,7 @@ template <bool mass, bool gradient, bool bounded>
 struct HingeKernel {
   struct Derivatives {
     Lanes energy = {}, area = {};
+    Lanes turn = {};  // the largest |n - n'|^2
     Lanes3 normal = {};
 
     /// Returns that by the edge e, of which the other triangle contributes as much.
@@ -35,7 +36,9 @@ struct HingeKernel {
       Lanes k = mass ? 3.0 / (own.w + other.w) : Lanes{1, 1, 1, 1};
       const Lanes inverse_area = k;  // three times
       const Lanes3 d = own.xyz - other.xyz;
-      Lanes ks = 0.5 * k * dot(d, d);
+      const Lanes squared = dot(d, d);
+      turn = larger(turn, squared);
+      Lanes ks = 0.5 * k * squared;
       if (bounded) {
         const Lanes share = 1.0 / (1.0 + inverse_bound * dot(e, e) * ks);
         energy += dot(e, e) * ks * share;
@@ -57,13 +60,14 @@ struct HingeKernel {
     Lanes3 e1, e2, p, f1, f2;
   };
 
-  IBMFAIR_INLINE static double run(const Index* x, const Index* neighbours, std::int64_t own_groups,
-                                   std::int64_t groups, double inverse_bound, BlockVertex* vertices,
-                                   const BlockRow* triangles) {
+  IBMFAIR_INLINE static HingeSums run(const Index* x, const Index* neighbours,
+                                      std::int64_t own_groups, std::int64_t groups,
+                                      double inverse_bound, BlockVertex* vertices,
+                                      const BlockRow* triangles) {
     constexpr std::int64_t group_size = std::int64_t{lane_count} * row_size;
     constexpr Index consecutive[lane_count] = {0, row_size, 2 * row_size, 3 * row_size};
     const double *X = &vertices->x.x, *T = &triangles->x;
-    Lanes E = {};
+    Lanes E = {}, turn = {};
     Forces forces[run_length];
     for (std::int64_t first = 0; first < groups; first += run_length) {
       const std::int64_t last = first + run_length < groups ? first + run_length : groups;
@@ -77,6 +81,7 @@ struct HingeKernel {
         const Lanes3 f0 = d.add(e0, own, gather(T, neighbour), inverse_bound);
         const Lanes3 f1 = d.add(e1, own, gather(T, neighbour + 4), inverse_bound);
         const Lanes3 f2 = d.add(e2, own, gather(T, neighbour + 8), inverse_bound);
+        turn = larger(turn, d.turn);
         if (g < own_groups) {
           E += d.energy;
         }
@@ -95,7 +100,7 @@ struct HingeKernel {
         scatter_add_balanced(cross(p, e1) + f1, cross(p, e2) + f2, &vertices->sum.x, x + 12 * g);
       }
     }
-    return sum(E) / 2;
+    return {sum(E) / 2, largest(turn) / 2};
   }
 };
 
@@ -106,9 +111,9 @@ void crouzeix_raviart_frames(const Index* corners, std::int64_t groups, const Bl
   run<FrameKernel>(corners, groups, vertices, triangles);
 }
 
-double crouzeix_raviart_hinges(const MeshBlock& block, const Index* corners,
-                               const Index* neighbours, const HingeTerms& terms, bool gradient,
-                               BlockVertex* vertices, const BlockRow* triangles) {
+HingeSums crouzeix_raviart_hinges(const MeshBlock& block, const Index* corners,
+                                  const Index* neighbours, const HingeTerms& terms, bool gradient,
+                                  BlockVertex* vertices, const BlockRow* triangles) {
   const auto run_as = [&]<bool mass, bool with_gradient, bool bounded>() {
     return run<HingeKernel<mass, with_gradient, bounded>>(corners, neighbours, block.own_groups,
                                                           block.groups, terms.inverse_bound,

@@ -17,10 +17,15 @@ struct HingeTerms {
   double inverse_bound = 0;  ///< of the energy of a hinge; 0: none
 };
 
-/// The energy of the hinges of the first `own_groups`, half of it from either side. Adds its
-/// gradient from all `groups` to the sums of the vertices, if `gradient`.
-double crouzeix_raviart_hinges(const MeshBlock& block, const Index* corners,
-                               const Index* neighbours, const HingeTerms& terms, bool gradient,
-                               BlockVertex* vertices, const BlockRow* triangles);
+struct HingeSums {
+  double energy = 0;        ///< of the first `own_groups`, half of a hinge's from either side
+  double largest_turn = 0;  ///< 1 + cos(theta), of all `groups`
+};
+
+/// The sums over the hinges of a block. Adds the gradient of the energy from all `groups` to the
+/// sums of the vertices, if `gradient`.
+HingeSums crouzeix_raviart_hinges(const MeshBlock& block, const Index* corners,
+                                  const Index* neighbours, const HingeTerms& terms, bool gradient,
+                                  BlockVertex* vertices, const BlockRow* triangles);
 
 }  // namespace ibmfair

@@ -5,6 +5,7 @@
 #include "ibmfair/base/errors.h"
 #include "ibmfair/base/parallel.h"
 #include "ibmfair/base/stopwatch.h"
+#include "ibmfair/flow/folds.h"
 
 namespace ibmfair {
 namespace {
@@ -52,6 +53,10 @@ FlowProblem::FlowProblem(const Points& X_start, const Topology& mesh_topology,
 
 double FlowProblem::energy_at(const Points& Y) {
   return parts.sum(bending_->energy(Y));
+}
+
+bool FlowProblem::has_no_folds(double energy) const {
+  return std::isfinite(energy) && rules_out_folds(bending_->largest_turn());
 }
 
 void FlowProblem::update_gradient() {

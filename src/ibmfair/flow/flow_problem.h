@@ -37,6 +37,10 @@ class FlowProblem {
   double energy() const { return energy_; }
   double energy_at(const Points& Y);
 
+  /// Whether the last place whose energy was asked for, which was `energy`, has no folded hinges
+  /// here; where false, there may be some.
+  bool has_no_folds(double energy) const;
+
   /// Evaluates the energy and its gradient at the state, where they are not known.
   void update_gradient();
 

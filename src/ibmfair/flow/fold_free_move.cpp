@@ -2,26 +2,31 @@
 
 namespace ibmfair {
 
-FlowProblem::Landing displace_without_folds(const FlowProblem& problem, FoldWatch& folds,
-                                            Points& move, Points& Y, std::int64_t& withheld) {
+FoldFreeLanding displace_without_folds(const FlowProblem& problem, FoldWatch& folds, Points& move,
+                                       Points& Y,
+                                       const std::function<double(const Points&)>& energy_at) {
   constexpr int passes = 6;
+  FoldFreeLanding result;
   for (int pass = 0; pass < passes; ++pass) {
-    const FlowProblem::Landing landing = problem.displace(move, Y);
-    if (landing == FlowProblem::Landing::nowhere) {
-      return landing;
+    result.landing = problem.displace(move, Y);
+    if (!result.leads_somewhere()) {
+      return result;
     }
-    const std::vector<Index> folding = folds.new_folds(Y);
+    result.energy = energy_at(Y);
+    const std::vector<Index> folding =
+        problem.has_no_folds(result.energy) ? std::vector<Index>() : folds.new_folds(Y);
     if (!problem.parts.any(!folding.empty())) {
-      return landing;
+      return result;
     }
     for (const Index v : folding) {
       if (const Index u = problem.unknowns.unknown[v]; u >= 0 && u < problem.unknowns.size()) {
         move.row(u).setZero();
-        ++withheld;
+        ++result.withheld;
       }
     }
   }
-  return FlowProblem::Landing::nowhere;
+  result.landing = FlowProblem::Landing::nowhere;
+  return result;
 }
 
 }  // namespace ibmfair

@@ -47,6 +47,11 @@ std::vector<std::uint8_t> folded_hinges(const Points& X, const Topology& topolog
   return folded;
 }
 
+bool rules_out_folds(double largest_turn) {
+  static const double safe = 1 + std::cos(1.01 * fold_angle);
+  return largest_turn < safe;
+}
+
 FoldWatch::FoldWatch(const Points& X, const Topology& topology, const Unknowns& unknowns)
     : topology_(topology), normals_(static_cast<std::size_t>(topology.F.rows())) {
   const std::vector<std::uint8_t> folded = folded_hinges(X, topology);

@@ -211,24 +211,19 @@ class GuardedFlow {
   /// Over all parts.
   std::int64_t count(double here) const { return static_cast<std::int64_t>(p_.parts.sum(here)); }
 
-  /// Displaces into Y_; false where that leads nowhere.
-  bool displace(Points& move, std::int64_t& withheld) {
-    landing_ = displace_without_folds(p_, folds_, move, Y_, withheld);
-    return landing_ != FlowProblem::Landing::nowhere;
-  }
-
   /// Looks for a fraction of the step that lowers the energy enough; leaves it in Y_.
   bool search(const Points& step, StepRecord& record) {
     const Stopwatch watch(p_.report.seconds.guard);
     for (int i = 0; i <= backtracks; ++i, fraction_ /= 2) {
       move_ = fraction_ * step;
-      std::int64_t withheld = 0;
-      if (displace(move_, withheld)) {
-        trial_energy_ = p_.energy_at(Y_);
-        const double promised = promised_decrease(withheld);
+      const FoldFreeLanding trial = displace_without_folds(
+          p_, folds_, move_, Y_, [this](const Points& Y) { return p_.energy_at(Y); });
+      if (trial.leads_somewhere()) {
+        trial_energy_ = trial.energy;
+        const double promised = promised_decrease(trial);
         record.decrease_ratio = (p_.energy() - trial_energy_) / promised;
         if (promised > 0 && record.decrease_ratio >= least_decrease) {
-          record.held_back += count(static_cast<double>(withheld));
+          record.held_back += count(static_cast<double>(trial.withheld));
           return true;
         }
       }
@@ -247,8 +242,9 @@ class GuardedFlow {
 
   /// The same for the trial in Y_, which may have stopped short of the step, or withheld some of
   /// it: half of what the slope says of the way that it went.
-  double promised_decrease(std::int64_t withheld) const {
-    if (landing_ == FlowProblem::Landing::as_asked && !p_.parts.any(withheld > 0)) {
+  double promised_decrease(const FoldFreeLanding& trial) const {
+    const bool as_asked = trial.landing == FlowProblem::Landing::as_asked;
+    if (as_asked && !p_.parts.any(trial.withheld > 0)) {
       return predicted_decrease();
     }
     const double slope = parallel_sum(p_.unknowns.size(), [&](std::int64_t u) {
@@ -322,14 +318,12 @@ class GuardedFlow {
   /// Moves by `move_`, shortened until the energy is no more than before the step.
   void sweep() {
     for (int i = 0; i <= backtracks; ++i, move_ /= 2) {
-      std::int64_t withheld = 0;
-      if (displace(move_, withheld)) {
-        const double energy = p_.try_state(Y_);
-        if (energy <= energy_before_step_) {
-          p_.report.energy_after = energy;
-          p_.move_to_tried(Y_);
-          return;
-        }
+      const FoldFreeLanding trial = displace_without_folds(
+          p_, folds_, move_, Y_, [this](const Points& Y) { return p_.try_state(Y); });
+      if (trial.leads_somewhere() && trial.energy <= energy_before_step_) {
+        p_.report.energy_after = trial.energy;
+        p_.move_to_tried(Y_);
+        return;
       }
       ++p_.report.shortened_relaxations;
     }
@@ -373,8 +367,7 @@ class GuardedFlow {
   double slope_ = 0, metric_part_ = 0;  // of the whole step d: <-g,d> and <d,Dd>/h
   double distortion_ = 0;
   double trial_energy_ = 0, energy_before_step_ = 0;
-  Points own_;  // the part of the step that neighbours do not share
-  FlowProblem::Landing landing_ = FlowProblem::Landing::as_asked;  // of the last trial
+  Points own_;                  // the part of the step that neighbours do not share
   std::vector<Index> stopped_;  // unknowns that the Jacobian holds: they went as far as they may
   Points move_;                 // the move that is tried, one row per unknown
   Points Y_;                    // where it leads

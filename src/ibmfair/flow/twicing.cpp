@@ -59,12 +59,10 @@ class Twicing {
     const Stopwatch watch(p_.report.seconds.guard);
     Points move = height.asDiagonal() * normals_;
     for (int i = 0; i <= halvings; ++i, move /= 2) {
-      std::int64_t withheld = 0;
-      if (displace_without_folds(p_, folds_, move, Y_, withheld) == FlowProblem::Landing::nowhere) {
-        continue;
-      }
-      if (const double energy = p_.energy_at(Y_); energy <= p_.report.energy_before) {
-        p_.report.energy_after = energy;
+      const FoldFreeLanding trial = displace_without_folds(
+          p_, folds_, move, Y_, [this](const Points& Y) { return p_.energy_at(Y); });
+      if (trial.leads_somewhere() && trial.energy <= p_.report.energy_before) {
+        p_.report.energy_after = trial.energy;
         p_.move_to(Y_);
         return true;
       }
