@@ -59,7 +59,8 @@ TEST_P(GuardedFlow, EnergyNeverRisesAndNothingFoldsOnAnyMesh) {
     options.steps = 4;
     options = options_for(state, cutoff, options);
     const auto held = hold(state);
-    FoldWatch folds(state.X, state.topology, Unknowns(held));
+    const Unknowns unknowns(held);
+    FoldWatch folds(state.X, state.topology, unknowns);
     Points X = state.X;
     const FlowReport report = willmore_flow(X, state.topology, held, options);
     EXPECT_TRUE(X.allFinite());

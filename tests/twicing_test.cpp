@@ -130,7 +130,8 @@ TEST(Twicing, KeepsThePromisesOfTheFlowOnEveryMesh) {
       EXPECT_TRUE(result.X.allFinite()) << name;
       EXPECT_LE(result.report.energy_after, result.report.energy_before) << name;
       const auto held = held_vertices(state.topology, BoundaryCondition::fixed);
-      FoldWatch folds(state.X, state.topology, Unknowns(held));
+      const Unknowns unknowns(held);
+      FoldWatch folds(state.X, state.topology, unknowns);
       EXPECT_TRUE(folds.new_folds(result.X).empty()) << name << " " << laplacian;
       for (Eigen::Index v = 0; v < state.X.rows(); ++v) {
         if (held[v]) {

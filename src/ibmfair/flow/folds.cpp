@@ -6,6 +6,7 @@
 #include "ibmfair/base/parallel.h"
 #include "ibmfair/mesh/corners.h"
 #include "ibmfair/mesh/geometry.h"
+#include "ibmfair/mesh/select.h"
 
 namespace ibmfair {
 namespace {
@@ -53,30 +54,34 @@ bool rules_out_folds(double largest_turn) {
 }
 
 FoldWatch::FoldWatch(const Points& X, const Topology& topology, const Unknowns& unknowns)
-    : topology_(topology), normals_(static_cast<std::size_t>(topology.F.rows())) {
-  const std::vector<std::uint8_t> folded = folded_hinges(X, topology);
-  std::vector<std::uint8_t> listed(normals_.size(), 0);
-  for (Index h = 0; h < topology.H.rows(); ++h) {
-    const auto x = topology.H.row(h);
-    if (std::any_of(x.begin(), x.end(), [&](Index v) { return unknowns.unknown[v] >= 0; })) {
-      hinges_.push_back(h);
-      turned_.push_back(is_turned(topology, h) ? 1 : 0);
-      known_.push_back(folded[h]);
-      for (const Index t : topology.hinge_triangles.row(h)) {
-        if (!listed[t]) {
-          listed[t] = 1;
-          triangles_.push_back(t);
-        }
-      }
+    : topology_(topology), unknowns_(unknowns), known_(folded_hinges(X, topology)) {}
+
+void FoldWatch::list_hinges() {
+  hinges_ = indices_where(topology_.H.rows(), [&](Index h) {
+    const auto x = topology_.H.row(h);
+    return !known_[h] &&
+           std::any_of(x.begin(), x.end(), [&](Index v) { return unknowns_.unknown[v] >= 0; });
+  });
+  std::vector<std::uint8_t> listed(static_cast<std::size_t>(topology_.F.rows()), 0);
+  turned_.reserve(hinges_.size());
+  for (const Index h : hinges_) {
+    turned_.push_back(is_turned(topology_, h) ? 1 : 0);
+    for (const Index t : topology_.hinge_triangles.row(h)) {
+      listed[t] = 1;
     }
   }
+  triangles_ = indices_where(topology_.F.rows(), [&](Index t) { return listed[t] != 0; });
   folded_.resize(hinges_.size());
+  normals_.resize(listed.size());
 }
 
 std::vector<Index> FoldWatch::new_folds(const Points& X) {
+  if (normals_.empty()) {
+    list_hinges();
+  }
   find_normals(X);
   parallel_for(static_cast<std::int64_t>(hinges_.size()),
-               [&](std::int64_t i) { folded_[i] = !known_[i] && is_folded_now(i) ? 1 : 0; });
+               [&](std::int64_t i) { folded_[i] = is_folded_now(i) ? 1 : 0; });
   std::vector<Index> vertices;
   for (std::size_t i = 0; i < hinges_.size(); ++i) {
     if (folded_[i]) {

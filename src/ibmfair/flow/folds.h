@@ -22,20 +22,25 @@ bool rules_out_folds(double largest_turn);
 /// Watches the hinges that a set of unknown vertices can move.
 class FoldWatch {
  public:
-  /// Refers to the topology. Hinges folded at `X` are known from then on and never reported.
+  /// Refers to the topology and the unknowns. Hinges folded at `X` are known from then on and never
+  /// reported.
   FoldWatch(const Points& X, const Topology& topology, const Unknowns& unknowns);
 
   /// The vertices (sorted, each once) of hinges folded at `X` that were not folded at the start.
   std::vector<Index> new_folds(const Points& X);
 
  private:
+  void list_hinges();
   void find_normals(const Points& X);
   bool is_folded_now(std::size_t i) const;
 
   const Topology& topology_;
-  std::vector<Index> hinges_;
+  const Unknowns& unknowns_;
+  std::vector<std::uint8_t> known_;  // #H
+
+  // Made by the first look: where the energy rules folds out, there is none.
+  std::vector<Index> hinges_;         // with an unknown, not known
   std::vector<std::uint8_t> turned_;  // of each, whether its triangles' orientations disagree
-  std::vector<std::uint8_t> known_;
   std::vector<std::uint8_t> folded_;  // at the last look
   std::vector<Index> triangles_;      // of the hinges
   std::vector<Vec3> normals_;         // #F, their double area vectors at the last look

@@ -36,6 +36,11 @@ TangentialRelaxation::TangentialRelaxation(const Topology& topology, const Rows&
   }
   near = grow_one_ring(topology, near);
   near_ = indices_where(topology.vertex_count, [&](Index v) { return near[v] != 0; });
+  triangles_ = indices_where(topology.F.rows(), [&](Index t) {
+    const auto x = topology.F.row(t);
+    return near[x[0]] != 0 || near[x[1]] != 0 || near[x[2]] != 0;
+  });
+  areas_.resize(static_cast<std::size_t>(topology.F.rows()));
 }
 
 void TangentialRelaxation::moves(const Points& X, Points& move) {
@@ -81,11 +86,21 @@ bool TangentialRelaxation::moves_at_needles(const Points& X, Points& move) {
 }
 
 void TangentialRelaxation::find_normals(const Points& X) {
+  parallel_for(static_cast<std::int64_t>(triangles_.size()), [&](std::int64_t i) {
+    const auto x = topology_.F.row(triangles_[i]);
+    const Vec3 N = double_area_vector(X.row(x[0]), X.row(x[1]), X.row(x[2]));
+    areas_[triangles_[i]] = {N, N.norm()};
+  });
   parallel_for(static_cast<std::int64_t>(near_.size()), [&](std::int64_t i) {
     const Index v = near_[i];
-    const DoubleAreasAt areas = double_areas_at(v, X, topology_);
-    normals_.row(v) = areas.sum;
-    left_[v] = areas.lengths > 0 ? areas.sum.norm() / areas.lengths : 0;
+    Vec3 sum = Vec3::Zero();
+    double lengths = 0;
+    for (const Index t : topology_.stars[v]) {
+      sum += areas_[t].vector;
+      lengths += areas_[t].length;
+    }
+    normals_.row(v) = sum;
+    left_[v] = lengths > 0 ? sum.norm() / lengths : 0;
   });
   parts_.refresh(normals_);
 }

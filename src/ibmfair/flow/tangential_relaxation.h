@@ -41,9 +41,17 @@ class TangentialRelaxation {
   const Unknowns& unknowns_;
   const MeshParts& parts_;
   const bool unfolds_;
-  std::vector<Index> near_;  // the vertices that move, and their neighbours
-  Points normals_;           // #V x 3, where near: the sum of the double area vectors
-  PerVertex left_;           // #V, its share of the sum of their lengths
+  /// The double area vector of a triangle.
+  struct Area {
+    Vec3 vector;
+    double length;
+  };
+
+  std::vector<Index> near_;       // the vertices that move, and their neighbours
+  std::vector<Index> triangles_;  // around them
+  std::vector<Area> areas_;       // #F, theirs
+  Points normals_;                // #V x 3, where near: the sum of the double area vectors
+  PerVertex left_;                // #V, its share of the sum of their lengths
 };
 
 }  // namespace ibmfair

@@ -84,15 +84,13 @@ double mean_edge_length(const Points& X, const Edges& E) {
   return E.rows() > 0 ? sum / static_cast<double>(E.rows()) : 0;
 }
 
-DoubleAreasAt double_areas_at(Index v, const Points& X, const Topology& topology) {
-  DoubleAreasAt areas;
+Vec3 double_area_vector_at(Index v, const Points& X, const Topology& topology) {
+  Vec3 sum = Vec3::Zero();
   for (const Index t : topology.stars[v]) {
     const auto x = topology.F.row(t);
-    const Vec3 N = double_area_vector(X.row(x[0]), X.row(x[1]), X.row(x[2]));
-    areas.sum += N;
-    areas.lengths += N.norm();
+    sum += double_area_vector(X.row(x[0]), X.row(x[1]), X.row(x[2]));
   }
-  return areas;
+  return sum;
 }
 
 PerVertex lumped_vertex_mass(const Points& X, const Topology& topology) {

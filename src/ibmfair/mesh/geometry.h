@@ -13,17 +13,8 @@ inline Vec3 double_area_vector(const Vec3& a, const Vec3& b, const Vec3& c) {
   return (b - a).cross(c - a);
 }
 
-/// Of the double area vectors around a vertex.
-struct DoubleAreasAt {
-  Vec3 sum = Vec3::Zero();  ///< along the normal; zero where there is none
-  double lengths = 0;       ///< the sum of theirs
-};
-DoubleAreasAt double_areas_at(Index v, const Points& X, const Topology& topology);
-
-/// Their sum alone.
-inline Vec3 double_area_vector_at(Index v, const Points& X, const Topology& topology) {
-  return double_areas_at(v, X, topology).sum;
-}
+/// The sum of the double area vectors around a vertex: along its normal, zero where it has none.
+Vec3 double_area_vector_at(Index v, const Points& X, const Topology& topology);
 
 /// Triangle areas, #F, length^2.
 Eigen::VectorXd triangle_areas(const Points& X, const Triangles& F);
