@@ -102,8 +102,9 @@ void add_solver_options(CLI::App& app, SmoothArguments& a) {
       ->capture_default_str();
   app.add_option("--solver", a.flow.solver,
                  "of the linear systems: cholmod (factored once for many steps), cg (conjugate "
-                 "gradients: least memory) or auto (the one predicted to be quicker); with "
-                 "--engine petsc cg, mumps (factored) or auto")
+                 "gradients: least memory) or auto (the one predicted to be quicker, until cg's "
+                 "iterations turn out to cost more); with --engine petsc cg, mumps (factored) or "
+                 "auto")
       ->check(CLI::IsMember(solver_names()))
       ->capture_default_str();
   CLI::Option* tolerance =
