@@ -100,8 +100,8 @@ TEST_F(BatchTest, DeepNestingIsAnErrorNotACrash) {
       }
       nested += "1" + end;
       for (const std::string& text :
-           {nested, "{\"jobs\": [" + nested + "]}", "{\"jobs\": [], \"defaults\": " + nested + "}",
-            "{\"jobs\": [{\"command\": \"info\", \"input\": " + nested + "}]}"}) {
+           {nested, R"({"jobs": [)" + nested + "]}", R"({"jobs": [], "defaults": )" + nested + "}",
+            R"({"jobs": [{"command": "info", "input": )" + nested + "}]}"}) {
         const RunResult result = run({"batch", "-"}, {.input = text});
         EXPECT_EQ(result.exit_code, 3) << depth;
         EXPECT_TRUE(contains(result.err, "standard input: ")) << result.err.substr(0, 200);
@@ -133,7 +133,7 @@ TEST_F(BatchTest, TheJournalIsNeverWrittenIntoAnotherFile) {
   EXPECT_FALSE(exists("not-there"));
   fs::remove(full("jobs.json.journal"));
 
-  for (const std::string begun : {"", "{", "{\"event\":\"sta"}) {  // by a run that was killed
+  for (const std::string begun : {"", "{", R"({"event":"sta)"}) {  // by a run that was killed
     write_bytes(full("jobs.json.journal"), begun);
     EXPECT_EQ(run({"batch", "jobs.json", "--overwrite"}).exit_code, 0) << begun;
   }

@@ -98,7 +98,7 @@ TEST_F(ReferenceTest, AnOddFormatNameIsNoWayRoundTheImporterThatItNames) {
 /// The reply of a process that is none of ours: it sends these bytes and ends.
 class ForgedReply {
  public:
-  explicit ForgedReply(std::string bytes) { write_bytes(folder_ / "reply", bytes); }
+  explicit ForgedReply(const std::string& bytes) { write_bytes(folder_ / "reply", bytes); }
 
   /// What is made of it.
   ParsedMesh received(ImportLimits limits = {std::chrono::seconds(10), 1 << 20}) const {

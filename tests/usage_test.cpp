@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
@@ -255,7 +256,8 @@ TEST(Usage, ManPagesAreWithoutFault) {
        {"mandoc -T lint -W warning ", "groff -ww -man -T utf8 -z ", "man --warnings -l "}) {
     if (is_installed(checker.substr(0, checker.find(' ')))) {
       const std::string ignored = checker.starts_with("man ") ? " 2>&1 > /dev/null" : "";
-      const ShellResult result = run_shell(checker + pages + ignored, directory.path().string());
+      const ShellResult result =
+          run_shell(fmt::format("{}{}{}", checker, pages, ignored), directory.path().string());
       EXPECT_EQ(result.exit_code, 0) << checker;
       EXPECT_EQ(result.out, "") << checker;
       ++checkers;

@@ -98,7 +98,7 @@ TEST_F(Completion, WorksInBash) {
         run_shell("bash --norc -uc " +
                       shell_quoted("source " + shell_quoted(scripts_ / "bash") + "; COMP_WORDS=(" +
                                    line + "); COMP_CWORD=" + std::to_string(words.size()) +
-                                   "; _ibmfair; printf '%s\\n' \"${COMPREPLY[@]}\""),
+                                   R"(; _ibmfair; printf '%s\n' "${COMPREPLY[@]}")"),
                   folder());
     EXPECT_EQ(result.exit_code, 0) << result.out;
     return result.out;

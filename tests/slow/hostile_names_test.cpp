@@ -33,10 +33,8 @@ const Words odd_names{"a b.off",
                       "--help.off",
                       "a\xff\xfe.off",
                       "\x1b]0;title\x07\x1b[31mred.off",
-                      "\xc2\x9b"
-                      "31m.off",
-                      "\xe2\x80\xae"
-                      "ffo.off",
+                      "\302\23331m.off",  // octal: a hexadecimal number would go on with the 3
+                      "\342\200\256ffo.off",
                       "[a,b].off",
                       "{name}.off",
                       "{}.off",
@@ -45,7 +43,7 @@ const Words odd_names{"a b.off",
                       "$(touch pwned).off",
                       "`touch pwned`.off",
                       ";touch pwned;.off",
-                      "'q' \"r\" \\.off",
+                      R"('q' "r" \.off)",
                       "%s%n.off",
                       "a=b,c.off",
                       "@a.off",
@@ -181,8 +179,8 @@ TEST_F(NamesTest, WhatAFileHoldsIsShownNotObeyed) {
   write_bytes(folder_ / "b.obj", "v 0 0 " + escape + "\n");
   write_bytes(folder_ / "c.ply", "ply\nformat ascii 1.0\nelement " + escape + " 1\nfoo\n");
   write_bytes(folder_ / "d.off", "OFF 3 1 0\n0 0 0 1 0 0 0 1 0\n3 0 1 " + escape + "\n");
-  write_bytes(folder_ / "e.dae", "<COLLADA version=\"1.4.1\"><" + escape + "/></COLLADA>");
-  write_bytes(folder_ / "f.json", "{\"jobs\": [{\"" + escape + "\": 1}]}");
+  write_bytes(folder_ / "e.dae", R"(<COLLADA version="1.4.1"><)" + escape + "/></COLLADA>");
+  write_bytes(folder_ / "f.json", R"({"jobs": [{")" + escape + R"(": 1}]})");
   for (const Words& words :
        {Words{"smooth", "a.obj", "o.obj", "--mask", "none"}, Words{"info", "b.obj"},
         Words{"info", "c.ply"}, Words{"info", "d.off"}, Words{"info", "e.dae"},

@@ -8,6 +8,7 @@
 #include <thread>
 #include <vector>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <unistd.h>
 
@@ -39,8 +40,7 @@ std::string stl_of(int facets) {
 std::string exploding_gltf(int levels) {
   std::string nodes = R"({"mesh":0})";
   for (int i = 0; i < levels; ++i) {
-    const std::string child = std::to_string(i);
-    nodes += R"(,{"children":[)" + child + "," + child + "]}";
+    nodes += fmt::format(R"(,{{"children":[{0},{0}]}})", i);
   }
   std::string text = triangle_gltf(
       "data:application/octet-stream;base64,"
