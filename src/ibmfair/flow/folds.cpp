@@ -28,17 +28,12 @@ bool is_turned(const Topology& topology, Index h) {
   return !runs_along(topology.F, second, topology.H(h, 1), topology.H(h, 0));
 }
 
-Vec3 area_vector(const Points& X, const Triangles& F, Index t) {
-  return double_area_vector(X.row(F(t, 0)), X.row(F(t, 1)), X.row(F(t, 2)));
-}
-
 }  // namespace
 
 std::vector<std::uint8_t> folded_hinges(const Points& X, const Topology& topology) {
   std::vector<Vec3> normals(static_cast<std::size_t>(topology.F.rows()));
-  parallel_for(topology.F.rows(), [&](std::int64_t t) {
-    normals[t] = area_vector(X, topology.F, static_cast<Index>(t));
-  });
+  parallel_for(topology.F.rows(),
+               [&](std::int64_t t) { normals[t] = double_area_vector(X, topology.F, t); });
   std::vector<std::uint8_t> folded(static_cast<std::size_t>(topology.H.rows()));
   parallel_for(topology.H.rows(), [&](std::int64_t h) {
     const auto t = topology.hinge_triangles.row(h);
@@ -49,6 +44,7 @@ std::vector<std::uint8_t> folded_hinges(const Points& X, const Topology& topolog
 }
 
 bool rules_out_folds(double largest_turn) {
+  // Wider than the angle itself, as the two ways to it round differently.
   static const double safe = 1 + std::cos(1.01 * fold_angle);
   return largest_turn < safe;
 }
@@ -96,7 +92,7 @@ std::vector<Index> FoldWatch::new_folds(const Points& X) {
 
 void FoldWatch::find_normals(const Points& X) {
   parallel_for(static_cast<std::int64_t>(triangles_.size()), [&](std::int64_t i) {
-    normals_[triangles_[i]] = area_vector(X, topology_.F, triangles_[i]);
+    normals_[triangles_[i]] = double_area_vector(X, topology_.F, triangles_[i]);
   });
 }
 

@@ -15,7 +15,7 @@ inline constexpr double fold_angle = 0.17453292519943295;
 /// Whether each hinge is folded over, #H; one with a triangle that has no area is.
 std::vector<std::uint8_t> folded_hinges(const Points& X, const Topology& topology);
 
-/// Whether no hinge can be folded over where 1 + cos(theta) is at most this
+/// Whether no hinge can be folded over where this is the largest 1 + cos(theta)
 /// (BendingEnergy::largest_turn).
 bool rules_out_folds(double largest_turn);
 

@@ -47,9 +47,8 @@ double surface_area(const Points& X, const Topology& topology, const MeshParts& 
     return surface_area(X, topology.F);
   }
   return parts.sum(parallel_sum(topology.F.rows(), [&](std::int64_t t) {
-    const auto x = topology.F.row(t);
     return parts.owns_triangle(static_cast<Index>(t))
-               ? double_area_vector(X.row(x[0]), X.row(x[1]), X.row(x[2])).norm() / 2
+               ? double_area_vector(X, topology.F, t).norm() / 2
                : 0;
   }));
 }

@@ -87,8 +87,7 @@ bool TangentialRelaxation::moves_at_needles(const Points& X, Points& move) {
 
 void TangentialRelaxation::find_normals(const Points& X) {
   parallel_for(static_cast<std::int64_t>(triangles_.size()), [&](std::int64_t i) {
-    const auto x = topology_.F.row(triangles_[i]);
-    const Vec3 N = double_area_vector(X.row(x[0]), X.row(x[1]), X.row(x[2]));
+    const Vec3 N = double_area_vector(X, topology_.F, triangles_[i]);
     areas_[triangles_[i]] = {N, N.norm()};
   });
   parallel_for(static_cast<std::int64_t>(near_.size()), [&](std::int64_t i) {

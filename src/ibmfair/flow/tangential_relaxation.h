@@ -31,6 +31,12 @@ class TangentialRelaxation {
   bool moves_at_needles(const Points& X, Points& move);
 
  private:
+  /// The double area vector of a triangle.
+  struct Area {
+    Vec3 vector;
+    double length;
+  };
+
   void find_normals(const Points& X);
 
   /// Whether vertex v has hardly a tangent plane, and its neighbours agree on one.
@@ -41,12 +47,6 @@ class TangentialRelaxation {
   const Unknowns& unknowns_;
   const MeshParts& parts_;
   const bool unfolds_;
-  /// The double area vector of a triangle.
-  struct Area {
-    Vec3 vector;
-    double length;
-  };
-
   std::vector<Index> near_;       // the vertices that move, and their neighbours
   std::vector<Index> triangles_;  // around them
   std::vector<Area> areas_;       // #F, theirs

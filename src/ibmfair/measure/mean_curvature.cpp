@@ -54,11 +54,7 @@ bool has_complete_ring(const Topology& topology, Index v) {
 Points star_normals(const Points& X, const Topology& topology) {
   Points normals(topology.vertex_count, 3);
   parallel_for(topology.vertex_count, [&](std::int64_t v) {
-    Vec3 sum = Vec3::Zero();
-    for (const Index t : topology.stars[static_cast<Index>(v)]) {
-      sum += double_area_vector(X.row(topology.F(t, 0)), X.row(topology.F(t, 1)),
-                                X.row(topology.F(t, 2)));
-    }
+    const Vec3 sum = double_area_vector_at(static_cast<Index>(v), X, topology);
     const double length = sum.norm();
     normals.row(v) = length > 0 ? Vec3(sum / length) : Vec3(Vec3::Zero());
   });

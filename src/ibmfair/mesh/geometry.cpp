@@ -87,8 +87,7 @@ double mean_edge_length(const Points& X, const Edges& E) {
 Vec3 double_area_vector_at(Index v, const Points& X, const Topology& topology) {
   Vec3 sum = Vec3::Zero();
   for (const Index t : topology.stars[v]) {
-    const auto x = topology.F.row(t);
-    sum += double_area_vector(X.row(x[0]), X.row(x[1]), X.row(x[2]));
+    sum += double_area_vector(X, topology.F, t);
   }
   return sum;
 }

@@ -13,6 +13,11 @@ inline Vec3 double_area_vector(const Vec3& a, const Vec3& b, const Vec3& c) {
   return (b - a).cross(c - a);
 }
 
+/// That of triangle t.
+inline Vec3 double_area_vector(const Points& X, const Triangles& F, Eigen::Index t) {
+  return double_area_vector(X.row(F(t, 0)), X.row(F(t, 1)), X.row(F(t, 2)));
+}
+
 /// The sum of the double area vectors around a vertex: along its normal, zero where it has none.
 Vec3 double_area_vector_at(Index v, const Points& X, const Topology& topology);
 
