@@ -23,12 +23,16 @@ namespace {
 /// For finding out whether a result depends on the processor.
 void choose_kernels() {
   const char* given = std::getenv(kernels_variable);
-  const std::string_view name = given == nullptr ? "" : given;
-  if (name == "baseline") {
-    choose_kernel_set(InstructionSet::baseline);
-  } else if (!name.empty() && name != "avx2") {
-    throw BadOption(fmt::format("{}: '{}' is neither baseline nor avx2", kernels_variable, given));
+  if (given == nullptr || *given == '\0') return;
+  for (const auto& [name, set] :
+       {std::pair{"baseline", InstructionSet::baseline}, std::pair{"avx2", InstructionSet::avx2},
+        std::pair{"avx512", InstructionSet::avx512}}) {
+    if (std::string_view(name) == given) {
+      return choose_kernel_set(set);
+    }
   }
+  throw BadOption(
+      fmt::format("{}: '{}' is neither baseline nor avx2 nor avx512", kernels_variable, given));
 }
 
 ExitCode parse_and_run(const std::vector<std::string>& words, Console& console) {

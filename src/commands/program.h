@@ -4,7 +4,8 @@
 namespace ibmfair::commands {
 
 /// The variable in the environment that says for which instructions our own kernels shall be those
-/// compiled: `baseline` for what every processor has, `avx2` (the default) for the best there is.
+/// compiled: `baseline` for what every processor has, `avx2` or `avx512` for that at most. Without
+/// it they are the best that the processor has.
 inline constexpr const char* kernels_variable = "IBMFAIR_KERNELS";
 
 /// Parses the arguments by the table of commands, runs the one that they name, and tells on

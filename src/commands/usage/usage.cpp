@@ -123,7 +123,8 @@ std::vector<VariableUsage> variables() {
       {"NO_COLOR", "where set, nothing is coloured and no line is redrawn with escape codes"},
       {"CLICOLOR_FORCE", "where set and not 0, messages are coloured even if not on a terminal"},
       {"TERM", "`dumb`: no colours, no progress"},
-      {kernels_variable, "`baseline`: do without AVX2, to see whether results depend on it"},
+      {kernels_variable,
+       "`baseline` or `avx2`: do without AVX2 or AVX-512, to see whether results depend on it"},
       {"OPENBLAS_CORETYPE", "the kernels of OpenBLAS, as Haswell: the same on all processors"},
       {"SOURCE_DATE_EPOCH", "the date of the man page, in seconds since 1970"}};
 }

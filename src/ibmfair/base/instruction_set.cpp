@@ -16,6 +16,11 @@ std::atomic<InstructionSet>& chosen() {
 InstructionSet best_instruction_set() {
 #if defined(__x86_64__) && defined(__GNUC__)
   __builtin_cpu_init();
+  // The first processors with AVX-512 lower their clock where it is used; VBMI2 came after that.
+  if (__builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("avx512dq") &&
+      __builtin_cpu_supports("avx512vbmi2")) {
+    return InstructionSet::avx512;
+  }
   if (__builtin_cpu_supports("avx2")) {
     return InstructionSet::avx2;
   }

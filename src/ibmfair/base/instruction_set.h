@@ -1,12 +1,12 @@
-// Which of their two versions the vectorized kernels (base/lanes.h) run in.
+// Which of their versions the vectorized kernels (base/lanes.h) run in.
 #pragma once
 
 #include <cstdint>
 
 namespace ibmfair {
 
-/// What a kernel is compiled for.
-enum class InstructionSet : std::uint8_t { baseline, avx2 };
+/// What a kernel is compiled for; each has all that those before it have.
+enum class InstructionSet : std::uint8_t { baseline, avx2, avx512 };
 
 /// The best that this processor has.
 InstructionSet best_instruction_set();

@@ -1,21 +1,21 @@
-// Kernels that are written once, with the compiler's own vectors, and compiled twice: for the
-// processor that every x86-64 has, and for AVX2. run() chooses between them when the program runs;
-// results do not depend on the choice, as vector operations round lane by lane and nothing is fused
-// (-ffp-contract=off).
+// Kernels that are written once, with the compiler's own vectors, and compiled several times: for
+// the processor that every x86-64 has, for AVX2, and some for AVX-512 (base/lanes.h). run() chooses
+// between them when the program runs; results do not depend on the choice, as vector operations
+// round lane by lane and nothing is fused (-ffp-contract=off).
 #pragma once
 
 #include "ibmfair/base/instruction_set.h"
 
-/// Functions that are part of such a kernel: they become part of both of its versions.
+/// Functions that are part of such a kernel: they become part of all of its versions.
 #define IBMFAIR_INLINE __attribute__((always_inline)) inline
 
 // Elsewhere the compiler makes of the vectors what the machine has.
 #if defined(__x86_64__) && defined(__GNUC__)
-#define IBMFAIR_HAS_AVX2_KERNELS 1
-#define IBMFAIR_TARGET_AVX2 [[gnu::target("avx2")]]
+#define IBMFAIR_HAS_AVX_KERNELS 1
+#define IBMFAIR_TARGET(set) [[gnu::target(set)]]
 #else
-#define IBMFAIR_HAS_AVX2_KERNELS 0
-#define IBMFAIR_TARGET_AVX2
+#define IBMFAIR_HAS_AVX_KERNELS 0
+#define IBMFAIR_TARGET(set)
 #endif
 
 namespace ibmfair {
@@ -27,17 +27,25 @@ auto run_baseline(Arguments... arguments) {
 }
 
 template <class Kernel, class... Arguments>
-IBMFAIR_TARGET_AVX2 auto run_avx2(Arguments... arguments) {
+IBMFAIR_TARGET("avx2")
+auto run_avx2(Arguments... arguments) {
+  return Kernel::run(arguments...);
+}
+
+template <class Kernel, class... Arguments>
+IBMFAIR_TARGET("avx512vl,avx512dq")
+auto run_avx512(Arguments... arguments) {
   return Kernel::run(arguments...);
 }
 
 }  // namespace simd_detail
 
-/// Kernel::run(arguments...), an IBMFAIR_INLINE function, as compiled for `kernel_set()`.
+/// Kernel::run(arguments...), an IBMFAIR_INLINE function, as compiled for AVX2 where `kernel_set()`
+/// has it.
 template <class Kernel, class... Arguments>
 auto run(Arguments... arguments) {
-#if IBMFAIR_HAS_AVX2_KERNELS
-  if (kernel_set() == InstructionSet::avx2) {
+#if IBMFAIR_HAS_AVX_KERNELS
+  if (kernel_set() >= InstructionSet::avx2) {
     return simd_detail::run_avx2<Kernel>(arguments...);
   }
 #endif

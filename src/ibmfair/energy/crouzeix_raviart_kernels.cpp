@@ -1,19 +1,19 @@
 #include "ibmfair/energy/crouzeix_raviart_kernels.h"
 
-#include "ibmfair/base/lanes.h"
+#include "ibmfair/energy/triangle_lanes.h"
 
 namespace ibmfair {
 namespace {
 
 struct FrameKernel {
-  IBMFAIR_INLINE static void run(const Index* x, std::int64_t groups, const BlockVertex* vertices,
-                                 BlockRow* triangles) {
-    const double* X = &vertices->x.x;
-    for (std::int64_t g = 0; g < groups; ++g, x += 12, triangles += lane_count) {
-      const Lanes3 x0 = gather(X, x).xyz, x1 = gather(X, x + 4).xyz, x2 = gather(X, x + 8).xyz;
-      const Lanes3 N = cross(x0 - x2, x1 - x0);
+  template <class Lanes>
+  IBMFAIR_INLINE static void run(const Index* corners, std::int64_t triangles,
+                                 const BlockVertex* vertices, BlockRow* frames) {
+    for (std::int64_t t = 0; t < triangles; t += lane_count<Lanes>) {
+      const auto [x0, x1, x2] = gather_three<Lanes>(&vertices->x.x, places_of(corners, t));
+      const Lanes3<Lanes> N = cross(x0.xyz - x2.xyz, x1.xyz - x0.xyz);
       const Lanes length = sqrt(dot(N, N));
-      store_rows(N / length, 0.5 * length, &triangles->x);
+      store_rows<Lanes>(N / length, 0.5 * length, &frames[t].x);
     }
   }
 };
@@ -25,17 +25,18 @@ struct FrameKernel {
 // A bounded hinge has u / (1 + u / bound) in place of u = k |e|^2 s.
 template <bool mass, bool gradient, bool bounded>
 struct HingeKernel {
+  template <class Lanes>
   struct Derivatives {
     Lanes energy = {}, area = {};
     Lanes turn = {};  // the largest |n - n'|^2
-    Lanes3 normal = {};
+    Lanes3<Lanes> normal = {};
 
     /// Returns that by the edge e, of which the other triangle contributes as much.
-    IBMFAIR_INLINE Lanes3 add(const Lanes3& e, const Lanes4& own, const Lanes4& other,
-                              double inverse_bound) {
-      Lanes k = mass ? 3.0 / (own.w + other.w) : Lanes{1, 1, 1, 1};
+    IBMFAIR_INLINE Lanes3<Lanes> add(const Lanes3<Lanes>& e, const Lanes4<Lanes>& own,
+                                     const Lanes4<Lanes>& other, double inverse_bound) {
+      Lanes k = mass ? 3.0 / (own.w + other.w) : Lanes{} + 1.0;
       const Lanes inverse_area = k;  // three times
-      const Lanes3 d = own.xyz - other.xyz;
+      const Lanes3<Lanes> d = own.xyz - other.xyz;
       const Lanes squared = dot(d, d);
       turn = larger(turn, squared);
       Lanes ks = 0.5 * k * squared;
@@ -56,48 +57,48 @@ struct HingeKernel {
   };
 
   /// The forces at x1 and x2 are p x e + f, e the opposite edge; at x0 what makes their sum 0.
+  template <class Lanes>
   struct Forces {
-    Lanes3 e1, e2, p, f1, f2;
+    Lanes3<Lanes> e1, e2, p, f1, f2;
   };
 
-  IBMFAIR_INLINE static HingeSums run(const Index* x, const Index* neighbours,
-                                      std::int64_t own_groups, std::int64_t groups,
+  template <class Lanes>
+  IBMFAIR_INLINE static HingeSums run(const Index* corners, const Index* neighbours,
+                                      std::int64_t own_triangles, std::int64_t triangles,
                                       double inverse_bound, BlockVertex* vertices,
-                                      const BlockRow* triangles) {
-    constexpr std::int64_t group_size = std::int64_t{lane_count} * row_size;
-    constexpr Index consecutive[lane_count] = {0, row_size, 2 * row_size, 3 * row_size};
-    const double *X = &vertices->x.x, *T = &triangles->x;
-    Lanes E = {}, turn = {};
-    Forces forces[run_length];
-    for (std::int64_t first = 0; first < groups; first += run_length) {
-      const std::int64_t last = first + run_length < groups ? first + run_length : groups;
-      for (std::int64_t g = first; g < last; ++g) {
-        const Index *corner = x + 12 * g, *neighbour = neighbours + 12 * g;
-        const Lanes3 x0 = gather(X, corner).xyz, x1 = gather(X, corner + 4).xyz;
-        const Lanes3 x2 = gather(X, corner + 8).xyz;
-        const Lanes3 e0 = x2 - x1, e1 = x0 - x2, e2 = x1 - x0;
-        const Lanes4 own = gather(T + group_size * g, consecutive);
-        Derivatives d;
-        const Lanes3 f0 = d.add(e0, own, gather(T, neighbour), inverse_bound);
-        const Lanes3 f1 = d.add(e1, own, gather(T, neighbour + 4), inverse_bound);
-        const Lanes3 f2 = d.add(e2, own, gather(T, neighbour + 8), inverse_bound);
-        turn = larger(turn, d.turn);
-        if (g < own_groups) {
-          E += d.energy;
+                                      const BlockRow* frames) {
+    constexpr int n = lane_count<Lanes>;
+    Four E = {}, turn = {};
+    Forces<Lanes> forces[run_length / n];
+    for (std::int64_t first = 0; first < triangles; first += run_length) {
+      const std::int64_t last = first + run_length < triangles ? first + run_length : triangles;
+      for (std::int64_t t = first; t < last; t += n) {
+        const auto [x0, x1, x2] = gather_three<Lanes>(&vertices->x.x, places_of(corners, t));
+        const auto e0 = x2.xyz - x1.xyz, e1 = x0.xyz - x2.xyz, e2 = x1.xyz - x0.xyz;
+        const auto own = load_rows<Lanes>(&frames[t].x);
+        const auto [t0, t1, t2] = gather_three<Lanes>(&frames->x, places_of(neighbours, t));
+        Derivatives<Lanes> d;
+        const Lanes3<Lanes> f0 = d.add(e0, own, t0, inverse_bound);
+        const Lanes3<Lanes> f1 = d.add(e1, own, t1, inverse_bound);
+        const Lanes3<Lanes> f2 = d.add(e2, own, t2, inverse_bound);
+        raise_to(turn, d.turn);
+        if (t < own_triangles) {
+          add_to(E, d.energy);
         }
         if (gradient) {
-          const Lanes3& n = own.xyz;
-          const Lanes3 tangential = d.normal - dot(n, d.normal) * n;
-          Lanes3 p = 0.5 / own.w * tangential;  // the derivative by N = 2 area n
+          const Lanes3<Lanes>& normal = own.xyz;
+          const Lanes3<Lanes> tangential = d.normal - dot(normal, d.normal) * normal;
+          Lanes3<Lanes> p = 0.5 / own.w * tangential;  // the derivative by N = 2 area n
           if (mass) {
-            p = p + 1.0 / 6.0 * d.area * n;
+            p = p + 1.0 / 6.0 * d.area * normal;
           }
-          forces[g - first] = {e1, e2, p, f2 - f0, f0 - f1};
+          forces[(t - first) / n] = {e1, e2, p, f2 - f0, f0 - f1};
         }
       }
-      for (std::int64_t g = first; gradient && g < last; ++g) {
-        const auto& [e1, e2, p, f1, f2] = forces[g - first];
-        scatter_add_balanced(cross(p, e1) + f1, cross(p, e2) + f2, &vertices->sum.x, x + 12 * g);
+      for (std::int64_t t = first; gradient && t < last; t += n) {
+        const auto& [e1, e2, p, f1, f2] = forces[(t - first) / n];
+        scatter_add_balanced(cross(p, e1) + f1, cross(p, e2) + f2, &vertices->sum.x,
+                             places_of(corners, t));
       }
     }
     return {sum(E) / 2, largest(turn) / 2};
@@ -108,16 +109,16 @@ struct HingeKernel {
 
 void crouzeix_raviart_frames(const Index* corners, std::int64_t groups, const BlockVertex* vertices,
                              BlockRow* triangles) {
-  run<FrameKernel>(corners, groups, vertices, triangles);
+  run_in_lanes<FrameKernel>(corners, lanes_per_group * groups, vertices, triangles);
 }
 
 HingeSums crouzeix_raviart_hinges(const MeshBlock& block, const Index* corners,
                                   const Index* neighbours, const HingeTerms& terms, bool gradient,
                                   BlockVertex* vertices, const BlockRow* triangles) {
   const auto run_as = [&]<bool mass, bool with_gradient, bool bounded>() {
-    return run<HingeKernel<mass, with_gradient, bounded>>(corners, neighbours, block.own_groups,
-                                                          block.groups, terms.inverse_bound,
-                                                          vertices, triangles);
+    return run_in_lanes<HingeKernel<mass, with_gradient, bounded>>(
+        corners, neighbours, lanes_per_group * block.own_groups, lanes_per_group * block.groups,
+        terms.inverse_bound, vertices, triangles);
   };
   const auto run_with = [&]<bool mass, bool with_gradient>() {
     return terms.inverse_bound > 0 ? run_as.template operator()<mass, with_gradient, true>()

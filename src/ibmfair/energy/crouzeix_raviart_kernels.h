@@ -1,4 +1,4 @@
-// The loops of energy/crouzeix_raviart.cpp over the triangles of one block, four at a time.
+// The loops of energy/crouzeix_raviart.cpp over the triangles of one block, several at a time.
 #pragma once
 
 #include <cstdint>

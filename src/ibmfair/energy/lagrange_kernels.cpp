@@ -1,26 +1,31 @@
 #include "ibmfair/energy/lagrange_kernels.h"
 
-#include "ibmfair/base/lanes.h"
+#include "ibmfair/energy/triangle_lanes.h"
 
 namespace ibmfair {
 namespace {
 
-/// What both loops need of four triangles.
-struct Frames {
-  Lanes3 e0, e1, e2;  // the edges opposite x0, x1, x2
-  Lanes3 n;           // half the unit normal
+/// What both loops need of a few triangles.
+template <class Lanes>
+struct Frame {
+  Lanes3<Lanes> e0, e1, e2;  // the edges opposite x0, x1, x2
+  Lanes3<Lanes> n;           // half the unit normal
   Lanes area;
 };
 
-IBMFAIR_INLINE void find_frames(const Index* x, std::int64_t groups, const double* X,
-                                Frames* frames) {
-  for (std::int64_t g = 0; g < groups; ++g, x += 12) {
-    const Lanes3 x0 = gather(X, x).xyz, x1 = gather(X, x + 4).xyz, x2 = gather(X, x + 8).xyz;
-    const Lanes3 e0 = x2 - x1, e1 = x0 - x2, e2 = x1 - x0;
-    const Lanes3 N = cross(e1, e2);
+template <class Lanes>
+using Frames = Frame<Lanes>[run_length / lane_count<Lanes>];
+
+template <class Lanes>
+IBMFAIR_INLINE void find_frames(const Index* corners, std::int64_t first, std::int64_t last,
+                                const double* X, Frames<Lanes>& frames) {
+  for (std::int64_t t = first; t < last; t += lane_count<Lanes>) {
+    const auto [x0, x1, x2] = gather_three<Lanes>(X, places_of(corners, t));
+    const auto e0 = x2.xyz - x1.xyz, e1 = x0.xyz - x2.xyz, e2 = x1.xyz - x0.xyz;
+    const Lanes3<Lanes> N = cross(e1, e2);
     const Lanes length = sqrt(dot(N, N));
     // Divided, not multiplied by an inverse: in a plane z = 0 it is 1/2 to the last digit.
-    frames[g] = {e0, e1, e2, N / (2.0 * length), 0.5 * length};
+    frames[(t - first) / lane_count<Lanes>] = {e0, e1, e2, N / (2.0 * length), 0.5 * length};
   }
 }
 
@@ -28,23 +33,26 @@ IBMFAIR_INLINE void find_frames(const Index* x, std::int64_t groups, const doubl
 // of the enclosed volume: a sixth of N, the double area vector, from every triangle at v.
 template <bool spontaneous>
 struct Curvature {
-  IBMFAIR_INLINE static void run(const Index* x, std::int64_t groups, BlockVertex* vertices) {
+  template <class Lanes>
+  IBMFAIR_INLINE static void run(const Index* corners, std::int64_t triangles,
+                                 BlockVertex* vertices) {
     const double* X = &vertices->x.x;
-    double* h = &vertices->sum.x;
-    Frames frames[run_length];
-    for (; groups > 0; groups -= run_length) {
-      const std::int64_t length = groups < run_length ? groups : run_length;
-      find_frames(x, length, X, frames);
-      for (std::int64_t g = 0; g < length; ++g, x += 12) {
-        const auto& [e0, e1, e2, n, area] = frames[g];
-        Lanes3 h0 = cross(n, e0), h1 = cross(n, e1), h2 = cross(n, e2);
+    Frames<Lanes> frames;
+    for (std::int64_t first = 0; first < triangles; first += run_length) {
+      const std::int64_t last = first + run_length < triangles ? first + run_length : triangles;
+      find_frames<Lanes>(corners, first, last, X, frames);
+      for (std::int64_t t = first; t < last; t += lane_count<Lanes>) {
+        const auto& [e0, e1, e2, n, area] = frames[(t - first) / lane_count<Lanes>];
+        Lanes3<Lanes> h0 = cross(n, e0), h1 = cross(n, e1), h2 = cross(n, e2);
+        const Index* x = places_of(corners, t);
         if (spontaneous) {
-          const Lanes3 a = 2.0 / 3.0 * area * n;
-          h0 = h0 - gather(X, x).w * a;
-          h1 = h1 - gather(X, x + 4).w * a;
-          h2 = h2 - gather(X, x + 8).w * a;
+          const auto [x0, x1, x2] = gather_three<Lanes>(X, x);
+          const Lanes3<Lanes> a = 2.0 / 3.0 * area * n;
+          h0 = h0 - x0.w * a;
+          h1 = h1 - x1.w * a;
+          h2 = h2 - x2.w * a;
         }
-        scatter_add(h0, h1, h2, area, h, x);
+        scatter_add(h0, h1, h2, area, &vertices->sum.x, x);
       }
     }
   }
@@ -55,40 +63,40 @@ struct Curvature {
 template <bool spontaneous>
 struct Forces {
   /// At each corner the force is p x e + n x f, e the opposite edge and f its change along y.
+  template <class Lanes>
   struct Factors {
-    Lanes3 f1, f2, p;
+    Lanes3<Lanes> f1, f2, p;
   };
 
-  IBMFAIR_INLINE static void run(const Index* x, std::int64_t groups, BlockVertex* vertices) {
+  template <class Lanes>
+  IBMFAIR_INLINE static void run(const Index* corners, std::int64_t triangles,
+                                 BlockVertex* vertices) {
     const double *X = &vertices->x.x, *y = &vertices->y.x;
-    double* G = &vertices->sum.x;
-    Frames frames[run_length];
-    Factors factors[run_length];
-    for (; groups > 0; groups -= run_length, x += 12 * run_length) {
-      const std::int64_t length = groups < run_length ? groups : run_length;
-      find_frames(x, length, X, frames);
-      for (std::int64_t g = 0; g < length; ++g) {
-        const auto& [e0, e1, e2, n, area] = frames[g];
-        const auto [y0, q0] = gather(y, x + 12 * g);
-        const auto [y1, q1] = gather(y, x + 12 * g + 4);
-        const auto [y2, q2] = gather(y, x + 12 * g + 8);
-        const Lanes3 f1 = y0 - y2, f2 = y1 - y0;
-        const Lanes3 dN = cross(f1, e2) + cross(e1, f2);
-        const Lanes3 dn = 0.25 / area * (dN - 4.0 * dot(n, dN) * n);
-        Lanes3 p = dn - (q0 + q1 + q2) * n;
+    Frames<Lanes> frames;
+    Factors<Lanes> factors[run_length / lane_count<Lanes>];
+    for (std::int64_t first = 0; first < triangles; first += run_length) {
+      const std::int64_t last = first + run_length < triangles ? first + run_length : triangles;
+      find_frames<Lanes>(corners, first, last, X, frames);
+      for (std::int64_t t = first; t < last; t += lane_count<Lanes>) {
+        const auto& [e0, e1, e2, n, area] = frames[(t - first) / lane_count<Lanes>];
+        const Index* x = places_of(corners, t);
+        const auto [y0, y1, y2] = gather_three<Lanes>(y, x);
+        const Lanes3<Lanes> f1 = y0.xyz - y2.xyz, f2 = y1.xyz - y0.xyz;
+        const Lanes3<Lanes> dN = cross(f1, e2) + cross(e1, f2);
+        const Lanes3<Lanes> dn = 0.25 / area * (dN - 4.0 * dot(n, dN) * n);
+        Lanes3<Lanes> p = dn - (y0.w + y1.w + y2.w) * n;
         if (spontaneous) {
-          const Index* v = x + 12 * g;
-          const Lanes3 H0_y =
-              gather(X, v).w * y0 + gather(X, v + 4).w * y1 + gather(X, v + 8).w * y2;
-          p = p - H0_y / Lanes{6, 6, 6, 6};
+          const auto [x0, x1, x2] = gather_three<Lanes>(X, x);
+          const Lanes3<Lanes> H0_y = x0.w * y0.xyz + x1.w * y1.xyz + x2.w * y2.xyz;
+          p = p - H0_y / (Lanes{} + 6.0);
         }
-        factors[g] = {f1, f2, p};
+        factors[(t - first) / lane_count<Lanes>] = {f1, f2, p};
       }
-      for (std::int64_t g = 0; g < length; ++g) {
-        const auto& [e0, e1, e2, n, area] = frames[g];
-        const auto& [f1, f2, p] = factors[g];
-        const Lanes3 g1 = cross(p, e1) + cross(n, f1), g2 = cross(p, e2) + cross(n, f2);
-        scatter_add_balanced(g1, g2, G, x + 12 * g);
+      for (std::int64_t t = first; t < last; t += lane_count<Lanes>) {
+        const auto& [e0, e1, e2, n, area] = frames[(t - first) / lane_count<Lanes>];
+        const auto& [f1, f2, p] = factors[(t - first) / lane_count<Lanes>];
+        scatter_add_balanced(cross(p, e1) + cross(n, f1), cross(p, e2) + cross(n, f2),
+                             &vertices->sum.x, places_of(corners, t));
       }
     }
   }
@@ -99,18 +107,18 @@ struct Forces {
 void lagrange_curvature(const Index* corners, std::int64_t groups, bool spontaneous,
                         BlockVertex* vertices) {
   if (spontaneous) {
-    run<Curvature<true>>(corners, groups, vertices);
+    run_in_lanes<Curvature<true>>(corners, lanes_per_group * groups, vertices);
   } else {
-    run<Curvature<false>>(corners, groups, vertices);
+    run_in_lanes<Curvature<false>>(corners, lanes_per_group * groups, vertices);
   }
 }
 
 void lagrange_forces(const Index* corners, std::int64_t groups, bool spontaneous,
                      BlockVertex* vertices) {
   if (spontaneous) {
-    run<Forces<true>>(corners, groups, vertices);
+    run_in_lanes<Forces<true>>(corners, lanes_per_group * groups, vertices);
   } else {
-    run<Forces<false>>(corners, groups, vertices);
+    run_in_lanes<Forces<false>>(corners, lanes_per_group * groups, vertices);
   }
 }
 

@@ -1,5 +1,5 @@
 // The triangles of a mesh as the kernels of the energies take them: block by block, in groups of
-// four. A sum over the triangles around a vertex is added up in the block that owns the vertex,
+// eight. A sum over the triangles around a vertex is added up in the block that owns the vertex,
 // which computes every triangle there, also those that other blocks compute for their vertices. So
 // no two threads write the same place, the order of every sum is fixed, and nothing per triangle is
 // kept from one pass to the next.
@@ -49,8 +49,8 @@ struct MeshBlock {
   std::int64_t framed_groups = 0;    ///< and of the neighbours of both
 };
 
-/// Triangles in a group.
-inline constexpr Index lanes_per_group = 4;
+/// Triangles in a group: those that a kernel takes at a time, or twice as many.
+inline constexpr Index lanes_per_group = 8;
 
 /// Numbers in a row, and in what there is of a vertex: the kernels' places count them.
 inline constexpr Index row_size = sizeof(BlockRow) / sizeof(double);
@@ -60,8 +60,8 @@ struct MeshBlocks {
   std::vector<MeshBlock> block;
   std::vector<Index> owned;       ///< the vertices of all blocks, as the mesh numbers them
   std::vector<Index> halo;        ///< positions in `owned`
-  std::vector<Index> corners;     ///< 3 x 4 for each group: `vertex_size` times the vertex
-  std::vector<Index> neighbours;  ///< 3 x 4 for each group at the block's own vertices: `row_size`
+  std::vector<Index> corners;     ///< 3 x 8 for each group: `vertex_size` times the vertex
+  std::vector<Index> neighbours;  ///< 3 x 8 for each group at the block's own vertices: `row_size`
                                   ///< times the triangle, itself where it has no neighbour
   std::vector<Index> untouched;   ///< the vertices that have no triangle
 
