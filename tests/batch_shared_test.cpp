@@ -40,10 +40,10 @@ constexpr std::chrono::minutes past_any_expiry{60};
 
 /// Waits for what must come about sooner or later.
 void await(const std::function<bool()>& condition) {
-  const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(60);
+  const auto end = std::chrono::steady_clock::now() + test::patience;
   while (!condition()) {
     if (std::chrono::steady_clock::now() > end) {
-      throw std::runtime_error("waited for a minute in vain");
+      throw std::runtime_error("waited in vain");
     }
     std::this_thread::sleep_for(std::chrono::milliseconds(2));
   }

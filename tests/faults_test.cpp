@@ -298,8 +298,8 @@ TEST_F(Faults, AnInputThatChangesWhileItIsReadIsRefused) {
 
 TEST_F(Faults, AFormatThatCannotBeWrittenIsRefusedBeforeTheWork) {
   // Steps for a minute.
-  const Words words{"smooth", in_, directory_ / "out.stl", "--steps", "1000000"};
-  const RunResult result = run(words, {.limit = std::chrono::seconds(20)});
+  const RunResult result = run({"smooth", in_, directory_ / "out.stl", "--steps", "1000000"});
+  EXPECT_LE(result.cpu_seconds, 10);
   EXPECT_EQ(result.exit_code, 2);
   EXPECT_TRUE(contains(result.err, "'stl' is not a mesh format that can be written"));
 }

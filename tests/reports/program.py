@@ -65,7 +65,7 @@ class ProgramTest(unittest.TestCase):
     def run_program(self, *words, code=0):
         """Runs it in the folder; it must end with this code."""
         result = subprocess.run([program, *map(str, words)], cwd=self.folder, capture_output=True,
-                                timeout=120)
+                                timeout=600)
         self.assertEqual(result.returncode, code, result.stderr)
         return result
 

@@ -159,7 +159,7 @@ TEST_F(Completion, WorksInZsh) {
            {"ibmfair batch jo", "ibmfair batch jobs.json "},
        }) {
     const ShellResult result =
-        run_shell("timeout 60 zsh -f " + shell_quoted(project_file("tests/support/complete.zsh")) +
+        run_shell("timeout 600 zsh -f " + shell_quoted(project_file("tests/support/complete.zsh")) +
                       " " + shell_quoted(scripts_.path().string()) + " " + shell_quoted(typed.line),
                   folder());
     EXPECT_EQ(result.exit_code, 0) << typed.line;

@@ -174,8 +174,7 @@ void expect_any_limit_is_met(const Words& words, const std::string& target,
   bool enough = false;
   for (const long value : values) {
     SCOPED_TRACE(limit + std::to_string(value));
-    const RunOptions options{.limit = std::chrono::seconds(30),
-                             .limits = {"--" + limit + "=" + std::to_string(value)}};
+    const RunOptions options{.limits = {"--" + limit + "=" + std::to_string(value)}};
     if (run_program({"--version"}, options).exit_code != done) {
       continue;
     }

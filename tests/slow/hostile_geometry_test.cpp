@@ -23,8 +23,7 @@ class HostileGeometry : public testing::Test {
     std::filesystem::remove(in_);
     std::filesystem::remove(out_);
     write_mesh(mesh, in_);
-    return run_program(Words{command, in_, out_, "--json"} + options,
-                       {.limit = std::chrono::seconds(60)});
+    return run_program(Words{command, in_, out_, "--json"} + options);
   }
 
   /// What `smooth` and `fill` promise of the vertices and faces that the mesh had.

@@ -18,7 +18,6 @@ namespace ibmfair::test {
 
 namespace {
 
-constexpr std::chrono::seconds terminal_limit{120};
 constexpr char ctrl_c = 3;
 
 /// In the child: becomes the program.
@@ -47,7 +46,7 @@ constexpr char ctrl_c = 3;
 
 /// Takes what the program draws until it ends; false where that takes too long.
 bool watch(int terminal, const TerminalOptions& options, std::string& drawn) {
-  const auto end = std::chrono::steady_clock::now() + terminal_limit;
+  const auto end = std::chrono::steady_clock::now() + patience;
   bool interrupted = false;
   while (std::chrono::steady_clock::now() < end) {
     pollfd wait{terminal, POLLIN, 0};

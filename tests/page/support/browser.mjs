@@ -19,8 +19,12 @@ const template = readFileSync(setting("IBMFAIR_PAGE_FILE"), "utf8");
 const results = setting("IBMFAIR_PAGE_RESULTS");
 mkdirSync(results, { recursive: true });
 
+/** Milliseconds until what does not come is given up: not so soon that a busy machine is too slow. */
+const patience = 300000;
+
 export function launch(further = []) {
   return chromium.launch({
+    timeout: patience,
     executablePath: setting("IBMFAIR_CHROMIUM"),
     args: [
       ...["--no-sandbox", "--use-gl=angle", "--use-angle=swiftshader"],
@@ -38,6 +42,7 @@ export async function open(browser, name, payload, options = {}) {
     reducedMotion: "reduce",
     ...options,
   });
+  context.setDefaultTimeout(patience);
   const page = await context.newPage();
   const troubles = [];
   page.on("pageerror", (error) => troubles.push(String(error)));
