@@ -17,9 +17,10 @@ namespace {
 /// Set to write the table anew; what changed is then for a person to judge.
 constexpr const char* record_variable = "IBMFAIR_RECORD_OUTCOMES";
 
-/// The slowest takes two seconds of a core that does nothing else, and others on the machine have
-/// been seen to treble them: this is for what goes on and on, not for what has become slower.
-constexpr double most_cpu_seconds = 30;
+/// Of processor time, against that of smoothing a sphere of 10,242 vertices: the slowest file takes
+/// 9 to 13 times as much, however busy the machine is. Below `few_seconds` nothing is compared.
+constexpr double most_spheres = 20;
+constexpr double few_seconds = 1;
 constexpr double most_megabytes = 1000;
 
 /// The first error, without the program's name and the file's.
@@ -33,11 +34,28 @@ std::string error_text(const RunResult& result, const std::string& path) {
   return text.starts_with(" ") ? text.substr(1) : text;
 }
 
+double sphere_seconds() {
+  const TemporaryDirectory directory;
+  const std::string sphere = directory / "sphere.ply";
+  run_program({"make", "icosphere", sphere, "--subdivide", "5", "--noise", "0.1"});
+  return run_program({"smooth", sphere, directory / "out.ply"}).cpu_seconds;
+}
+
+/// Whether the command, which has taken this long, takes no longer than it may. In three turns, as
+/// others on the machine come and go.
+[[maybe_unused]] bool ends_soon(double seconds, const Words& words) {
+  for (int turn = 1; seconds > few_seconds && seconds > most_spheres * sphere_seconds(); ++turn) {
+    if (turn == 3) return false;
+    seconds = run_program(words).cpu_seconds;
+  }
+  return true;
+}
+
 Outcome outcome_of(const std::string& command, const std::string& path) {
   const TemporaryDirectory directory;
   Words words{command, path};
   const bool writes = command != "info";
-  if (writes) words.push_back(directory / "out.ply");
+  if (writes) words = words + Words{directory / "out.ply", "--overwrite"};
   const RunResult result = run_program(words);
   Outcome outcome{result.exit_code, error_text(result, path)};
   // Whatever was written is complete; after an error nothing was.
@@ -48,7 +66,7 @@ Outcome outcome_of(const std::string& command, const std::string& path) {
   }
   EXPECT_EQ(directory.entries(), written ? 1U : 0U);
 #ifndef __SANITIZE_ADDRESS__
-  EXPECT_LE(result.cpu_seconds, most_cpu_seconds);
+  EXPECT_TRUE(ends_soon(result.cpu_seconds, words)) << result.cpu_seconds << " s";
   EXPECT_LE(result.peak_megabytes, most_megabytes);
 #endif
   return outcome;
