@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "ibmfair/base/parallel.h"
+#include "ibmfair/energy/block_prefetch.h"
 #include "ibmfair/energy/crouzeix_raviart_kernels.h"
 #include "ibmfair/mesh/corners.h"
 #include "ibmfair/mesh/geometry.h"
@@ -73,7 +74,7 @@ CrouzeixRaviart::CrouzeixRaviart(const Topology& topology, const EnergyOptions& 
   turns_.resize(blocks_.block.size());
 }
 
-double CrouzeixRaviart::block_energy(const MeshBlock& b, const Points& X, bool gradient,
+double CrouzeixRaviart::block_energy(const MeshBlock& b, const Points& X, const Points* G,
                                      BlockScratch& scratch) {
   blocks_.load(b, X, scratch.vertices);
   const auto triangles = static_cast<std::size_t>(lanes_per_group * b.framed_groups) +
@@ -82,11 +83,14 @@ double CrouzeixRaviart::block_energy(const MeshBlock& b, const Points& X, bool g
     scratch.triangles.resize(triangles);
   }
   const Index* corners = &blocks_.corners[b.first_corner];
-  crouzeix_raviart_frames(corners, b.framed_groups, scratch.vertices.data(),
-                          scratch.triangles.data());
+  const auto find_frames = [&](std::int64_t first, std::int64_t groups) {
+    crouzeix_raviart_frames(corners + 3 * lanes_per_group * first, groups, scratch.vertices.data(),
+                            scratch.triangles.data() + lanes_per_group * first);
+  };
+  compute_and_prefetch(blocks_, b, b.framed_groups, {X, nullptr, G}, find_frames);
   const HingeSums sums =
-      crouzeix_raviart_hinges(b, corners, &blocks_.neighbours[b.first_neighbour], terms_, gradient,
-                              scratch.vertices.data(), scratch.triangles.data());
+      crouzeix_raviart_hinges(b, corners, &blocks_.neighbours[b.first_neighbour], terms_,
+                              G != nullptr, scratch.vertices.data(), scratch.triangles.data());
   turns_[&b - blocks_.block.data()] = sums.largest_turn;
   return sums.energy;
 }
@@ -97,15 +101,14 @@ double CrouzeixRaviart::largest_turn() const {
 
 double CrouzeixRaviart::energy(const Points& X) {
   return loop_.sum(blocks_, [&](const MeshBlock& b, BlockScratch& scratch) {
-    return block_energy(b, X, false, scratch);
+    return block_energy(b, X, nullptr, scratch);
   });
 }
 
 double CrouzeixRaviart::energy_and_gradient(const Points& X, Points& G) {
   blocks_.prepare(G);
   return loop_.sum(blocks_, [&](const MeshBlock& b, BlockScratch& scratch) {
-    blocks_.expect(b, G);
-    const double E = block_energy(b, X, true, scratch);
+    const double E = block_energy(b, X, &G, scratch);
     blocks_.store(b, scratch.vertices, G);
     return E;
   });

@@ -34,7 +34,8 @@ class CrouzeixRaviart final : public BendingEnergy {
   void linearise(const Points& X, StencilWeights& weights) override;
 
  private:
-  double block_energy(const MeshBlock& b, const Points& X, bool gradient, BlockScratch& scratch);
+  /// Leaves the sums of the gradient in `scratch`, if it is to go to a G.
+  double block_energy(const MeshBlock& b, const Points& X, const Points* G, BlockScratch& scratch);
 
   HingeTerms terms_;
   Rows stencils_;      // #H rows of four

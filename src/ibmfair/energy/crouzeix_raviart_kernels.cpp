@@ -6,15 +6,31 @@ namespace ibmfair {
 namespace {
 
 struct FrameKernel {
+  /// The double area vectors N and |N|^2.
+  template <class Lanes>
+  IBMFAIR_INLINE static Lanes4<Lanes> normals(const Index* corners, const BlockVertex* vertices) {
+    const auto [x0, x1, x2] = gather_three<Lanes>(&vertices->x.x, corners);
+    const Lanes3<Lanes> N = cross(x0.xyz - x2.xyz, x1.xyz - x0.xyz);
+    return {N, dot(N, N)};
+  }
+
+  template <class Lanes>
+  IBMFAIR_INLINE static void store(const Lanes4<Lanes>& N, BlockRow* frames) {
+    const Lanes length = sqrt(N.w);
+    store_rows<Lanes>(N.xyz / length, 0.5 * length, &frames->x);
+  }
+
   template <class Lanes>
   IBMFAIR_INLINE static void run(const Index* corners, std::int64_t triangles,
                                  const BlockVertex* vertices, BlockRow* frames) {
-    for (std::int64_t t = 0; t < triangles; t += lane_count<Lanes>) {
-      const auto [x0, x1, x2] = gather_three<Lanes>(&vertices->x.x, places_of(corners, t));
-      const Lanes3<Lanes> N = cross(x0.xyz - x2.xyz, x1.xyz - x0.xyz);
-      const Lanes length = sqrt(dot(N, N));
-      store_rows<Lanes>(N / length, 0.5 * length, &frames[t].x);
+    constexpr int n = lane_count<Lanes>;
+    Lanes4<Lanes> N = normals<Lanes>(corners, vertices);
+    for (std::int64_t t = n; t < triangles; t += n) {
+      const Lanes4<Lanes> next = normals<Lanes>(places_of(corners, t), vertices);
+      store(N, &frames[t - n]);  // while the next are under way
+      N = next;
     }
+    store(N, &frames[triangles - n]);
   }
 };
 
@@ -56,10 +72,16 @@ struct HingeKernel {
     }
   };
 
+  /// Opposite the corners.
+  template <class Lanes>
+  struct Edges {
+    Lanes3<Lanes> e0, e1, e2;
+  };
+
   /// The forces at x1 and x2 are p x e + f, e the opposite edge; at x0 what makes their sum 0.
   template <class Lanes>
   struct Forces {
-    Lanes3<Lanes> e1, e2, p, f1, f2;
+    Lanes3<Lanes> p, f1, f2;
   };
 
   template <class Lanes>
@@ -69,12 +91,16 @@ struct HingeKernel {
                                       const BlockRow* frames) {
     constexpr int n = lane_count<Lanes>;
     Four E = {}, turn = {};
+    Edges<Lanes> edges[run_length / n];
     Forces<Lanes> forces[run_length / n];
     for (std::int64_t first = 0; first < triangles; first += run_length) {
       const std::int64_t last = first + run_length < triangles ? first + run_length : triangles;
       for (std::int64_t t = first; t < last; t += n) {
         const auto [x0, x1, x2] = gather_three<Lanes>(&vertices->x.x, places_of(corners, t));
-        const auto e0 = x2.xyz - x1.xyz, e1 = x0.xyz - x2.xyz, e2 = x1.xyz - x0.xyz;
+        edges[(t - first) / n] = {x2.xyz - x1.xyz, x0.xyz - x2.xyz, x1.xyz - x0.xyz};
+      }
+      for (std::int64_t t = first; t < last; t += n) {
+        const auto& [e0, e1, e2] = edges[(t - first) / n];
         const auto own = load_rows<Lanes>(&frames[t].x);
         const auto [t0, t1, t2] = gather_three<Lanes>(&frames->x, places_of(neighbours, t));
         Derivatives<Lanes> d;
@@ -92,11 +118,12 @@ struct HingeKernel {
           if (mass) {
             p = p + 1.0 / 6.0 * d.area * normal;
           }
-          forces[(t - first) / n] = {e1, e2, p, f2 - f0, f0 - f1};
+          forces[(t - first) / n] = {p, f2 - f0, f0 - f1};
         }
       }
       for (std::int64_t t = first; gradient && t < last; t += n) {
-        const auto& [e1, e2, p, f1, f2] = forces[(t - first) / n];
+        const auto& [e0, e1, e2] = edges[(t - first) / n];
+        const auto& [p, f1, f2] = forces[(t - first) / n];
         scatter_add_balanced(cross(p, e1) + f1, cross(p, e2) + f2, &vertices->sum.x,
                              places_of(corners, t));
       }

@@ -7,7 +7,7 @@
 
 namespace ibmfair {
 
-/// The unit normal and the area of every triangle in `groups` groups.
+/// The unit normal and the area of every triangle in `groups` groups, at least one.
 void crouzeix_raviart_frames(const Index* corners, std::int64_t groups, const BlockVertex* vertices,
                              BlockRow* triangles);
 

@@ -1,6 +1,7 @@
 #include "ibmfair/energy/lagrange.h"
 
 #include "ibmfair/base/parallel.h"
+#include "ibmfair/energy/block_prefetch.h"
 #include "ibmfair/energy/complete_stars.h"
 #include "ibmfair/energy/lagrange_kernels.h"
 
@@ -56,8 +57,11 @@ void Lagrange::load(const MeshBlock& b, const Points& X, BlockVertices& vertices
 double Lagrange::block_curvature(const MeshBlock& b, const Points& X, BlockScratch& scratch,
                                  BlockRow* y) {
   load(b, X, scratch.vertices);
-  lagrange_curvature(&blocks_.corners[b.first_corner], b.groups, !spontaneous_.empty(),
-                     scratch.vertices.data());
+  const Index* corners = &blocks_.corners[b.first_corner];
+  compute_and_prefetch(blocks_, b, b.groups, {X}, [&](std::int64_t first, std::int64_t groups) {
+    lagrange_curvature(corners + 3 * lanes_per_group * first, groups, !spontaneous_.empty(),
+                       scratch.vertices.data());
+  });
   double E = 0;
   for (Index i = 0; i < b.owned; ++i) {
     const BlockRow& h = scratch.vertices[filler_vertices + i].sum;
@@ -87,11 +91,14 @@ double Lagrange::energy_and_gradient(const Points& X, Points& G) {
   });
   blocks_.prepare(G);
   loop_.sum(blocks_, [&](const MeshBlock& b, BlockScratch& scratch) {
-    blocks_.expect(b, G);
     load(b, X, scratch.vertices);
     blocks_.load(b, y_, scratch.vertices);
-    lagrange_forces(&blocks_.corners[b.first_corner], b.groups, !spontaneous_.empty(),
-                    scratch.vertices.data());
+    const Index* corners = &blocks_.corners[b.first_corner];
+    const auto add_forces = [&](std::int64_t first, std::int64_t groups) {
+      lagrange_forces(corners + 3 * lanes_per_group * first, groups, !spontaneous_.empty(),
+                      scratch.vertices.data());
+    };
+    compute_and_prefetch(blocks_, b, b.groups, {X, &y_, &G}, add_forces);
     blocks_.store(b, scratch.vertices, G);
     return 0.0;
   });

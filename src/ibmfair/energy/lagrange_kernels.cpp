@@ -16,17 +16,39 @@ struct Frame {
 template <class Lanes>
 using Frames = Frame<Lanes>[run_length / lane_count<Lanes>];
 
+/// The edges of a frame. Returns the double area vector N and |N|^2.
+template <class Lanes>
+IBMFAIR_INLINE Lanes4<Lanes> begin_frame(const Index* corners, const double* X,
+                                         Frame<Lanes>& frame) {
+  const auto [x0, x1, x2] = gather_three<Lanes>(X, corners);
+  frame.e0 = x2.xyz - x1.xyz;
+  frame.e1 = x0.xyz - x2.xyz;
+  frame.e2 = x1.xyz - x0.xyz;
+  const Lanes3<Lanes> N = cross(frame.e1, frame.e2);
+  return {N, dot(N, N)};
+}
+
+template <class Lanes>
+IBMFAIR_INLINE void finish_frame(const Lanes4<Lanes>& N, Frame<Lanes>& frame) {
+  const Lanes length = sqrt(N.w);
+  // Divided, not multiplied by an inverse: in a plane z = 0 it is 1/2 to the last digit.
+  frame.n = N.xyz / (2.0 * length);
+  frame.area = 0.5 * length;
+}
+
 template <class Lanes>
 IBMFAIR_INLINE void find_frames(const Index* corners, std::int64_t first, std::int64_t last,
                                 const double* X, Frames<Lanes>& frames) {
-  for (std::int64_t t = first; t < last; t += lane_count<Lanes>) {
-    const auto [x0, x1, x2] = gather_three<Lanes>(X, places_of(corners, t));
-    const auto e0 = x2.xyz - x1.xyz, e1 = x0.xyz - x2.xyz, e2 = x1.xyz - x0.xyz;
-    const Lanes3<Lanes> N = cross(e1, e2);
-    const Lanes length = sqrt(dot(N, N));
-    // Divided, not multiplied by an inverse: in a plane z = 0 it is 1/2 to the last digit.
-    frames[(t - first) / lane_count<Lanes>] = {e0, e1, e2, N / (2.0 * length), 0.5 * length};
+  constexpr int n = lane_count<Lanes>;
+  Frame<Lanes>* frame = frames;
+  Lanes4<Lanes> N = begin_frame(places_of(corners, first), X, *frame);
+  for (std::int64_t t = first + n; t < last; t += n) {
+    const Lanes4<Lanes> next = begin_frame(places_of(corners, t), X, frame[1]);
+    finish_frame(N, *frame);  // while the next are under way
+    ++frame;
+    N = next;
   }
+  finish_frame(N, *frame);
 }
 
 // With spontaneous curvature H0_v, h_v - H0_v a_v takes the place of h_v, where a_v is the gradient

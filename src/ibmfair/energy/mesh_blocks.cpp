@@ -179,9 +179,9 @@ void for_vertices_of(const MeshBlocks& blocks, const MeshBlock& b, BlockVertices
   for (Index i = 0; i < b.owned; ++i) {
     take(*to++, b.first_owned + i);
   }
-  const Index* others = blocks.halo.data() + b.first_halo;
-  std::for_each(others, others + (b.vertices - filler_vertices - b.owned),
-                [&](Index position) { take(*to++, position); });
+  for (const Index position : blocks.halo_of(b)) {
+    take(*to++, position);
+  }
 }
 
 }  // namespace
@@ -199,11 +199,12 @@ void MeshBlocks::load(const MeshBlock& b, const Points& X, BlockVertices& vertic
     to->sum = {};
     ++to;
   };
-  const Index* own = owned.data() + b.first_owned;
-  std::for_each(own, own + b.owned, load_one);
-  const Index* others = halo.data() + b.first_halo;
-  std::for_each(others, others + (b.vertices - filler_vertices - b.owned),
-                [&](Index position) { load_one(owned[position]); });
+  for (const Index v : owned_of(b)) {
+    load_one(v);
+  }
+  for (const Index position : halo_of(b)) {
+    load_one(owned[position]);
+  }
 }
 
 void MeshBlocks::load(const MeshBlock& b, const std::vector<BlockRow>& y,
@@ -218,18 +219,11 @@ void MeshBlocks::load(const MeshBlock& b, const std::vector<double>& w,
                   [&](BlockVertex& vertex, std::int64_t at) { vertex.x.w = w[at]; });
 }
 
-void MeshBlocks::expect(const MeshBlock& b, Points& G) const {
-  const Index* vertex = owned.data() + b.first_owned;
-  std::for_each(vertex, vertex + b.owned, [&](Index v) {
-    __builtin_prefetch(G.data() + 3 * std::ptrdiff_t{v}, 1);  // 1: for writing
-  });
-}
-
 void MeshBlocks::store(const MeshBlock& b, const BlockVertices& vertices, Points& G) const {
-  const Index* vertex = owned.data() + b.first_owned;
-  for (Index i = 0; i < b.owned; ++i) {
-    std::memcpy(G.data() + 3 * std::ptrdiff_t{vertex[i]}, &vertices[filler_vertices + i].sum.x,
-                3 * sizeof(double));
+  const BlockVertex* from = &vertices[filler_vertices];
+  for (const Index v : owned_of(b)) {
+    std::memcpy(G.data() + 3 * std::ptrdiff_t{v}, &from->sum.x, 3 * sizeof(double));
+    ++from;
   }
 }
 

@@ -7,6 +7,7 @@
 
 #include <cstdint>
 #include <limits>
+#include <span>
 #include <vector>
 
 #include "ibmfair/base/types.h"
@@ -65,6 +66,16 @@ struct MeshBlocks {
                                   ///< times the triangle, itself where it has no neighbour
   std::vector<Index> untouched;   ///< the vertices that have no triangle
 
+  /// A block's own vertices, as the mesh numbers them.
+  std::span<const Index> owned_of(const MeshBlock& b) const {
+    return {owned.data() + b.first_owned, static_cast<std::size_t>(b.owned)};
+  }
+  /// The other corners of its triangles, as positions in `owned`.
+  std::span<const Index> halo_of(const MeshBlock& b) const {
+    return {halo.data() + b.first_halo,
+            static_cast<std::size_t>(b.vertices - filler_vertices - b.owned)};
+  }
+
   /// The positions of a block's vertices, x out of X (#V x 3), and sums of zero. The list may grow,
   /// but never shrinks.
   void load(const MeshBlock& b, const Points& X, BlockVertices& vertices) const;
@@ -72,9 +83,6 @@ struct MeshBlocks {
   void load(const MeshBlock& b, const std::vector<BlockRow>& y, BlockVertices& vertices) const;
   /// The fourth number of their x, out of numbers that stand like `owned`.
   void load(const MeshBlock& b, const std::vector<double>& w, BlockVertices& vertices) const;
-  /// Has the places of a block's own vertices in G (#V x 3) fetched while the block is computed:
-  /// store() would wait for them.
-  void expect(const MeshBlock& b, Points& G) const;
   /// A block's sums to its own vertices in G (#V x 3).
   void store(const MeshBlock& b, const BlockVertices& vertices, Points& G) const;
   /// Makes G #V x 3, zero where no block stores anything.

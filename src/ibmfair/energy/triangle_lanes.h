@@ -8,8 +8,8 @@
 namespace ibmfair {
 
 /// How many triangles a kernel takes through one of its stages before the next. Square roots and
-/// divisions take so long that they must be under way for many triangles at once; in one long stage
-/// the rest of the work on a few would fill up the processor's queue.
+/// divisions take so long that they must be under way for many triangles at once, and of long
+/// stages only the work on a few has room in the processor's queue.
 inline constexpr std::int64_t run_length = 64;
 
 /// Where a block lists the first places of triangle t and of those after it in its group. The
