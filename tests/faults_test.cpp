@@ -169,7 +169,7 @@ TEST_F(Faults, ALimitOfFileSizesIsAnErrorNotTheEnd) {
 TEST_F(Faults, WhatIsDoneToTheTargetMeanwhileIsNotUndone) {
   // Long enough to be met while it runs; what comes before the first look at the target is an error
   // all the same.
-  const Words words{"smooth", in_, directory_ / "folder/out.ply", "--steps", "300", "--overwrite"};
+  const Words words{"smooth", in_, directory_ / "folder/out.ply", "--steps", "3000", "--overwrite"};
   const auto meanwhile = [&](const Words& run_words, const auto& act) {
     fs::remove_all(directory_ / "folder");
     fs::create_directory(directory_ / "folder");
