@@ -1,3 +1,5 @@
+#include <algorithm>
+#include <cstddef>
 #include <cstring>
 
 #include "ibmfair/base/simd.h"
@@ -48,18 +50,16 @@ IBMFAIR_INLINE Pack<double> repeat(const Quadruple<double>& quad) {
   return quad;
 }
 
-/// What to multiply a pack by: in every row of it four times the next number. Both floats are read
-/// as one, which costs no more than one of them would.
-IBMFAIR_INLINE Pack<float> spread(const float* numbers) {
-  double both;
-  std::memcpy(&both, numbers, sizeof both);
-  const Quadruple<double> copies = {both, both, both, both};
+/// What to multiply a pack by: in every row of it four times the k-th number of a panel's row.
+template <int k>
+IBMFAIR_INLINE Pack<float> spread(const float* rows) {
   Pack<float> pack;
-  std::memcpy(&pack, &copies, sizeof pack);
-  return __builtin_shufflevector(pack, pack, 0, 0, 0, 0, 5, 5, 5, 5);
+  std::memcpy(&pack, rows, sizeof pack);
+  return __builtin_shufflevector(pack, pack, k, k, k, k, k + 4, k + 4, k + 4, k + 4);
 }
-IBMFAIR_INLINE double spread(const double* number) {
-  return *number;
+template <int k>
+IBMFAIR_INLINE double spread(const double* row) {
+  return row[k];
 }
 
 /// The sum of the rows of a pack.
@@ -92,99 +92,182 @@ class QuadList {
   Real* numbers_;
 };
 
-// Both directions read every entry of the block once, and are bound by that: with four columns at a
-// time the quads beside it are read a quarter as often.
+template <class Real>
+IBMFAIR_INLINE QuadList<Real> rest_of(Real* vectors, Index first) {
+  return QuadList<Real>(vectors + 4 * std::size_t(first));
+}
+
+/// Vectors of more bytes leave the first cache too little room for the panels beside them, and the
+/// processor no longer fetches these ahead.
+constexpr std::size_t small_vectors = 12 * 1024;
+
+/// Numbers of a panel that are fetched ahead then: 8 kB.
+template <class Real>
+constexpr std::ptrdiff_t ahead = 8192 / sizeof(Real);
 
 template <class Real>
-struct Forward {
+IBMFAIR_INLINE void fetch(const Real* numbers) {
+  __builtin_prefetch(numbers, 0, 2);  // 2: not to the first cache
+}
+
+/// One panel of four columns or the last one of a front, and W from its first row on.
+template <class Real, int width, bool fetching>
+struct Panel {
   static constexpr Index pack_rows = PackOf<Real>::rows;
 
-  IBMFAIR_INLINE static void run(const Real* L, Index rows, Index columns, Real* vectors) {
-    QuadList<Real> W(vectors);
-    Index j = 0;
-    for (; j + 4 <= columns; j += 4) {
-      const Real* a = L + std::int64_t{j} * rows;
-      const Real *b = a + rows, *c = b + rows, *d = c + rows;
-      const auto p = W.get(j) / a[j];
-      const auto q = (W.get(j + 1) - a[j + 1] * p) / b[j + 1];
-      const auto r = (W.get(j + 2) - a[j + 2] * p - b[j + 2] * q) / c[j + 2];
-      const auto s = (W.get(j + 3) - a[j + 3] * p - b[j + 3] * q - c[j + 3] * r) / d[j + 3];
-      W.set(j, p), W.set(j + 1, q), W.set(j + 2, r), W.set(j + 3, s);
-      const auto P = repeat(p), Q = repeat(q), R = repeat(r), S = repeat(s);
-      Index i = j + 4;
-      for (; i + pack_rows <= rows; i += pack_rows) {
-        const auto w = W.template get<Pack<Real>>(i);
-        W.set(i,
-              w - (spread(a + i) * P + spread(b + i) * Q + spread(c + i) * R + spread(d + i) * S));
+  /// Returns the end of the panel.
+  IBMFAIR_INLINE static const Real* forward(const Real* L, Index rows, QuadList<Real> W) {
+    Quadruple<Real> x[width];
+    for (int k = 0; k < width; ++k, L += width) {
+      x[k] = W.get(k);
+      for (int m = 0; m < k; ++m) {
+        x[k] -= L[m] * x[m];
       }
-      for (; i < rows; ++i) {
-        W.set(i, W.get(i) - (a[i] * p + b[i] * q + c[i] * r + d[i] * s));
+      x[k] /= L[k];
+      W.set(k, x[k]);
+    }
+    Index i = width;
+    if constexpr (width == panel_width) {
+      const auto p = repeat(x[0]), q = repeat(x[1]), r = repeat(x[2]), s = repeat(x[3]);
+      for (; i + pack_rows <= rows; i += pack_rows, L += pack_rows * width) {
+        if (fetching) fetch(L + ahead<Real>);
+        W.set(i, W.template get<Pack<Real>>(i) -
+                     (spread<0>(L) * p + spread<1>(L) * q + spread<2>(L) * r + spread<3>(L) * s));
       }
     }
-    for (; j < columns; ++j) {
-      const Real* a = L + std::int64_t{j} * rows;
-      const auto p = W.get(j) / a[j];
-      W.set(j, p);
-      for (Index i = j + 1; i < rows; ++i) {
-        W.set(i, W.get(i) - a[i] * p);
+    for (; i < rows; ++i, L += width) {
+      auto sum = L[0] * x[0];
+      for (int k = 1; k < width; ++k) {
+        sum += L[k] * x[k];
       }
+      W.set(i, W.get(i) - sum);
+    }
+    return L;
+  }
+
+  /// Begins at the end of the panel, and returns its start.
+  IBMFAIR_INLINE static const Real* backward(const Real* L, Index rows, QuadList<Real> W) {
+    Quadruple<Real> x[width] = {};
+    Index i = rows;
+    if constexpr (width == panel_width) {
+      Pack<Real> p = {}, q = {}, r = {}, s = {};
+      for (; i - pack_rows >= width; i -= pack_rows) {
+        L -= pack_rows * width;
+        if (fetching) fetch(L - ahead<Real>);
+        const auto w = W.template get<Pack<Real>>(i - pack_rows);
+        p += spread<0>(L) * w, q += spread<1>(L) * w;
+        r += spread<2>(L) * w, s += spread<3>(L) * w;
+      }
+      x[0] = sum_of_rows(p), x[1] = sum_of_rows(q), x[2] = sum_of_rows(r), x[3] = sum_of_rows(s);
+    }
+    for (; i > width; --i) {
+      L -= width;
+      const auto w = W.get(i - 1);
+      for (int k = 0; k < width; ++k) {
+        x[k] += L[k] * w;
+      }
+    }
+    L -= width * width;
+    for (int k = width - 1; k >= 0; --k) {
+      x[k] = W.get(k) - x[k];
+      for (int m = width - 1; m > k; --m) {
+        x[k] -= L[width * m + k] * x[m];
+      }
+      x[k] /= L[width * k + k];
+      W.set(k, x[k]);
+    }
+    return L;
+  }
+};
+
+template <class Real, bool fetching>
+struct Forward {
+  IBMFAIR_INLINE static void run(const Real* L, Index rows, Index columns, Real* vectors) {
+    Index j = 0;
+    for (; j + panel_width <= columns; j += panel_width) {
+      L = Panel<Real, panel_width, fetching>::forward(L, rows - j, rest_of(vectors, j));
+    }
+    switch (columns - j) {
+      case 1:
+        Panel<Real, 1, fetching>::forward(L, rows - j, rest_of(vectors, j));
+        break;
+      case 2:
+        Panel<Real, 2, fetching>::forward(L, rows - j, rest_of(vectors, j));
+        break;
+      case 3:
+        Panel<Real, 3, fetching>::forward(L, rows - j, rest_of(vectors, j));
+        break;
+      default:
+        break;
     }
   }
 };
 
-template <class Real>
+template <class Real, bool fetching>
 struct Backward {
-  static constexpr Index pack_rows = PackOf<Real>::rows;
-
   IBMFAIR_INLINE static void run(const Real* L, Index rows, Index columns, Real* vectors) {
-    QuadList<Real> W(vectors);
-    Index j = columns;
-    for (; j % 4 != 0; --j) {
-      const Real* a = L + std::int64_t{j - 1} * rows;
-      auto p = W.get(j - 1);
-      for (Index i = j; i < rows; ++i) {
-        p -= a[i] * W.get(i);
-      }
-      W.set(j - 1, p / a[j - 1]);
+    L += packed_size(rows, columns);
+    Index j = columns - columns % panel_width;
+    switch (columns - j) {
+      case 1:
+        L = Panel<Real, 1, fetching>::backward(L, rows - j, rest_of(vectors, j));
+        break;
+      case 2:
+        L = Panel<Real, 2, fetching>::backward(L, rows - j, rest_of(vectors, j));
+        break;
+      case 3:
+        L = Panel<Real, 3, fetching>::backward(L, rows - j, rest_of(vectors, j));
+        break;
+      default:
+        break;
     }
     while (j > 0) {
-      j -= 4;
-      const Real* a = L + std::int64_t{j} * rows;
-      const Real *b = a + rows, *c = b + rows, *d = c + rows;
-      Pack<Real> P = {}, Q = {}, R = {}, S = {};
-      Index i = j + 4;
-      for (; i + pack_rows <= rows; i += pack_rows) {
-        const auto w = W.template get<Pack<Real>>(i);
-        P += spread(a + i) * w, Q += spread(b + i) * w;
-        R += spread(c + i) * w, S += spread(d + i) * w;
-      }
-      auto p = W.get(j) - sum_of_rows(P), q = W.get(j + 1) - sum_of_rows(Q);
-      auto r = W.get(j + 2) - sum_of_rows(R), s = W.get(j + 3) - sum_of_rows(S);
-      for (; i < rows; ++i) {
-        const auto w = W.get(i);
-        p -= a[i] * w, q -= b[i] * w, r -= c[i] * w, s -= d[i] * w;
-      }
-      s = s / d[j + 3];
-      r = (r - c[j + 3] * s) / c[j + 2];
-      q = (q - b[j + 3] * s - b[j + 2] * r) / b[j + 1];
-      p = (p - a[j + 3] * s - a[j + 2] * r - a[j + 1] * q) / a[j];
-      W.set(j, p), W.set(j + 1, q), W.set(j + 2, r), W.set(j + 3, s);
+      j -= panel_width;
+      L = Panel<Real, panel_width, fetching>::backward(L, rows - j, rest_of(vectors, j));
     }
   }
 };
+
+template <class Real>
+bool is_large(Index rows) {
+  return 4 * sizeof(Real) * static_cast<std::size_t>(rows) > small_vectors;
+}
 
 }  // namespace
 
 template <class Real>
-void substitute_forward(const Real* block, Index rows, Index columns, Real* W) {
-  run<Forward<Real>>(block, rows, columns, W);
+void pack_front(const Real* block, Index rows, Index columns, Real* packed) {
+  for (Index j = 0; j < columns; j += panel_width) {
+    const Index width = std::min(panel_width, columns - j);
+    const Real* panel = block + std::int64_t{j} * rows;
+    for (Index i = j; i < rows; ++i) {
+      for (Index k = 0; k < width; ++k) {
+        *packed++ = panel[i + std::int64_t{k} * rows];
+      }
+    }
+  }
 }
 
 template <class Real>
-void substitute_backward(const Real* block, Index rows, Index columns, Real* W) {
-  run<Backward<Real>>(block, rows, columns, W);
+void substitute_forward(const Real* packed, Index rows, Index columns, Real* W) {
+  if (is_large<Real>(rows)) {
+    run<Forward<Real, true>>(packed, rows, columns, W);
+  } else {
+    run<Forward<Real, false>>(packed, rows, columns, W);
+  }
 }
 
+template <class Real>
+void substitute_backward(const Real* packed, Index rows, Index columns, Real* W) {
+  if (is_large<Real>(rows)) {
+    run<Backward<Real, true>>(packed, rows, columns, W);
+  } else {
+    run<Backward<Real, false>>(packed, rows, columns, W);
+  }
+}
+
+template void pack_front(const float*, Index, Index, float*);
+template void pack_front(const double*, Index, Index, double*);
 template void substitute_forward(const float*, Index, Index, float*);
 template void substitute_forward(const double*, Index, Index, double*);
 template void substitute_backward(const float*, Index, Index, float*);

@@ -20,7 +20,24 @@ void for_branches(const Supernodes& nodes, std::int64_t least_entries,
             [&](std::int64_t b) { work(b, scratch[worker_index()]); });
 }
 
-constexpr std::int64_t worth_sharing_factor = 1'000'000, worth_sharing_solve = 2'000'000;
+constexpr std::int64_t worth_sharing_factor = 1'000'000, worth_sharing_solve = 500'000;
+
+/// The numbers in the largest front, all of its rows in all of its own columns.
+template <class List>
+std::int64_t largest_front(const Supernodes& nodes, const List& list) {
+  std::int64_t largest = 0;
+  for (const Index s : list) {
+    largest = std::max(largest, std::int64_t{nodes.rows(s)} * nodes.columns(s));
+  }
+  return largest;
+}
+
+/// Where a thread works on one front.
+template <class Real>
+struct FrontScratch {
+  std::vector<Index> place;  // #unknowns: of each row of the front
+  LargeArray<Real> block;    // column by column
+};
 
 }  // namespace
 
@@ -44,23 +61,24 @@ class FrontalFactor<Real>::Pass {
   /// Factors the supernodes in `list`, those of branch b or (b = #branches) of the trunk; returns
   /// -1 or the column at which the matrix is not positive definite.
   template <class List>
-  Index run(const List& list, std::size_t b, std::vector<Index>& place) {
+  Index run(const List& list, std::size_t b, FrontScratch<Real>& scratch) {
     UpdateStack<Real> stack(nodes_, update_, stacks_[b].data());
     for (const Index s : list) {
       const std::int64_t below = nodes_.rows_below(s);
-      Real* const block = values_ + nodes_.first_entry[s];
+      const Index rows = nodes_.rows(s), columns = nodes_.columns(s);
+      Real* const block = scratch.block.data();
       Real* const update = stack.push(s, below * below);
-      gather_matrix(s, block, place);
+      gather_matrix(s, block, scratch.place);
       for (Index j = 0; j < below; ++j) {
         std::fill(update + j * below + j, update + (j + 1) * below, Real(0));
       }
       for (const Index child : nodes_.children[s]) {
         add_update(child, s, block, update);
       }
-      if (const Index bad = factor_front(nodes_.rows(s), nodes_.columns(s), block, update);
-          bad >= 0) {
+      if (const Index bad = factor_front(rows, columns, block, update); bad >= 0) {
         return nodes_.first_column[s] + bad;
       }
+      pack_front(block, rows, columns, values_ + nodes_.first_entry[s]);
       stack.take_room_of_children(s, below * below);
     }
     return -1;
@@ -126,11 +144,18 @@ Index FrontalFactor<Real>::factor(const SymmetricMatrix& J, const EliminatedColu
   }
   Pass pass(nodes_, J, columns, scale_, values_.data());
   const std::size_t branches = nodes_.branches.size();
-  std::vector<std::vector<Index>> places(worker_count(), std::vector<Index>(nodes_.unknown.size()));
+  std::int64_t largest = 0;
+  for (const Branch& branch : nodes_.branches) {
+    largest = std::max(largest, largest_front(nodes_, branch));
+  }
+  std::vector<FrontScratch<Real>> scratch(worker_count());
+  for (FrontScratch<Real>& of_thread : scratch) {
+    of_thread = {std::vector<Index>(nodes_.unknown.size()), LargeArray<Real>(largest)};
+  }
   std::vector<Index> bad_column(branches, -1);
-  for_branches(nodes_, worth_sharing_factor, places, [&](std::int64_t b, auto& place) {
+  for_branches(nodes_, worth_sharing_factor, scratch, [&](std::int64_t b, auto& own) {
     const FlushSubnormals flush;
-    bad_column[b] = pass.run(nodes_.branches[b], b, place);
+    bad_column[b] = pass.run(nodes_.branches[b], b, own);
   });
   Index bad = n;  // the first in order of elimination
   for (const Index column : bad_column) {
@@ -138,7 +163,8 @@ Index FrontalFactor<Real>::factor(const SymmetricMatrix& J, const EliminatedColu
   }
   if (bad == n) {
     const FlushSubnormals flush;
-    const Index column = pass.run(nodes_.trunk, branches, places[0]);
+    scratch[0].block = LargeArray<Real>(largest_front(nodes_, nodes_.trunk));
+    const Index column = pass.run(nodes_.trunk, branches, scratch[0]);
     bad = column < 0 ? n : column;
   }
   return bad < n ? nodes_.unknown[bad] : -1;
@@ -179,10 +205,9 @@ void FrontalSolver<Real>::forward(const List& list, Real* memory, Real* front) {
         }
       }
     }
-    substitute_forward(factor_.block(s), rows, nodes.columns(s), front);
+    substitute_forward(factor_.front(s), rows, nodes.columns(s), front);
     std::copy_n(front, own, x);
-    std::copy_n(front + own, below, stack.push(s, below));
-    stack.take_room_of_children(s, below);
+    std::copy_n(front + own, below, stack.push_over_children(s, below));
   }
 }
 
@@ -194,7 +219,7 @@ void FrontalSolver<Real>::backward(Index s, Real* front) {
   for (Index i = 0; i < rows; ++i) {
     std::copy_n(&x_[4 * std::size_t(row[i])], 4, front + 4 * i);
   }
-  substitute_backward(factor_.block(s), rows, nodes.columns(s), front);
+  substitute_backward(factor_.front(s), rows, nodes.columns(s), front);
   std::copy_n(front, 4 * nodes.columns(s), &x_[4 * std::size_t(nodes.first_column[s])]);
 }
 

@@ -24,7 +24,8 @@ class FrontalFactor {
   Index factor(const SymmetricMatrix& J, const EliminatedColumns& columns);
 
   const Supernodes& nodes() const { return nodes_; }
-  const Real* block(Index s) const { return values_.data() + nodes_.first_entry[s]; }
+  /// In panels (solve/front_kernels.h).
+  const Real* front(Index s) const { return values_.data() + nodes_.first_entry[s]; }
   /// 1 / sqrt(J_ii), in order of elimination.
   const std::vector<double>& scale() const { return scale_; }
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <numeric>
 
+#include "ibmfair/solve/front_kernels.h"
+
 namespace ibmfair {
 namespace {
 
@@ -107,7 +109,7 @@ void complete(Supernodes& nodes) {
   nodes.first_entry.assign(1, 0);
   for (Index s = 0; s < nodes.size(); ++s) {
     nodes.first_entry.push_back(nodes.first_entry.back() +
-                                std::int64_t{nodes.rows(s)} * nodes.columns(s));
+                                packed_size(nodes.rows(s), nodes.columns(s)));
   }
   const std::vector<Index> parent = parents(nodes);
   nodes.children = positions_by_value(parent, nodes.size());

@@ -37,9 +37,9 @@ struct Branch {
   Iterator end() const { return {last}; }
 };
 
-/// Supernode s holds the columns first_column[s] .. first_column[s + 1] - 1 as a dense block of
-/// `rows(s)` rows, stored column by column; its own columns are its first rows. Children come
-/// before their parents, and every subtree is a contiguous range.
+/// Supernode s holds the columns first_column[s] .. first_column[s + 1] - 1 as a dense front of
+/// `rows(s)` rows, stored in panels (solve/front_kernels.h); its own columns are its first rows.
+/// Children come before their parents, and every subtree is a contiguous range.
 struct Supernodes {
   std::vector<Index> unknown;             ///< n, in order of elimination
   std::vector<Index> first_column;        ///< #S + 1

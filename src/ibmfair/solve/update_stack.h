@@ -24,13 +24,16 @@ class UpdateStack {
     return of_[s];
   }
 
+  /// Memory for the `size` numbers of s where those of its children were.
+  Real* push_over_children(Index s, std::int64_t size) {
+    top_ = first_of_children(s, top_);
+    return push(s, size);
+  }
+
   /// Moves the numbers of s, the last ones pushed, down to where those of its children were.
   void take_room_of_children(Index s, std::int64_t size) {
     Real* const from = of_[s];
-    for (const Index child : nodes_.children[s]) {
-      // A parent in the trunk leaves what its children in branches hold.
-      if (nodes_.branch_of[child] == nodes_.branch_of[s]) of_[s] = std::min(of_[s], of_[child]);
-    }
+    of_[s] = first_of_children(s, from);
     if (of_[s] != from) {
       std::memmove(of_[s], from, static_cast<std::size_t>(size) * sizeof(Real));
     }
@@ -38,6 +41,15 @@ class UpdateStack {
   }
 
  private:
+  /// Where the numbers of the children of s begin, or `none`.
+  Real* first_of_children(Index s, Real* none) const {
+    for (const Index child : nodes_.children[s]) {
+      // A parent in the trunk leaves what its children in branches hold.
+      if (nodes_.branch_of[child] == nodes_.branch_of[s]) none = std::min(none, of_[child]);
+    }
+    return none;
+  }
+
   const Supernodes& nodes_;
   std::vector<Real*>& of_;
   Real* top_;
