@@ -72,9 +72,9 @@ struct HingeKernel {
     }
   };
 
-  /// Opposite the corners.
+  /// Each opposite the corner of its number.
   template <class Lanes>
-  struct Edges {
+  struct OppositeEdges {
     Lanes3<Lanes> e0, e1, e2;
   };
 
@@ -91,7 +91,7 @@ struct HingeKernel {
                                       const BlockRow* frames) {
     constexpr int n = lane_count<Lanes>;
     Four E = {}, turn = {};
-    Edges<Lanes> edges[run_length / n];
+    OppositeEdges<Lanes> edges[run_length / n];
     Forces<Lanes> forces[run_length / n];
     for (std::int64_t first = 0; first < triangles; first += run_length) {
       const std::int64_t last = first + run_length < triangles ? first + run_length : triangles;

@@ -135,12 +135,14 @@ FrontalFactor<Real>::FrontalFactor(const Supernodes& nodes)
 template <class Real>
 Index FrontalFactor<Real>::factor(const SymmetricMatrix& J, const EliminatedColumns& columns) {
   const Index n = nodes_.unknowns();
+  largest_scale_ = 0;
   for (Index i = 0; i < n; ++i) {
     const double diagonal = J.value[J.column_first[nodes_.unknown[i]]];
     if (!(diagonal > 0) || !std::isfinite(diagonal)) {
       return nodes_.unknown[i];
     }
     scale_[i] = 1 / std::sqrt(diagonal);
+    largest_scale_ = std::max(largest_scale_, scale_[i]);
   }
   Pass pass(nodes_, J, columns, scale_, values_.data());
   const std::size_t branches = nodes_.branches.size();
@@ -227,12 +229,9 @@ template <class Real>
 void FrontalSolver<Real>::solve(const Points& B, Points& Y) {
   const Supernodes& nodes = factor_.nodes();
   const std::vector<double>& scale = factor_.scale();
-  // Of the largest number, so that float32 rounds alike whatever the unit of length is.
-  double unit = 0;
-  for (Index i = 0; i < nodes.unknowns(); ++i) {
-    unit = std::max(unit, B.row(nodes.unknown[i]).cwiseAbs().maxCoeff() * scale[i]);
-  }
-  unit = unit > 0 ? unit : 1;
+  // No number is larger than this one, so that float32 rounds alike whatever the unit of length is.
+  const double largest = B.size() > 0 ? B.cwiseAbs().maxCoeff() * factor_.largest_scale() : 0;
+  const double unit = largest > 0 ? largest : 1;
   parallel_for(nodes.unknowns(), [&](std::int64_t i) {
     for (int c = 0; c < 3; ++c) {
       x_[4 * i + c] = static_cast<Real>(B(nodes.unknown[i], c) * scale[i] / unit);

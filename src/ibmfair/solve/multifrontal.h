@@ -28,6 +28,7 @@ class FrontalFactor {
   const Real* front(Index s) const { return values_.data() + nodes_.first_entry[s]; }
   /// 1 / sqrt(J_ii), in order of elimination.
   const std::vector<double>& scale() const { return scale_; }
+  double largest_scale() const { return largest_scale_; }
 
  private:
   class Pass;
@@ -35,6 +36,7 @@ class FrontalFactor {
   const Supernodes& nodes_;
   LargeArray<Real> values_;
   std::vector<double> scale_;
+  double largest_scale_ = 0;
 };
 
 /// Solves with one factor in workspaces that are kept.
