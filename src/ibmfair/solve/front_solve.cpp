@@ -1,7 +1,7 @@
-#include <algorithm>
 #include <cstddef>
 #include <cstring>
 
+#include "ibmfair/base/parallel.h"
 #include "ibmfair/base/simd.h"
 #include "ibmfair/solve/front_kernels.h"
 
@@ -228,6 +228,9 @@ struct Backward {
   }
 };
 
+/// Numbers of a front.
+constexpr std::int64_t worth_sharing_packing = 1'000'000;
+
 template <class Real>
 bool is_large(Index rows) {
   return 4 * sizeof(Real) * static_cast<std::size_t>(rows) > small_vectors;
@@ -237,13 +240,21 @@ bool is_large(Index rows) {
 
 template <class Real>
 void pack_front(const Real* block, Index rows, Index columns, Real* packed) {
-  for (Index j = 0; j < columns; j += panel_width) {
-    const Index width = std::min(panel_width, columns - j);
-    const Real* panel = block + std::int64_t{j} * rows;
-    for (Index i = j; i < rows; ++i) {
-      for (Index k = 0; k < width; ++k) {
-        *packed++ = panel[i + std::int64_t{k} * rows];
-      }
+  const Index full = columns / panel_width, rest = full * panel_width;
+  const auto pack_panel = [&](std::int64_t p) {
+    const Index first = static_cast<Index>(p) * panel_width;
+    const Real* a = block + std::int64_t{first} * rows;
+    const Real *b = a + rows, *c = b + rows, *d = c + rows;
+    Real* to = packed + packed_size(rows, first);
+    for (Index i = first; i < rows; ++i, to += panel_width) {
+      to[0] = a[i], to[1] = b[i], to[2] = c[i], to[3] = d[i];
+    }
+  };
+  run_tasks(full, packed_size(rows, columns) >= worth_sharing_packing, pack_panel);
+  Real* to = packed + packed_size(rows, rest);
+  for (Index i = rest; i < rows; ++i) {
+    for (Index k = rest; k < columns; ++k) {
+      *to++ = block[i + std::int64_t{k} * rows];
     }
   }
 }
