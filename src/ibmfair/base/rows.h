@@ -11,6 +11,10 @@ namespace ibmfair {
 
 /// A flat list of short lists: item i holds value[first[i]] .. value[first[i + 1] - 1].
 struct Rows {
+  /// No aggregate: where its list finds no memory in a `{}` of what holds it, GCC 12 destroys the
+  /// members before it twice.
+  Rows() = default;
+
   std::vector<std::int64_t> first{0};
   std::vector<Index> value;
 
