@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <memory>
+#include <new>
 
 namespace ibmfair {
 
@@ -11,12 +12,14 @@ namespace ibmfair {
 /// reading a file. Advice only: nothing depends on its being taken.
 void advise_huge_pages(void* start, std::size_t bytes);
 
-/// An array of plain numbers in large pages, not initialised.
+/// An array of plain numbers in large pages, not initialised. It begins with a cache line, so that
+/// vectors of numbers that stand in turn lie in one line each.
 template <class T>
 class LargeArray {
  public:
   LargeArray() = default;
-  explicit LargeArray(std::size_t size) : data_(new T[size]), size_(size) {
+  explicit LargeArray(std::size_t size)
+      : data_(static_cast<T*>(::operator new(size * sizeof(T), cache_line))), size_(size) {
     advise_huge_pages(data_.get(), size * sizeof(T));
   }
 
@@ -27,7 +30,12 @@ class LargeArray {
   const T& operator[](std::size_t i) const { return data_[i]; }
 
  private:
-  std::unique_ptr<T[]> data_;
+  static constexpr std::align_val_t cache_line{64};
+  struct Delete {
+    void operator()(T* data) const { ::operator delete(data, cache_line); }
+  };
+
+  std::unique_ptr<T[], Delete> data_;
   std::size_t size_ = 0;
 };
 

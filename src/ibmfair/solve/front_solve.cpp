@@ -1,287 +1,295 @@
-#include <cstddef>
-#include <cstring>
+#include <algorithm>
+#include <utility>
 
-#include "ibmfair/base/parallel.h"
-#include "ibmfair/base/simd.h"
-#include "ibmfair/solve/front_kernels.h"
-
-// No vector is passed between functions: all are part of the kernels at the end.
-#pragma GCC diagnostic ignored "-Wpsabi"
+#include "ibmfair/solve/front_packs.h"
 
 namespace ibmfair {
 namespace {
 
-/// Four numbers side by side: the three coordinates of a right-hand side, and one that is idle.
-template <class Real>
-struct QuadOf;
-template <>
-struct QuadOf<float> {
-  using type __attribute__((vector_size(16))) = float;
-};
-template <>
-struct QuadOf<double> {
-  using type __attribute__((vector_size(32))) = double;
-};
+/// A workspace of more bytes leaves the first cache too little room for the panels beside it, and
+/// the processor no longer fetches these ahead.
+constexpr std::int64_t small_workspace = 12 * 1024;
 
-template <class Real>
-using Quadruple = typename QuadOf<Real>::type;
-
-/// Rows of quads that fill 32 bytes, which loops over rows take at a time.
-template <class Real>
-struct PackOf;
-template <>
-struct PackOf<float> {
-  using type __attribute__((vector_size(32))) = float;
-  static constexpr Index rows = 2;
-};
-template <>
-struct PackOf<double> {
-  using type = Quadruple<double>;
-  static constexpr Index rows = 1;
-};
-template <class Real>
-using Pack = typename PackOf<Real>::type;
-
-/// In every row of a pack the same quad.
-IBMFAIR_INLINE Pack<float> repeat(const Quadruple<float>& quad) {
-  return __builtin_shufflevector(quad, quad, 0, 1, 2, 3, 0, 1, 2, 3);
-}
-IBMFAIR_INLINE Pack<double> repeat(const Quadruple<double>& quad) {
-  return quad;
-}
-
-/// What to multiply a pack by: in every row of it four times the k-th number of a panel's row.
-template <int k>
-IBMFAIR_INLINE Pack<float> spread(const float* rows) {
-  Pack<float> pack;
-  std::memcpy(&pack, rows, sizeof pack);
-  return __builtin_shufflevector(pack, pack, k, k, k, k, k + 4, k + 4, k + 4, k + 4);
-}
-template <int k>
-IBMFAIR_INLINE double spread(const double* row) {
-  return row[k];
-}
-
-/// The sum of the rows of a pack.
-IBMFAIR_INLINE Quadruple<float> sum_of_rows(const Pack<float>& pack) {
-  return __builtin_shufflevector(pack, pack, 0, 1, 2, 3) +
-         __builtin_shufflevector(pack, pack, 4, 5, 6, 7);
-}
-IBMFAIR_INLINE Quadruple<double> sum_of_rows(const Pack<double>& pack) {
-  return pack;
-}
-
-/// A list of quads in memory that need not be aligned.
-template <class Real>
-class QuadList {
- public:
-  IBMFAIR_INLINE explicit QuadList(Real* numbers) : numbers_(numbers) {}
-  /// The quad at i, or the pack from there on.
-  template <class Rows = Quadruple<Real>>
-  IBMFAIR_INLINE Rows get(Index i) const {
-    Rows rows;
-    std::memcpy(&rows, numbers_ + 4 * std::size_t(i), sizeof rows);
-    return rows;
-  }
-  template <class Rows>
-  IBMFAIR_INLINE void set(Index i, const Rows& rows) {
-    std::memcpy(numbers_ + 4 * std::size_t(i), &rows, sizeof rows);
-  }
-
- private:
-  Real* numbers_;
-};
-
-template <class Real>
-IBMFAIR_INLINE QuadList<Real> rest_of(Real* vectors, Index first) {
-  return QuadList<Real>(vectors + 4 * std::size_t(first));
-}
-
-/// Vectors of more bytes leave the first cache too little room for the panels beside them, and the
-/// processor no longer fetches these ahead.
-constexpr std::size_t small_vectors = 12 * 1024;
-
-/// Numbers of a panel that are fetched ahead then: 8 kB.
+/// Numbers that are fetched ahead then: 8 kB.
 template <class Real>
 constexpr std::ptrdiff_t ahead = 8192 / sizeof(Real);
 
-template <class Real>
-IBMFAIR_INLINE void fetch(const Real* numbers) {
-  __builtin_prefetch(numbers, 0, 2);  // 2: not to the first cache
+constexpr std::ptrdiff_t cache_line = 64;
+
+/// Fetches the numbers that are to be read `distance` after these.
+template <std::ptrdiff_t count, class Real>
+IBMFAIR_INLINE void fetch(const Real* numbers, std::ptrdiff_t distance) {
+  const char* const bytes = reinterpret_cast<const char*>(numbers + distance);
+  for (std::ptrdiff_t i = 0; i < count * std::ptrdiff_t{sizeof(Real)}; i += cache_line) {
+    __builtin_prefetch(bytes + i, 0, 2);  // 2: not to the first cache
+  }
 }
 
-/// One panel of four columns or the last one of a front, and W from its first row on.
+/// Packs of three coordinates that follow each other in a workspace.
+template <class Real>
+IBMFAIR_INLINE Pack3<Real> load_three(const Real* W) {
+  constexpr Index pack = pack_rows<Real>;
+  return {load<Pack<Real>>(W), load<Pack<Real>>(W + pack), load<Pack<Real>>(W + 2 * pack)};
+}
+template <class Real>
+IBMFAIR_INLINE void store_three(Real* W, const Pack3<Real>& three) {
+  for (int c = 0; c < 3; ++c) {
+    store(W + c * pack_rows<Real>, three.c[c]);
+  }
+}
+
+/// One panel: `L` has its packs below the chunk, and W the rows beside them.
 template <class Real, int width, bool fetching>
 struct Panel {
-  static constexpr Index pack_rows = PackOf<Real>::rows;
+  static constexpr Index pack = pack_rows<Real>;
 
-  /// Returns the end of the panel.
-  IBMFAIR_INLINE static const Real* forward(const Real* L, Index rows, QuadList<Real> W) {
-    Quadruple<Real> x[width];
-    for (int k = 0; k < width; ++k, L += width) {
-      x[k] = W.get(k);
-      for (int m = 0; m < k; ++m) {
-        x[k] -= L[m] * x[m];
-      }
-      x[k] /= L[k];
-      W.set(k, x[k]);
-    }
-    Index i = width;
-    if constexpr (width == panel_width) {
-      const auto p = repeat(x[0]), q = repeat(x[1]), r = repeat(x[2]), s = repeat(x[3]);
-      for (; i + pack_rows <= rows; i += pack_rows, L += pack_rows * width) {
-        if (fetching) fetch(L + ahead<Real>);
-        W.set(i, W.template get<Pack<Real>>(i) -
-                     (spread<0>(L) * p + spread<1>(L) * q + spread<2>(L) * r + spread<3>(L) * s));
+  /// W loses L x, where x has the panel's own rows. Returns the end of the panel.
+  IBMFAIR_INLINE static const Real* forward(const Real* L, Index packs, const Real* x, Real* W) {
+    Real factor[3][width];
+    for (int c = 0; c < 3; ++c) {
+      for (int k = 0; k < width; ++k) {
+        factor[c][k] = x[c * pack + k];
       }
     }
-    for (; i < rows; ++i, L += width) {
-      auto sum = L[0] * x[0];
-      for (int k = 1; k < width; ++k) {
-        sum += L[k] * x[k];
+    for (; packs > 0; --packs, L += width * pack, W += 3 * pack) {
+      if (fetching) fetch<width * pack>(L, ahead<Real>);
+      for (int c = 0; c < 3; ++c) {
+        Pack<Real> sum = factor[c][0] * load<Pack<Real>>(L);
+        for (int k = 1; k < width; ++k) {
+          sum += factor[c][k] * load<Pack<Real>>(L + k * pack);
+        }
+        store(W + c * pack, load<Pack<Real>>(W + c * pack) - sum);
       }
-      W.set(i, W.get(i) - sum);
     }
     return L;
   }
 
-  /// Begins at the end of the panel, and returns its start.
-  IBMFAIR_INLINE static const Real* backward(const Real* L, Index rows, QuadList<Real> W) {
-    Quadruple<Real> x[width] = {};
-    Index i = rows;
-    if constexpr (width == panel_width) {
-      Pack<Real> p = {}, q = {}, r = {}, s = {};
-      for (; i - pack_rows >= width; i -= pack_rows) {
-        L -= pack_rows * width;
-        if (fetching) fetch(L - ahead<Real>);
-        const auto w = W.template get<Pack<Real>>(i - pack_rows);
-        p += spread<0>(L) * w, q += spread<1>(L) * w;
-        r += spread<2>(L) * w, s += spread<3>(L) * w;
-      }
-      x[0] = sum_of_rows(p), x[1] = sum_of_rows(q), x[2] = sum_of_rows(r), x[3] = sum_of_rows(s);
-    }
-    for (; i > width; --i) {
-      L -= width;
-      const auto w = W.get(i - 1);
+  /// L^T W, coordinate by coordinate. Begins at the ends of the panel and of W; returns the start
+  /// of the panel.
+  IBMFAIR_INLINE static const Real* backward(const Real* L, Index packs, const Real* W,
+                                             Quad<Real> (&sum)[3]) {
+    Pack<Real> of_column[3][panel_width] = {};
+    for (; packs > 0; --packs) {
+      L -= width * pack;
+      W -= 3 * pack;
+      if (fetching) fetch<width * pack>(L, -ahead<Real>);
       for (int k = 0; k < width; ++k) {
-        x[k] += L[k] * w;
+        for (int c = 0; c < 3; ++c) {
+          of_column[c][k] += load<Pack<Real>>(L + k * pack) * load<Pack<Real>>(W + c * pack);
+        }
       }
     }
-    L -= width * width;
-    for (int k = width - 1; k >= 0; --k) {
-      x[k] = W.get(k) - x[k];
-      for (int m = width - 1; m > k; --m) {
-        x[k] -= L[width * m + k] * x[m];
-      }
-      x[k] /= L[width * k + k];
-      W.set(k, x[k]);
+    for (int c = 0; c < 3; ++c) {
+      sum[c] = sums(of_column[c][0], of_column[c][1], of_column[c][2], of_column[c][3]);
     }
     return L;
   }
 };
 
+/// Quads of a chunk's panels side by side.
+IBMFAIR_INLINE Pack<float> beside(const Quad<float> (&of_panel)[2][3], int c) {
+  return both_halves(of_panel[0][c], of_panel[1][c]);
+}
+IBMFAIR_INLINE Pack<double> beside(const Quad<double> (&of_panel)[1][3], int c) {
+  return of_panel[0][c];
+}
+
+/// One chunk, and W from its own pack on.
+template <class Real, int columns, bool fetching>
+struct Chunk {
+  static constexpr Index pack = pack_rows<Real>;
+  static constexpr int first_width = std::min<int>(columns, panel_width);
+  static constexpr int second_width = columns - first_width;
+  using Panels = Quad<Real>[pack / panel_width][3];
+
+  IBMFAIR_INLINE static const Real* forward(const Real* L, Index packs, Real* W) {
+    Pack3<Real> own = load_three(W);
+    for (int c = 0; c < 3; ++c) {
+      Pack<Real> sum = W[c * pack] * load<Pack<Real>>(L);
+      for (int k = 1; k < columns; ++k) {
+        sum += W[c * pack + k] * load<Pack<Real>>(L + k * pack);
+      }
+      own.c[c] += sum;
+    }
+    store_three(W, own);
+    L += columns * pack;
+    L = Panel<Real, first_width, fetching>::forward(L, packs - 1, W, W + 3 * pack);
+    if constexpr (second_width > 0) {
+      L = Panel<Real, second_width, fetching>::forward(L, packs - 1, W + panel_width, W + 3 * pack);
+    }
+    return L;
+  }
+
+  IBMFAIR_INLINE static const Real* backward(const Real* L, Index packs, Real* W) {
+    const Real* const end = W + 3 * pack * std::ptrdiff_t{packs};
+    Panels sum = {};
+    if constexpr (second_width > 0) {
+      L = Panel<Real, second_width, fetching>::backward(L, packs - 1, end, sum[1]);
+    }
+    L = Panel<Real, first_width, fetching>::backward(L, packs - 1, end, sum[0]);
+    Pack3<Real> own = load_three(W);
+    for (int c = 0; c < 3; ++c) {
+      own.c[c] -= beside(sum, c);
+    }
+    L -= columns * pack;
+    add_transposed(L, own);
+    store_three(W, own);
+    return L;
+  }
+
+ private:
+  /// `own` becomes (I + T)^T own, where T is what the chunk begins with.
+  IBMFAIR_INLINE static void add_transposed(const Real* T, Pack3<Real>& own) {
+    Panels sum = {};
+    for (int c = 0; c < 3; ++c) {
+      for (int first = 0; first < columns; first += panel_width) {
+        Pack<Real> of_column[panel_width] = {};
+        for (int k = 0; k < std::min<int>(panel_width, columns - first); ++k) {
+          of_column[k] = load<Pack<Real>>(T + (first + k) * pack) * own.c[c];
+        }
+        sum[first / panel_width][c] = sums(of_column[0], of_column[1], of_column[2], of_column[3]);
+      }
+      own.c[c] += beside(sum, c);
+    }
+  }
+};
+
+/// Chunks of every width.
+template <class Real>
+using Widths = std::make_integer_sequence<int, pack_rows<Real>>;
+
+/// The workspace from pack p on.
+template <class Real>
+IBMFAIR_INLINE Real* from_pack(Real* W, Index p) {
+  return W + 3 * pack_rows<Real> * std::ptrdiff_t{p};
+}
+
+/// Fills the workspace with `rows` rows.
+template <class Real, class Rows>
+IBMFAIR_INLINE void gather(const Rows& source, Index rows, Real* W) {
+  constexpr Index pack = pack_rows<Real>;
+  Index first = 0;
+  for (; first + pack <= rows; first += pack, W += 3 * pack) {
+    Rows whole = source;
+    whole.count = first + pack;
+    store_three(W, to_packs(whole, first, Real()));
+  }
+  if (first < rows) {
+    store_three(W, to_packs(source, first, Real()));
+  }
+}
+
+/// Rows first .. last - 1 of the workspace as rows of four numbers each. The first one begins a
+/// pack.
+template <class Real>
+IBMFAIR_INLINE void scatter(const Real* W, Index first, Index last, Real* to) {
+  constexpr Index pack = pack_rows<Real>;
+  for (W += 3 * std::ptrdiff_t{first}; first < last; first += pack, W += 3 * pack, to += 4 * pack) {
+    if (first + pack <= last) {
+      to_rows(load_three(W), to);
+    } else {
+      Real some[4 * pack];
+      to_rows(load_three(W), some);
+      for (Index i = 0; i < last - first; ++i) {
+        store(to + 4 * i, load<Quad<Real>>(some + 4 * i));
+      }
+    }
+  }
+}
+
 template <class Real, bool fetching>
 struct Forward {
-  IBMFAIR_INLINE static void run(const Real* L, Index rows, Index columns, Real* vectors) {
-    Index j = 0;
-    for (; j + panel_width <= columns; j += panel_width) {
-      L = Panel<Real, panel_width, fetching>::forward(L, rows - j, rest_of(vectors, j));
+  IBMFAIR_INLINE static void run(const Real* L, Index rows, Index columns, const Real* front,
+                                 Real* own, Real* below, Real* W) {
+    constexpr Index pack = pack_rows<Real>;
+    gather(RowsInTurn<Real>{front, rows}, rows, W);
+    const Index packs = packs_of(rows, pack), whole = columns / pack;
+    for (Index p = 0; p < whole; ++p) {
+      L = Chunk<Real, pack, fetching>::forward(L, packs - p, from_pack(W, p));
     }
-    switch (columns - j) {
-      case 1:
-        Panel<Real, 1, fetching>::forward(L, rows - j, rest_of(vectors, j));
-        break;
-      case 2:
-        Panel<Real, 2, fetching>::forward(L, rows - j, rest_of(vectors, j));
-        break;
-      case 3:
-        Panel<Real, 3, fetching>::forward(L, rows - j, rest_of(vectors, j));
-        break;
-      default:
-        break;
+    last_chunk(columns - pack * whole, L, packs - whole, from_pack(W, whole), Widths<Real>{});
+    scatter(W, 0, columns, own);
+    scatter_below(W, columns, rows, below);
+  }
+
+ private:
+  template <int... less_one>
+  IBMFAIR_INLINE static void last_chunk(Index columns, const Real* L, Index packs, Real* W,
+                                        std::integer_sequence<int, less_one...> /*widths*/) {
+    ((columns == less_one + 1 ? void(Chunk<Real, less_one + 1, fetching>::forward(L, packs, W))
+                              : void()),
+     ...);
+  }
+
+  IBMFAIR_INLINE static void scatter_below(const Real* W, Index columns, Index rows, Real* below) {
+    constexpr Index pack = pack_rows<Real>;
+    const Index begun = columns / pack * pack, whole = packs_of(columns, pack) * pack;
+    if (begun < columns) {
+      Real some[4 * pack];
+      to_rows(load_three(W + 3 * std::ptrdiff_t{begun}), some);
+      for (Index i = columns; i < std::min(whole, rows); ++i, below += 4) {
+        store(below, load<Quad<Real>>(some + 4 * (i - begun)));
+      }
     }
+    scatter(W, whole, rows, below);
   }
 };
 
 template <class Real, bool fetching>
 struct Backward {
-  IBMFAIR_INLINE static void run(const Real* L, Index rows, Index columns, Real* vectors) {
-    L += packed_size(rows, columns);
-    Index j = columns - columns % panel_width;
-    switch (columns - j) {
-      case 1:
-        L = Panel<Real, 1, fetching>::backward(L, rows - j, rest_of(vectors, j));
-        break;
-      case 2:
-        L = Panel<Real, 2, fetching>::backward(L, rows - j, rest_of(vectors, j));
-        break;
-      case 3:
-        L = Panel<Real, 3, fetching>::backward(L, rows - j, rest_of(vectors, j));
-        break;
-      default:
-        break;
+  IBMFAIR_INLINE static void run(const Real* L, Index rows, Index columns, const Index* row,
+                                 Real* x, Real* W) {
+    constexpr Index pack = pack_rows<Real>;
+    gather(NamedRows<Real>{x, row, rows}, rows, W);
+    L += packed_size<Real>(rows, columns);
+    const Index packs = packs_of(rows, pack);
+    Index p = columns / pack;
+    L = last_chunk(columns - pack * p, L, packs - p, from_pack(W, p), Widths<Real>{});
+    while (p > 0) {
+      --p;
+      L = Chunk<Real, pack, fetching>::backward(L, packs - p, from_pack(W, p));
     }
-    while (j > 0) {
-      j -= panel_width;
-      L = Panel<Real, panel_width, fetching>::backward(L, rows - j, rest_of(vectors, j));
-    }
+    scatter(W, 0, columns, x + 4 * std::ptrdiff_t{row[0]});
+  }
+
+ private:
+  template <int... less_one>
+  IBMFAIR_INLINE static const Real* last_chunk(Index columns, const Real* L, Index packs, Real* W,
+                                               std::integer_sequence<int, less_one...> /*widths*/) {
+    ((L = columns == less_one + 1 ? Chunk<Real, less_one + 1, fetching>::backward(L, packs, W) : L),
+     ...);
+    return L;
   }
 };
 
-/// Numbers of a front.
-constexpr std::int64_t worth_sharing_packing = 1'000'000;
-
-template <class Real>
-bool is_large(Index rows) {
-  return 4 * sizeof(Real) * static_cast<std::size_t>(rows) > small_vectors;
+/// Forward or backward.
+template <template <class, bool> class Direction, class Real, class... Rest>
+void substitute(const Real* packed, Index rows, Rest... rest) {
+  if (workspace_size<Real>(rows) * std::int64_t{sizeof(Real)} > small_workspace) {
+    run<Direction<Real, true>>(packed, rows, rest...);
+  } else {
+    run<Direction<Real, false>>(packed, rows, rest...);
+  }
 }
 
 }  // namespace
 
 template <class Real>
-void pack_front(const Real* block, Index rows, Index columns, Real* packed) {
-  const Index full = columns / panel_width, rest = full * panel_width;
-  const auto pack_panel = [&](std::int64_t p) {
-    const Index first = static_cast<Index>(p) * panel_width;
-    const Real* a = block + std::int64_t{first} * rows;
-    const Real *b = a + rows, *c = b + rows, *d = c + rows;
-    Real* to = packed + packed_size(rows, first);
-    for (Index i = first; i < rows; ++i, to += panel_width) {
-      to[0] = a[i], to[1] = b[i], to[2] = c[i], to[3] = d[i];
-    }
-  };
-  run_tasks(full, packed_size(rows, columns) >= worth_sharing_packing, pack_panel);
-  Real* to = packed + packed_size(rows, rest);
-  for (Index i = rest; i < rows; ++i) {
-    for (Index k = rest; k < columns; ++k) {
-      *to++ = block[i + std::int64_t{k} * rows];
-    }
-  }
+void substitute_forward(const Real* packed, Index rows, Index columns, const Real* front, Real* own,
+                        Real* below, Real* workspace) {
+  substitute<Forward>(packed, rows, columns, front, own, below, workspace);
 }
 
 template <class Real>
-void substitute_forward(const Real* packed, Index rows, Index columns, Real* W) {
-  if (is_large<Real>(rows)) {
-    run<Forward<Real, true>>(packed, rows, columns, W);
-  } else {
-    run<Forward<Real, false>>(packed, rows, columns, W);
-  }
+void substitute_backward(const Real* packed, Index rows, Index columns, const Index* row, Real* x,
+                         Real* workspace) {
+  substitute<Backward>(packed, rows, columns, row, x, workspace);
 }
 
-template <class Real>
-void substitute_backward(const Real* packed, Index rows, Index columns, Real* W) {
-  if (is_large<Real>(rows)) {
-    run<Backward<Real, true>>(packed, rows, columns, W);
-  } else {
-    run<Backward<Real, false>>(packed, rows, columns, W);
-  }
-}
-
-template void pack_front(const float*, Index, Index, float*);
-template void pack_front(const double*, Index, Index, double*);
-template void substitute_forward(const float*, Index, Index, float*);
-template void substitute_forward(const double*, Index, Index, double*);
-template void substitute_backward(const float*, Index, Index, float*);
-template void substitute_backward(const double*, Index, Index, double*);
+template void substitute_forward(const float*, Index, Index, const float*, float*, float*, float*);
+template void substitute_forward(const double*, Index, Index, const double*, double*, double*,
+                                 double*);
+template void substitute_backward(const float*, Index, Index, const Index*, float*, float*);
+template void substitute_backward(const double*, Index, Index, const Index*, double*, double*);
 
 }  // namespace ibmfair

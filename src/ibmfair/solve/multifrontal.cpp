@@ -16,7 +16,7 @@ namespace {
 template <class Scratch, class Work>
 void for_branches(const Supernodes& nodes, std::int64_t least_entries,
                   std::vector<Scratch>& scratch, Work&& work) {
-  run_tasks(static_cast<std::int64_t>(nodes.branches.size()), nodes.entries() >= least_entries,
+  run_tasks(static_cast<std::int64_t>(nodes.branches.size()), nodes.entries >= least_entries,
             [&](std::int64_t b) { work(b, scratch[worker_index()]); });
 }
 
@@ -45,17 +45,16 @@ struct FrontScratch {
 template <class Real>
 class FrontalFactor<Real>::Pass {
  public:
-  Pass(const Supernodes& nodes, const SymmetricMatrix& J, const EliminatedColumns& columns,
-       const std::vector<double>& scale, Real* values)
-      : nodes_(nodes), J_(J), columns_(columns), scale_(scale), values_(values) {
-    update_.resize(static_cast<std::size_t>(nodes.size()));
+  Pass(FrontalFactor& factor, const SymmetricMatrix& J, const EliminatedColumns& columns)
+      : factor_(factor), nodes_(factor.nodes_), J_(J), columns_(columns) {
+    update_.resize(static_cast<std::size_t>(nodes_.size()));
     const auto square = [&](Index s) {
       return std::int64_t{nodes_.rows_below(s)} * nodes_.rows_below(s);
     };
-    for (const Branch& branch : nodes.branches) {
-      stacks_.emplace_back(stack_size(nodes, branch, square));
+    for (const Branch& branch : nodes_.branches) {
+      stacks_.emplace_back(stack_size(nodes_, branch, square));
     }
-    stacks_.emplace_back(stack_size(nodes, nodes.trunk, square));
+    stacks_.emplace_back(stack_size(nodes_, nodes_.trunk, square));
   }
 
   /// Factors the supernodes in `list`, those of branch b or (b = #branches) of the trunk; returns
@@ -78,7 +77,7 @@ class FrontalFactor<Real>::Pass {
       if (const Index bad = factor_front(rows, columns, block, update); bad >= 0) {
         return nodes_.first_column[s] + bad;
       }
-      pack_front(block, rows, columns, values_ + nodes_.first_entry[s]);
+      pack_front(block, rows, columns, factor_.values_.data() + factor_.first_value_[s]);
       stack.take_room_of_children(s, below * below);
     }
     return -1;
@@ -87,6 +86,7 @@ class FrontalFactor<Real>::Pass {
  private:
   void gather_matrix(Index s, Real* block, std::vector<Index>& place) const {
     const Index rows = nodes_.rows(s);
+    const std::vector<double>& scale = factor_.scale_;
     const Index* const row = nodes_.row.data() + nodes_.first_row[s];
     for (Index i = 0; i < rows; ++i) {
       place[row[i]] = i;
@@ -95,7 +95,7 @@ class FrontalFactor<Real>::Pass {
     for (Index j = nodes_.first_column[s]; j < nodes_.first_column[s + 1]; ++j, block += rows) {
       for (std::int64_t k = columns_.first[j]; k < columns_.first[j + 1]; ++k) {
         const Index i = columns_.row[k];
-        block[place[i]] = static_cast<Real>(J_.value[columns_.source[k]] * scale_[i] * scale_[j]);
+        block[place[i]] = static_cast<Real>(J_.value[columns_.source[k]] * scale[i] * scale[j]);
       }
     }
   }
@@ -117,20 +117,23 @@ class FrontalFactor<Real>::Pass {
     }
   }
 
+  FrontalFactor& factor_;
   const Supernodes& nodes_;
   const SymmetricMatrix& J_;
   const EliminatedColumns& columns_;
-  const std::vector<double>& scale_;
-  Real* values_;
   std::vector<LargeArray<Real>> stacks_;  // one per branch, and the trunk's
   std::vector<Real*> update_;             // #S
 };
 
 template <class Real>
 FrontalFactor<Real>::FrontalFactor(const Supernodes& nodes)
-    : nodes_(nodes),
-      values_(static_cast<std::size_t>(nodes.entries())),
-      scale_(nodes.unknown.size()) {}
+    : nodes_(nodes), first_value_(1, 0), scale_(nodes.unknown.size()) {
+  for (Index s = 0; s < nodes.size(); ++s) {
+    first_value_.push_back(first_value_.back() +
+                           packed_size<Real>(nodes.rows(s), nodes.columns(s)));
+  }
+  values_ = LargeArray<Real>(static_cast<std::size_t>(first_value_.back()));
+}
 
 template <class Real>
 Index FrontalFactor<Real>::factor(const SymmetricMatrix& J, const EliminatedColumns& columns) {
@@ -144,7 +147,7 @@ Index FrontalFactor<Real>::factor(const SymmetricMatrix& J, const EliminatedColu
     scale_[i] = 1 / std::sqrt(diagonal);
     largest_scale_ = std::max(largest_scale_, scale_[i]);
   }
-  Pass pass(nodes_, J, columns, scale_, values_.data());
+  Pass pass(*this, J, columns);
   const std::size_t branches = nodes_.branches.size();
   std::int64_t largest = 0;
   for (const Branch& branch : nodes_.branches) {
@@ -173,28 +176,31 @@ Index FrontalFactor<Real>::factor(const SymmetricMatrix& J, const EliminatedColu
 }
 
 template <class Real>
-FrontalSolver<Real>::FrontalSolver(const FrontalFactor<Real>& factor) : factor_(factor) {
+FrontalSolver<Real>::FrontalSolver(const FrontalFactor<Real>& factor)
+    : factor_(factor),
+      x_(4 * factor.nodes().unknown.size()),
+      update_(static_cast<std::size_t>(factor.nodes().size())) {
   const Supernodes& nodes = factor.nodes();
-  x_.resize(4 * nodes.unknown.size());
-  update_.resize(static_cast<std::size_t>(nodes.size()));
   const auto vectors = [&](Index s) { return std::int64_t{4} * nodes.rows_below(s); };
   for (const Branch& branch : nodes.branches) {
     branch_stack_.emplace_back(stack_size(nodes, branch, vectors));
   }
-  trunk_stack_.resize(static_cast<std::size_t>(stack_size(nodes, nodes.trunk, vectors)));
+  trunk_stack_ = LargeArray<Real>(stack_size(nodes, nodes.trunk, vectors));
   for (Index s = 0; s < nodes.size(); ++s) {
-    front_size_ = std::max(front_size_, 4 * std::size_t(nodes.rows(s)));
+    largest_front_ = std::max(largest_front_, nodes.rows(s));
   }
 }
 
 template <class Real>
 template <class List>
-void FrontalSolver<Real>::forward(const List& list, Real* memory, Real* front) {
+void FrontalSolver<Real>::forward(const List& list, Real* memory, Scratch& scratch) {
+  using Four = Eigen::Array<Real, 4, 1>;
   const Supernodes& nodes = factor_.nodes();
   UpdateStack<Real> stack(nodes, update_, memory);
+  Real* const front = scratch.front.data();
   for (const Index s : list) {
     const Index rows = nodes.rows(s), own = 4 * nodes.columns(s), below = 4 * nodes.rows_below(s);
-    Real* const x = &x_[4 * std::size_t(nodes.first_column[s])];
+    Real* const x = x_.data() + 4 * std::size_t(nodes.first_column[s]);
     std::copy_n(x, own, front);
     std::fill_n(front + own, below, Real(0));
     for (const Index child : nodes.children[s]) {
@@ -202,27 +208,19 @@ void FrontalSolver<Real>::forward(const List& list, Real* memory, Real* front) {
           nodes.place_in_parent.data() + nodes.first_row[child] + nodes.columns(child);
       const Real* const update = update_[child];
       for (Index i = 0; i < nodes.rows_below(child); ++i) {
-        for (int c = 0; c < 4; ++c) {
-          front[4 * place[i] + c] += update[4 * i + c];
-        }
+        Eigen::Map<Four>(front + 4 * place[i]) += Eigen::Map<const Four>(update + 4 * i);
       }
     }
-    substitute_forward(factor_.front(s), rows, nodes.columns(s), front);
-    std::copy_n(front, own, x);
-    std::copy_n(front + own, below, stack.push_over_children(s, below));
+    substitute_forward(factor_.front(s), rows, nodes.columns(s), front, x,
+                       stack.push_over_children(s, below), scratch.workspace.data());
   }
 }
 
 template <class Real>
-void FrontalSolver<Real>::backward(Index s, Real* front) {
+void FrontalSolver<Real>::backward(Index s, Scratch& scratch) {
   const Supernodes& nodes = factor_.nodes();
-  const Index rows = nodes.rows(s);
-  const Index* const row = nodes.row.data() + nodes.first_row[s];
-  for (Index i = 0; i < rows; ++i) {
-    std::copy_n(&x_[4 * std::size_t(row[i])], 4, front + 4 * i);
-  }
-  substitute_backward(factor_.front(s), rows, nodes.columns(s), front);
-  std::copy_n(front, 4 * nodes.columns(s), &x_[4 * std::size_t(nodes.first_column[s])]);
+  substitute_backward(factor_.front(s), nodes.rows(s), nodes.columns(s),
+                      nodes.row.data() + nodes.first_row[s], x_.data(), scratch.workspace.data());
 }
 
 template <class Real>
@@ -233,32 +231,42 @@ void FrontalSolver<Real>::solve(const Points& B, Points& Y) {
   const double largest = B.size() > 0 ? B.cwiseAbs().maxCoeff() * factor_.largest_scale() : 0;
   const double unit = largest > 0 ? largest : 1;
   parallel_for(nodes.unknowns(), [&](std::int64_t i) {
+    const double* const b = B.data() + 3 * std::ptrdiff_t{nodes.unknown[i]};
+    const double factor = scale[i] / unit;
+    Real* const x = x_.data() + 4 * i;
     for (int c = 0; c < 3; ++c) {
-      x_[4 * i + c] = static_cast<Real>(B(nodes.unknown[i], c) * scale[i] / unit);
+      x[c] = static_cast<Real>(b[c] * factor);
     }
+    x[3] = 0;
   });
-  std::vector<std::vector<Real>> fronts(worker_count(), std::vector<Real>(front_size_));
-  for_branches(nodes, worth_sharing_solve, fronts, [&](std::int64_t b, auto& front) {
+  std::vector<Scratch> scratch(worker_count());
+  for (Scratch& of_thread : scratch) {
+    of_thread = {LargeArray<Real>(4 * std::size_t(largest_front_)),
+                 LargeArray<Real>(workspace_size<Real>(largest_front_))};
+  }
+  for_branches(nodes, worth_sharing_solve, scratch, [&](std::int64_t b, Scratch& own) {
     const FlushSubnormals flush;
-    forward(nodes.branches[b], branch_stack_[b].data(), front.data());
+    forward(nodes.branches[b], branch_stack_[b].data(), own);
   });
   {
     const FlushSubnormals flush;
-    forward(nodes.trunk, trunk_stack_.data(), fronts[0].data());
+    forward(nodes.trunk, trunk_stack_.data(), scratch[0]);
     for (std::size_t i = nodes.trunk.size(); i-- > 0;) {
-      backward(nodes.trunk[i], fronts[0].data());
+      backward(nodes.trunk[i], scratch[0]);
     }
   }
-  for_branches(nodes, worth_sharing_solve, fronts, [&](std::int64_t b, auto& front) {
+  for_branches(nodes, worth_sharing_solve, scratch, [&](std::int64_t b, Scratch& own) {
     const FlushSubnormals flush;
     for (Index s = nodes.branches[b].last - 1; s >= nodes.branches[b].first; --s) {
-      backward(s, front.data());
+      backward(s, own);
     }
   });
   Y.resize(B.rows(), 3);
   parallel_for(nodes.unknowns(), [&](std::int64_t i) {
+    double* const y = Y.data() + 3 * std::ptrdiff_t{nodes.unknown[i]};
+    const double factor = scale[i] * unit;
     for (int c = 0; c < 3; ++c) {
-      Y(nodes.unknown[i], c) = unit * scale[i] * x_[4 * i + c];
+      y[c] = factor * x_[4 * i + c];
     }
   });
 }

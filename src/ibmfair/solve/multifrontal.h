@@ -24,8 +24,8 @@ class FrontalFactor {
   Index factor(const SymmetricMatrix& J, const EliminatedColumns& columns);
 
   const Supernodes& nodes() const { return nodes_; }
-  /// In panels (solve/front_kernels.h).
-  const Real* front(Index s) const { return values_.data() + nodes_.first_entry[s]; }
+  /// Packed (solve/front_kernels.h).
+  const Real* front(Index s) const { return values_.data() + first_value_[s]; }
   /// 1 / sqrt(J_ii), in order of elimination.
   const std::vector<double>& scale() const { return scale_; }
   double largest_scale() const { return largest_scale_; }
@@ -34,6 +34,7 @@ class FrontalFactor {
   class Pass;
 
   const Supernodes& nodes_;
+  std::vector<std::int64_t> first_value_;  // #S + 1
   LargeArray<Real> values_;
   std::vector<double> scale_;
   double largest_scale_ = 0;
@@ -50,16 +51,22 @@ class FrontalSolver {
   void solve(const Points& B, Points& Y);
 
  private:
+  /// Where a thread works on one front.
+  struct Scratch {
+    LargeArray<Real> front;  // 4 numbers per row
+    LargeArray<Real> workspace;
+  };
+
   template <class List>
-  void forward(const List& list, Real* stack, Real* front);
-  void backward(Index s, Real* front);
+  void forward(const List& list, Real* stack, Scratch& scratch);
+  void backward(Index s, Scratch& scratch);
 
   const FrontalFactor<Real>& factor_;
-  std::vector<Real> x_;                          // n x 4, in order of elimination
-  std::vector<std::vector<Real>> branch_stack_;  // for the updates within a branch
-  std::vector<Real> trunk_stack_;
-  std::vector<Real*> update_;   // #S
-  std::size_t front_size_ = 0;  // 4 numbers per row of the largest
+  LargeArray<Real> x_;                          // n x 4, in order of elimination
+  std::vector<LargeArray<Real>> branch_stack_;  // for the updates within a branch
+  LargeArray<Real> trunk_stack_;
+  std::vector<Real*> update_;  // #S
+  Index largest_front_ = 0;    // rows
 };
 
 }  // namespace ibmfair

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <numeric>
 
-#include "ibmfair/solve/front_kernels.h"
-
 namespace ibmfair {
 namespace {
 
@@ -106,10 +104,10 @@ EliminatedColumns eliminated_columns(const SymmetricMatrix& J, const std::vector
 }
 
 void complete(Supernodes& nodes) {
-  nodes.first_entry.assign(1, 0);
+  nodes.entries = 0;
   for (Index s = 0; s < nodes.size(); ++s) {
-    nodes.first_entry.push_back(nodes.first_entry.back() +
-                                packed_size(nodes.rows(s), nodes.columns(s)));
+    const std::int64_t columns = nodes.columns(s);
+    nodes.entries += columns * nodes.rows(s) - columns * (columns - 1) / 2;
   }
   const std::vector<Index> parent = parents(nodes);
   nodes.children = positions_by_value(parent, nodes.size());

@@ -38,16 +38,16 @@ struct Branch {
 };
 
 /// Supernode s holds the columns first_column[s] .. first_column[s + 1] - 1 as a dense front of
-/// `rows(s)` rows, stored in panels (solve/front_kernels.h); its own columns are its first rows.
+/// `rows(s)` rows; its own columns are its first rows.
 /// Children come before their parents, and every subtree is a contiguous range.
 struct Supernodes {
-  std::vector<Index> unknown;             ///< n, in order of elimination
-  std::vector<Index> first_column;        ///< #S + 1
-  std::vector<std::int64_t> first_row;    ///< #S + 1, into `row`
-  std::vector<Index> row;                 ///< increasing within each supernode
-  std::vector<std::int64_t> first_entry;  ///< #S + 1, into the factor's values
-  Rows children;                          ///< #S
-  std::vector<Index> place_in_parent;     ///< as `row`: the place of the row among the parent's
+  std::vector<Index> unknown;           ///< n, in order of elimination
+  std::vector<Index> first_column;      ///< #S + 1
+  std::vector<std::int64_t> first_row;  ///< #S + 1, into `row`
+  std::vector<Index> row;               ///< increasing within each supernode
+  std::int64_t entries = 0;             ///< on and below the diagonal, in all columns
+  Rows children;                        ///< #S
+  std::vector<Index> place_in_parent;   ///< as `row`: the place of the row among the parent's
 
   /// Subtrees of a sixteenth of the work or less, for threads to share, and the supernodes above
   /// them, in order. The split depends on the matrix only, so that sums never depend on the
@@ -62,7 +62,6 @@ struct Supernodes {
   Index rows(Index s) const { return static_cast<Index>(first_row[s + 1] - first_row[s]); }
   /// The rows that belong to ancestors: the side of the update matrix.
   Index rows_below(Index s) const { return rows(s) - columns(s); }
-  std::int64_t entries() const { return first_entry.back(); }
 };
 
 /// Places the entries of `J` (by its pattern) into the columns of the factor.
