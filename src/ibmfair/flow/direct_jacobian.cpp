@@ -23,8 +23,8 @@ constexpr double widest_float32 = 1e6;
 // what they were chosen by, here and in iterative_jacobian.cpp.
 constexpr double ordering_per_unknown = 2e-6;  // minimum degree; dissection takes thrice that
 constexpr double per_flop = 1 / 20e9;          // of the factorization, float32
-constexpr double per_entry = 8 / 5e9;          // of the factor, read twice in each solve
-constexpr double renewals = 5;                 // of the guarded flow, where the mesh is noisy
+constexpr double per_entry = 8 / 9e9;          // of the factor, read twice in each solve
+constexpr double renewals = 5;  // by all steps of the guarded flow, where the mesh is noisy
 
 // Bytes, as seen on tori of 41 and 164 thousand vertices: the analysis and the assembled matrix,
 // and the factor, which may have to be float64, with what factoring it needs.
@@ -61,9 +61,11 @@ void tell_stage(const FlowOptions& options, FlowStage stage) {
 
 SolverForecast forecast_direct(const JacobianShape& shape, const JacobianParts& /*parts*/) {
   const double n = shape.unknowns.size(), entries = factor_entries(n);
-  const double factorizations = shape.options.guarded ? renewals : 1;
+  const double left = shape.steps_left();
+  const double factorizations =
+      shape.options.guarded ? std::max(1.0, renewals * left / shape.options.steps) : 1;
   return {.seconds = ordering_per_unknown * n + per_flop * factor_flops(n) * factorizations +
-                     per_entry * entries * shape.options.steps,
+                     per_entry * entries * left,
           .bytes = bytes_per_unknown * n + bytes_per_entry * entries,
           .factor_entries = entries};
 }

@@ -45,7 +45,7 @@ double forecast_iterations(const JacobianShape& shape, const JacobianParts& part
 SolverForecast forecast_iterative(const JacobianShape& shape, const JacobianParts& parts) {
   const auto places = static_cast<double>(shape.stencils.value.size());
   return {.seconds = seconds_per_row * shape.unknowns.size() * forecast_iterations(shape, parts) *
-                     shape.options.steps,
+                     shape.steps_left(),
           .bytes = bytes_per_place * places + bytes_per_row * shape.unknowns.size()};
 }
 

@@ -1,6 +1,7 @@
 // How systems with the Jacobian J = D + h S are solved. A new backend is one file and one row.
 #pragma once
 
+#include <algorithm>
 #include <limits>
 #include <memory>
 #include <span>
@@ -50,6 +51,8 @@ struct JacobianShape {
   const Unknowns& unknowns;
   const FlowOptions& options;
   FlowReport& report;  ///< counts and times are added to it
+
+  int steps_left() const { return std::max(1, options.steps - report.solves); }
 };
 
 /// A row of the table of backends.
@@ -57,6 +60,7 @@ struct JacobianBackend {
   std::string_view name;     ///< as the command line takes it
   std::string_view summary;  ///< one line
   std::unique_ptr<JacobianSolver> (*make)(const JacobianShape& shape);
+  /// For the steps that are left.
   SolverForecast (*forecast)(const JacobianShape& shape, const JacobianParts& parts);
   bool has_factor;
 };
@@ -69,11 +73,12 @@ const JacobianBackend& jacobian_backend(std::string_view name);
 
 /// The backend that options.solver names; for "auto", of those that fit into the memory the one
 /// that is predicted to take the least time for a Jacobian of these parts, those without a factor
-/// half of it, as they can be left. Throws OutOfMemory where the named one, or none of them, fits.
+/// seven tenths of it, as they can be left. Throws OutOfMemory where the named one, or none of
+/// them, fits.
 const JacobianBackend& choose_backend(const JacobianShape& shape, const JacobianParts& parts);
 
 /// A backend with a factor, or one without, to go on with: where the options leave the choice open,
-/// it fits, and it is predicted to take less than `seconds` for all steps; else null.
+/// it fits, and it is predicted to take less than `seconds` for the steps left; else null.
 /// Triangles with angles below 1e-8 are too much for a factor, not for the differences that a
 /// backend without one takes.
 const JacobianBackend* other_backend(const JacobianShape& shape, const JacobianParts& parts,
