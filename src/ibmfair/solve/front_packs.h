@@ -20,18 +20,18 @@ template <class Real>
 struct VectorsOf;
 template <>
 struct VectorsOf<float> {
-  using Quad __attribute__((vector_size(16))) = float;
+  using Row4 __attribute__((vector_size(16))) = float;
   using Pack __attribute__((vector_size(32))) = float;
 };
 template <>
 struct VectorsOf<double> {
-  using Quad __attribute__((vector_size(32))) = double;
-  using Pack = Quad;
+  using Row4 __attribute__((vector_size(32))) = double;
+  using Pack = Row4;
 };
 
-/// Four numbers.
+/// A row of four numbers.
 template <class Real>
-using Quad = typename VectorsOf<Real>::Quad;
+using Row4 = typename VectorsOf<Real>::Row4;
 /// One number for each row of a pack.
 template <class Real>
 using Pack = typename VectorsOf<Real>::Pack;
@@ -52,13 +52,13 @@ IBMFAIR_INLINE void store(Real* numbers, const Vector& vector) {
   std::memcpy(numbers, &vector, sizeof vector);
 }
 
-IBMFAIR_INLINE Pack<float> both_halves(const Quad<float>& low, const Quad<float>& high) {
+IBMFAIR_INLINE Pack<float> both_halves(const Row4<float>& low, const Row4<float>& high) {
   return __builtin_shufflevector(low, high, 0, 1, 2, 3, 4, 5, 6, 7);
 }
-IBMFAIR_INLINE Quad<float> low_half(const Pack<float>& a) {
+IBMFAIR_INLINE Row4<float> low_half(const Pack<float>& a) {
   return __builtin_shufflevector(a, a, 0, 1, 2, 3);
 }
-IBMFAIR_INLINE Quad<float> high_half(const Pack<float>& a) {
+IBMFAIR_INLINE Row4<float> high_half(const Pack<float>& a) {
   return __builtin_shufflevector(a, a, 4, 5, 6, 7);
 }
 
@@ -91,13 +91,13 @@ IBMFAIR_INLINE Pack<double> zip_high_pairs(const Pack<double>& a, const Pack<dou
 }
 
 /// The sums of four packs.
-IBMFAIR_INLINE Quad<float> sums(const Pack<float>& a, const Pack<float>& b, const Pack<float>& c,
+IBMFAIR_INLINE Row4<float> sums(const Pack<float>& a, const Pack<float>& b, const Pack<float>& c,
                                 const Pack<float>& d) {
   const Pack<float> ab = zip_low(a, b) + zip_high(a, b), cd = zip_low(c, d) + zip_high(c, d);
   const Pack<float> abcd = zip_low_pairs(ab, cd) + zip_high_pairs(ab, cd);
   return low_half(abcd) + high_half(abcd);
 }
-IBMFAIR_INLINE Quad<double> sums(const Pack<double>& a, const Pack<double>& b,
+IBMFAIR_INLINE Row4<double> sums(const Pack<double>& a, const Pack<double>& b,
                                  const Pack<double>& c, const Pack<double>& d) {
   const Pack<double> ab = zip_low(a, b) + zip_high(a, b), cd = zip_low(c, d) + zip_high(c, d);
   return zip_low_pairs(ab, cd) + zip_high_pairs(ab, cd);
@@ -108,8 +108,8 @@ template <class Real>
 struct RowsInTurn {
   const Real* first;
   Index count;
-  IBMFAIR_INLINE Quad<Real> operator[](Index i) const {
-    return i < count ? load<Quad<Real>>(first + 4 * std::ptrdiff_t{i}) : Quad<Real>{};
+  IBMFAIR_INLINE Row4<Real> operator[](Index i) const {
+    return i < count ? load<Row4<Real>>(first + 4 * std::ptrdiff_t{i}) : Row4<Real>{};
   }
 };
 
@@ -119,8 +119,8 @@ struct NamedRows {
   const Real* x;
   const Index* row;
   Index count;
-  IBMFAIR_INLINE Quad<Real> operator[](Index i) const {
-    return i < count ? load<Quad<Real>>(x + 4 * std::ptrdiff_t{row[i]}) : Quad<Real>{};
+  IBMFAIR_INLINE Row4<Real> operator[](Index i) const {
+    return i < count ? load<Row4<Real>>(x + 4 * std::ptrdiff_t{row[i]}) : Row4<Real>{};
   }
 };
 

@@ -67,7 +67,7 @@ struct Panel {
   /// L^T W, coordinate by coordinate. Begins at the ends of the panel and of W; returns the start
   /// of the panel.
   IBMFAIR_INLINE static const Real* backward(const Real* L, Index packs, const Real* W,
-                                             Quad<Real> (&sum)[3]) {
+                                             Row4<Real> (&sum)[3]) {
     Pack<Real> of_column[3][panel_width] = {};
     for (; packs > 0; --packs) {
       L -= width * pack;
@@ -86,11 +86,11 @@ struct Panel {
   }
 };
 
-/// Quads of a chunk's panels side by side.
-IBMFAIR_INLINE Pack<float> beside(const Quad<float> (&of_panel)[2][3], int c) {
+/// What is there of a chunk's panels, side by side.
+IBMFAIR_INLINE Pack<float> beside(const Row4<float> (&of_panel)[2][3], int c) {
   return both_halves(of_panel[0][c], of_panel[1][c]);
 }
-IBMFAIR_INLINE Pack<double> beside(const Quad<double> (&of_panel)[1][3], int c) {
+IBMFAIR_INLINE Pack<double> beside(const Row4<double> (&of_panel)[1][3], int c) {
   return of_panel[0][c];
 }
 
@@ -100,7 +100,7 @@ struct Chunk {
   static constexpr Index pack = pack_rows<Real>;
   static constexpr int first_width = std::min<int>(columns, panel_width);
   static constexpr int second_width = columns - first_width;
-  using Panels = Quad<Real>[pack / panel_width][3];
+  using Panels = Row4<Real>[pack / panel_width][3];
 
   IBMFAIR_INLINE static const Real* forward(const Real* L, Index packs, Real* W) {
     Pack3<Real> own = load_three(W);
@@ -191,7 +191,7 @@ IBMFAIR_INLINE void scatter(const Real* W, Index first, Index last, Real* to) {
       Real some[4 * pack];
       to_rows(load_three(W), some);
       for (Index i = 0; i < last - first; ++i) {
-        store(to + 4 * i, load<Quad<Real>>(some + 4 * i));
+        store(to + 4 * i, load<Row4<Real>>(some + 4 * i));
       }
     }
   }
@@ -228,7 +228,7 @@ struct Forward {
       Real some[4 * pack];
       to_rows(load_three(W + 3 * std::ptrdiff_t{begun}), some);
       for (Index i = columns; i < std::min(whole, rows); ++i, below += 4) {
-        store(below, load<Quad<Real>>(some + 4 * (i - begun)));
+        store(below, load<Row4<Real>>(some + 4 * (i - begun)));
       }
     }
     scatter(W, whole, rows, below);
