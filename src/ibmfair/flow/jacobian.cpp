@@ -114,7 +114,7 @@ void Jacobian::solve(const Points& B, Points& Y) {
 /// How many iterations a solve takes is hardly to be foreseen. Where they turn out to be so many
 /// that a factor for the steps that are left is cheaper, it follows.
 void Jacobian::reconsider() {
-  const double seconds = solver_->seconds_of_last_solve() * (options_.steps - report_.solves);
+  const double seconds = solver_->seconds_of_last_solve() * shape().steps_left();
   const JacobianParts parts{weights_, D_, h_};
   const JacobianBackend* other =
       seconds > 0 ? other_backend(shape(), parts, true, seconds) : nullptr;

@@ -52,7 +52,7 @@ struct JacobianShape {
   const FlowOptions& options;
   FlowReport& report;  ///< counts and times are added to it
 
-  int steps_left() const { return std::max(1, options.steps - report.solves); }
+  int steps_left() const { return std::max(0, options.steps - report.solves); }
 };
 
 /// A row of the table of backends.

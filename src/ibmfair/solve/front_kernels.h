@@ -31,22 +31,23 @@ template <class Real>
 constexpr Index pack_rows = 32 / sizeof(Real);
 constexpr Index panel_width = 4;
 
-constexpr Index packs_of(Index rows, Index pack) {
-  return (rows + pack - 1) / pack;
+template <class Real>
+constexpr Index packs_of(Index rows) {
+  return (rows + pack_rows<Real> - 1) / pack_rows<Real>;
 }
 
 /// The numbers of the first `columns` columns of a front, its own, in that order.
 template <class Real>
 constexpr std::int64_t packed_size(Index rows, Index columns) {
   constexpr std::int64_t pack = pack_rows<Real>;
-  const std::int64_t packs = packs_of(rows, pack), full = columns / pack, rest = columns % pack;
+  const std::int64_t packs = packs_of<Real>(rows), full = columns / pack, rest = columns % pack;
   return pack * (pack * (full * packs - full * (full - 1) / 2) + rest * (packs - full));
 }
 
 /// The numbers that substitution with a front of so many rows needs to work in.
 template <class Real>
 constexpr std::int64_t workspace_size(Index rows) {
-  return 3 * std::int64_t{pack_rows<Real>} * packs_of(rows, pack_rows<Real>);
+  return 3 * std::int64_t{pack_rows<Real>} * packs_of<Real>(rows);
 }
 
 /// The first `columns` columns of a factored front (rows x columns, column by column), in packs.

@@ -59,7 +59,7 @@ void pack_front(const Real* block, Index rows, Index columns, Real* packed) {
       to = pack_panel(L, rows, pack, rows - first, std::min(panel_width, width - k), to);
     }
   };
-  run_tasks(packs_of(columns, pack), packed_size<Real>(rows, columns) >= worth_sharing_packing,
+  run_tasks(packs_of<Real>(columns), packed_size<Real>(rows, columns) >= worth_sharing_packing,
             pack_chunk);
 }
 

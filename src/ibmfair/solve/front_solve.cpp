@@ -179,19 +179,19 @@ IBMFAIR_INLINE void gather(const Rows& source, Index rows, Real* W) {
   }
 }
 
-/// Rows first .. last - 1 of the workspace as rows of four numbers each. The first one begins a
-/// pack.
+/// Rows first .. last - 1 of the workspace as rows of four numbers each.
 template <class Real>
 IBMFAIR_INLINE void scatter(const Real* W, Index first, Index last, Real* to) {
   constexpr Index pack = pack_rows<Real>;
-  for (W += 3 * std::ptrdiff_t{first}; first < last; first += pack, W += 3 * pack, to += 4 * pack) {
-    if (first + pack <= last) {
-      to_rows(load_three(W), to);
+  for (Index begin = first / pack * pack; begin < last; begin += pack) {
+    const Pack3<Real> three = load_three(W + 3 * std::ptrdiff_t{begin});
+    if (begin >= first && begin + pack <= last) {
+      to_rows(three, to + 4 * std::ptrdiff_t{begin - first});
     } else {
       Real some[4 * pack];
-      to_rows(load_three(W), some);
-      for (Index i = 0; i < last - first; ++i) {
-        store(to + 4 * i, load<Row4<Real>>(some + 4 * i));
+      to_rows(three, some);
+      for (Index i = std::max(begin, first); i < std::min(begin + pack, last); ++i) {
+        store(to + 4 * std::ptrdiff_t{i - first}, load<Row4<Real>>(some + 4 * (i - begin)));
       }
     }
   }
@@ -203,13 +203,13 @@ struct Forward {
                                  Real* own, Real* below, Real* W) {
     constexpr Index pack = pack_rows<Real>;
     gather(RowsInTurn<Real>{front, rows}, rows, W);
-    const Index packs = packs_of(rows, pack), whole = columns / pack;
+    const Index packs = packs_of<Real>(rows), whole = columns / pack;
     for (Index p = 0; p < whole; ++p) {
       L = Chunk<Real, pack, fetching>::forward(L, packs - p, from_pack(W, p));
     }
     last_chunk(columns - pack * whole, L, packs - whole, from_pack(W, whole), Widths<Real>{});
     scatter(W, 0, columns, own);
-    scatter_below(W, columns, rows, below);
+    scatter(W, columns, rows, below);
   }
 
  private:
@@ -220,19 +220,6 @@ struct Forward {
                               : void()),
      ...);
   }
-
-  IBMFAIR_INLINE static void scatter_below(const Real* W, Index columns, Index rows, Real* below) {
-    constexpr Index pack = pack_rows<Real>;
-    const Index begun = columns / pack * pack, whole = packs_of(columns, pack) * pack;
-    if (begun < columns) {
-      Real some[4 * pack];
-      to_rows(load_three(W + 3 * std::ptrdiff_t{begun}), some);
-      for (Index i = columns; i < std::min(whole, rows); ++i, below += 4) {
-        store(below, load<Row4<Real>>(some + 4 * (i - begun)));
-      }
-    }
-    scatter(W, whole, rows, below);
-  }
 };
 
 template <class Real, bool fetching>
@@ -242,7 +229,7 @@ struct Backward {
     constexpr Index pack = pack_rows<Real>;
     gather(NamedRows<Real>{x, row, rows}, rows, W);
     L += packed_size<Real>(rows, columns);
-    const Index packs = packs_of(rows, pack);
+    const Index packs = packs_of<Real>(rows);
     Index p = columns / pack;
     L = last_chunk(columns - pack * p, L, packs - p, from_pack(W, p), Widths<Real>{});
     while (p > 0) {
