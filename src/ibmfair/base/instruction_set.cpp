@@ -21,7 +21,7 @@ InstructionSet best_instruction_set() {
       __builtin_cpu_supports("avx512vbmi2")) {
     return InstructionSet::avx512;
   }
-  if (__builtin_cpu_supports("avx2")) {
+  if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")) {
     return InstructionSet::avx2;
   }
 #endif

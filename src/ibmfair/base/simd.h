@@ -1,7 +1,7 @@
 // Kernels that are written once, with the compiler's own vectors, and compiled several times: for
 // the processor that every x86-64 has, for AVX2, and some for AVX-512 (base/lanes.h). run() chooses
 // between them when the program runs; results do not depend on the choice, as vector operations
-// round lane by lane and nothing is fused (-ffp-contract=off).
+// round lane by lane and nothing is fused (-ffp-contract=off, but for solve/front_factor.cpp).
 #pragma once
 
 #include "ibmfair/base/instruction_set.h"
@@ -27,7 +27,7 @@ auto run_baseline(Arguments... arguments) {
 }
 
 template <class Kernel, class... Arguments>
-IBMFAIR_TARGET("avx2")
+IBMFAIR_TARGET("avx2,fma")
 auto run_avx2(Arguments... arguments) {
   return Kernel::run(arguments...);
 }

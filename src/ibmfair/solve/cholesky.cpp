@@ -93,7 +93,7 @@ SymbolicCholesky::SymbolicCholesky(const SymmetricMatrix& J, Ordering ordering) 
   forecast_ = analysis->forecast();
   auto state = std::make_shared<State>();
   state->nodes = analysis->supernodes();
-  state->columns = eliminated_columns(J, state->nodes.unknown);
+  state->columns = eliminated_columns(J, state->nodes);
   state_ = std::move(state);
 }
 

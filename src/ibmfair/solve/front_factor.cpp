@@ -1,121 +1,257 @@
 #include <algorithm>
+#include <cmath>
 
 #include "ibmfair/base/parallel.h"
 #include "ibmfair/solve/flush_subnormals.h"
-#include "ibmfair/solve/front_kernels.h"
-
-extern "C" {  // BLAS and LAPACK, column by column
-void spotrf_(const char* uplo, const int* n, float* A, const int* lda, int* info);
-void dpotrf_(const char* uplo, const int* n, double* A, const int* lda, int* info);
-void strsm_(const char* side, const char* uplo, const char* transposed, const char* diagonal,
-            const int* m, const int* n, const float* alpha, const float* A, const int* lda,
-            float* B, const int* ldb);
-void dtrsm_(const char* side, const char* uplo, const char* transposed, const char* diagonal,
-            const int* m, const int* n, const double* alpha, const double* A, const int* lda,
-            double* B, const int* ldb);
-void ssyrk_(const char* uplo, const char* transposed, const int* n, const int* k,
-            const float* alpha, const float* A, const int* lda, const float* beta, float* C,
-            const int* ldc);
-void dsyrk_(const char* uplo, const char* transposed, const int* n, const int* k,
-            const double* alpha, const double* A, const int* lda, const double* beta, double* C,
-            const int* ldc);
-void sgemm_(const char* transposed_a, const char* transposed_b, const int* m, const int* n,
-            const int* k, const float* alpha, const float* A, const int* lda, const float* B,
-            const int* ldb, const float* beta, float* C, const int* ldc);
-void dgemm_(const char* transposed_a, const char* transposed_b, const int* m, const int* n,
-            const int* k, const double* alpha, const double* A, const int* lda, const double* B,
-            const int* ldb, const double* beta, double* C, const int* ldc);
-}
+#include "ibmfair/solve/front_packs.h"
 
 namespace ibmfair {
 namespace {
 
-template <class Real>
-struct Blas;
+/// Columns that are factored before those to their right lose what is due to them: so few that the
+/// rows of a band stay in the first cache.
+constexpr Index strip_width = 128;
 
-template <>
-struct Blas<float> {
-  static constexpr auto potrf = spotrf_;
-  static constexpr auto trsm = strsm_;
-  static constexpr auto syrk = ssyrk_;
-  static constexpr auto gemm = sgemm_;
-};
+/// Packs that a thread takes at a time.
+constexpr Index band_packs = 6;
 
-template <>
-struct Blas<double> {
-  static constexpr auto potrf = dpotrf_;
-  static constexpr auto trsm = dtrsm_;
-  static constexpr auto syrk = dsyrk_;
-  static constexpr auto gemm = dgemm_;
-};
+/// Multiplications that take longer than waking a thread.
+constexpr double worth_sharing_front = 2e6;
 
-// Columns that are factored together, and the piece that a thread takes.
-constexpr int panel = 128, piece = 256;
+/// What packs of rows of a block A lose beside one panel. With three packs these are twelve
+/// vectors, and with what is multiplied they fill the sixteen registers that AVX2 has.
+template <class Real, int packs>
+struct Tile {
+  static constexpr Index pack = pack_rows<Real>;
 
-/// Calls work(first, count) for pieces that cover 0 .. size - 1.
-template <class Work>
-void in_pieces(int size, Work&& work) {
-  const int pieces = (size + piece - 1) / piece;
-  const auto run = [&](std::int64_t p) {
-    const FlushSubnormals flush;  // this may be another thread
-    const int first = static_cast<int>(p) * piece;
-    work(first, std::min(piece, size - first));
-  };
-  run_tasks(pieces, pieces > 1, run);
-}
+  Pack<Real> sum[packs][panel_width];
 
-/// The lower triangle of C (side n) loses A A^T, A being n x k; `below` more rows follow.
-template <class Real>
-void subtract_square(int n, int below, int k, const Real* A, int lda, Real* C, int ldc) {
-  const Real minus = -1, one = 1;
-  in_pieces(n, [&](int first, int side) {
-    const int rest = n + below - first - side;
-    const Real* a = A + first;
-    Real* c = C + first + std::int64_t{first} * ldc;
-    Blas<Real>::syrk("L", "N", &side, &k, &minus, a, &lda, &one, c, &ldc);
-    if (rest > 0) {
-      Blas<Real>::gemm("N", "T", &rest, &side, &k, &minus, a + side, &lda, a, &lda, &one, c + side,
-                       &ldc);
+  /// A B^T over `count` columns. A has `stride` between its packs; B is four rows of a pack.
+  IBMFAIR_INLINE static Tile product(const Real* A, std::ptrdiff_t stride, const Real* B,
+                                     Index count) {
+    Tile tile = {};
+    for (; count > 0; --count, A += pack, B += pack) {
+      Pack<Real> a[packs];
+      for (int p = 0; p < packs; ++p) {
+        a[p] = load<Pack<Real>>(A + p * stride);
+      }
+      for (int c = 0; c < panel_width; ++c) {
+        for (int p = 0; p < packs; ++p) {
+          tile.sum[p][c] += a[p] * B[c];
+        }
+      }
     }
-  });
+    return tile;
+  }
+};
+
+/// Calls step.template tile<packs>(p) for tiles that cover the packs first .. last - 1.
+template <class Step>
+IBMFAIR_INLINE void in_tiles(Index first, Index last, const Step& step) {
+  for (; first + 3 <= last; first += 3) {
+    step.template tile<3>(first);
+  }
+  if (last - first == 2) step.template tile<2>(first);
+  if (last - first == 1) step.template tile<1>(first);
 }
 
-/// B (m x n) becomes B L^-T.
+/// One panel of a strip, of which all columns to the left are done.
 template <class Real>
-void divide_by_triangle(int m, int n, const Real* L, Real* B, int ld) {
-  const Real one = 1;
-  in_pieces(m, [&](int first, int count) {
-    Blas<Real>::trsm("R", "L", "T", "N", &count, &n, &one, L, &ld, B + first, &ld);
-  });
+struct Panel {
+  static constexpr Index pack = pack_rows<Real>;
+
+  Real* block;
+  std::ptrdiff_t stride;
+  Index strip, column;  // the first one of either
+  Real* inverse;        // of the diagonal; 0 for columns that are room only
+
+  /// The four rows of the panel's own columns, from column 0 on.
+  IBMFAIR_INLINE Real* own_rows() const { return block + column / pack * stride + column % pack; }
+
+  /// Rows of some packs lose what is due and are divided by the panel's triangle.
+  template <int packs>
+  IBMFAIR_INLINE void tile(Index first) const {
+    Real* const A = block + first * stride;
+    const auto due = Tile<Real, packs>::product(A + pack * strip, stride, own_rows() + pack * strip,
+                                                column - strip);
+    for (int p = 0; p < packs; ++p) {
+      Real* const a = A + p * stride + pack * column;
+      Pack<Real> x[panel_width];
+      for (int c = 0; c < panel_width; ++c) {
+        x[c] = load<Pack<Real>>(a + pack * c) - due.sum[p][c];
+      }
+      divide(x);
+      for (int c = 0; c < panel_width; ++c) {
+        store(a + pack * c, x[c]);
+      }
+    }
+  }
+
+  /// Factors the panel's triangle, and divides the other rows of its pack. Returns -1, or which of
+  /// the `columns` columns has a pivot that is not positive.
+  IBMFAIR_INLINE Index factor(Index columns) const {
+    Real* const A = block + column / pack * stride;
+    const auto due =
+        Tile<Real, 1>::product(A + pack * strip, stride, own_rows() + pack * strip, column - strip);
+    Pack<Real> x[panel_width];
+    for (int c = 0; c < panel_width; ++c) {
+      x[c] = load<Pack<Real>>(A + pack * (column + c)) - due.sum[0][c];
+      store(A + pack * (column + c), x[c]);
+    }
+    Real* const L = own_rows() + pack * column;  // L_ij at L[i + pack * j]
+    for (Index j = 0; j < panel_width; ++j) {
+      for (Index k = 0; k < j; ++k) {
+        for (Index i = j; i < panel_width; ++i) {
+          L[i + pack * j] -= L[i + pack * k] * L[j + pack * k];
+        }
+      }
+      const Real pivot = L[j + pack * j];
+      if (j < columns && !(pivot > 0)) return j;
+      inverse[j] = j < columns ? 1 / std::sqrt(pivot) : 0;
+      for (Index i = j; i < panel_width; ++i) {
+        L[i + pack * j] *= inverse[j];
+      }
+    }
+    divide(x);
+    for (int c = 0; c < panel_width; ++c) {
+      store(A + pack * (column + c), x[c]);
+    }
+    return -1;
+  }
+
+ private:
+  /// x L^-T for the row x of each lane.
+  IBMFAIR_INLINE void divide(Pack<Real> (&x)[panel_width]) const {
+    const Real* const L = own_rows() + pack * column;
+    for (int j = 0; j < panel_width; ++j) {
+      for (int k = 0; k < j; ++k) {
+        x[j] -= x[k] * L[j + pack * k];
+      }
+      x[j] *= inverse[j];
+    }
+  }
+};
+
+/// The columns first .. last - 1 of a block, in the packs with their own rows.
+template <class Real>
+struct FactorStrip {
+  IBMFAIR_INLINE static Index run(Real* block, std::ptrdiff_t stride, Index first, Index last,
+                                  Real* inverse) {
+    for (Index j = first; j < last; j += panel_width, inverse += panel_width) {
+      const Panel<Real> panel{block, stride, first, j, inverse};
+      if (const Index bad = panel.factor(std::min(panel_width, last - j)); bad >= 0) {
+        return j + bad;
+      }
+      in_tiles(j / pack_rows<Real> + 1, packs_of<Real>(last), panel);
+    }
+    return -1;
+  }
+};
+
+/// The same columns in other packs.
+template <class Real>
+struct DivideBand {
+  Real* block;
+  std::ptrdiff_t stride;
+  Index first, last;
+  Real* inverse;
+
+  template <int packs>
+  IBMFAIR_INLINE void tile(Index p) const {
+    for (Index j = first; j < last; j += panel_width) {
+      const Panel<Real> panel{block, stride, first, j, inverse + (j - first)};
+      panel.template tile<packs>(p);
+    }
+  }
+
+  IBMFAIR_INLINE static void run(const DivideBand& strip, Index first_pack, Index last_pack) {
+    in_tiles(first_pack, last_pack, strip);
+  }
+};
+
+/// Columns to the right of a strip lose what is due to it.
+template <class Real>
+struct SubtractBand {
+  static constexpr Index pack = pack_rows<Real>;
+
+  FrontLayout<Real> front;
+  const Real* block;
+  Index strip, width;
+  FrontPart part;
+  Real* numbers;      // the part's
+  Index first, last;  // of its columns
+  Index column = 0;   // of the panel
+
+  template <int packs>
+  IBMFAIR_INLINE void tile(Index p) const {
+    const std::ptrdiff_t stride = front.stride();
+    const bool is_new = part == FrontPart::update && strip == 0;
+    const auto due = Tile<Real, packs>::product(
+        block + p * stride + pack * strip, stride,
+        block + column / pack * stride + column % pack + pack * strip, width);
+    for (int i = 0; i < packs; ++i) {
+      const Index row = pack * (p + i);
+      Real* const to = numbers + pack * std::ptrdiff_t{column} + front.in(part, row);
+      for (int c = 0; c < panel_width; ++c) {
+        const auto sum = due.sum[i][c];
+        store(to + pack * c, is_new ? -sum : load<Pack<Real>>(to + pack * c) - sum);
+      }
+    }
+  }
+
+  IBMFAIR_INLINE static void run(SubtractBand band, Index first_pack, Index last_pack) {
+    const Index last = std::min(band.last, pack * last_pack);
+    for (band.column = band.first; band.column < last; band.column += panel_width) {
+      in_tiles(std::max(first_pack, band.column / pack), last_pack, band);
+    }
+  }
+};
+
+/// Calls Kernel::run(step, first, last) for bands that cover the packs first .. last - 1.
+template <class Kernel>
+void in_bands(const Kernel& step, Index first, Index last, double multiplications) {
+  run_tasks((last - first + band_packs - 1) / band_packs, multiplications > worth_sharing_front,
+            [&](std::int64_t band) {
+              const FlushSubnormals flush;  // this may be another thread
+              const Index begin = first + static_cast<Index>(band) * band_packs;
+              run<Kernel>(step, begin, std::min(begin + band_packs, last));
+            });
 }
 
 }  // namespace
 
 template <class Real>
-Index factor_front(Index rows, Index columns, Real* block, Real* update) {
-  for (int first = 0; first < columns; first += panel) {
-    const int width = std::min(panel, columns - first), last = first + width;
-    Real* diagonal = block + first + std::int64_t{first} * rows;
-    int info = 0;
-    Blas<Real>::potrf("L", &width, diagonal, &rows, &info);
-    if (info > 0) {
-      return first + info - 1;
+Index factor_front(const FrontLayout<Real>& front, Real* block, Real* update) {
+  constexpr Index pack = pack_rows<Real>;
+  const Index columns = front.columns, packs = front.packs();
+  const Index strips = (columns + strip_width - 1) / strip_width;
+  const Index even = (columns + strips - 1) / strips;
+  const Index width = (even + panel_width - 1) / panel_width * panel_width;
+  Real inverse[strip_width];
+  for (Index first = 0; first < columns; first += width) {
+    const Index last = std::min(first + width, columns);
+    const Index bad = run<FactorStrip<Real>>(block, front.stride(), first, last, inverse);
+    if (bad >= 0) {
+      return bad;
     }
-    if (rows > last) {
-      divide_by_triangle(rows - last, width, diagonal, diagonal + width, rows);
+    const double rows = front.rows - last, products = rows * (last - first);
+    in_bands(DivideBand<Real>{block, front.stride(), first, last, inverse}, packs_of<Real>(last),
+             packs, products * (last - first) / 2);
+    const auto subtract = [&](FrontPart part, Real* numbers, Index begin, Index end) {
+      in_bands(SubtractBand<Real>{front, block, first, last - first, part, numbers, begin, end},
+               begin / pack, packs, products * (end - begin));
+    };
+    if (last < columns) {
+      subtract(FrontPart::block, block, last, columns);
     }
-    if (columns > last) {
-      subtract_square(columns - last, rows - columns, width, diagonal + width, rows,
-                      block + last + std::int64_t{last} * rows, rows);
+    if (columns < front.rows) {
+      subtract(FrontPart::update, update, columns / panel_width * panel_width, pack * packs);
     }
-  }
-  if (const int below = rows - columns; below > 0) {
-    subtract_square(below, 0, columns, block + columns, rows, update, below);
   }
   return -1;
 }
 
-template Index factor_front(Index, Index, float*, float*);
-template Index factor_front(Index, Index, double*, double*);
+template Index factor_front(const FrontLayout<float>&, float*, float*);
+template Index factor_front(const FrontLayout<double>&, double*, double*);
 
 }  // namespace ibmfair

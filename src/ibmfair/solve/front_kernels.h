@@ -4,15 +4,22 @@
 #include <cstdint>
 
 #include "ibmfair/base/types.h"
+#include "ibmfair/solve/front_layout.h"
 
 namespace ibmfair {
 
-/// Factors the first `columns` columns of a symmetric front of `rows` rows in place: `block` (lower
-/// triangle, column by column, rows x columns) becomes [L11; L21], and L21 L21^T is taken from
-/// `update` (lower triangle, side rows - columns). Returns -1, or the first column whose pivot is
-/// not positive. Large fronts are shared among threads in pieces of fixed size.
+/// Factors the own columns of a symmetric front in place: `block` becomes [L11; L21], and `update`
+/// -L21 L21^T, whatever was there. Rows of the last pack that the front does not have must be zero.
+/// Returns -1, or the first column whose pivot is not positive. Large fronts are shared among
+/// threads; the bytes do not depend on their number.
 template <class Real>
-Index factor_front(Index rows, Index columns, Real* block, Real* update);
+Index factor_front(const FrontLayout<Real>& front, Real* block, Real* update);
+
+/// Adds what a child's update has in that part of its parent's front. `place` says which of the
+/// parent's rows each of the child's rows below its own is; it increases.
+template <class Real>
+void add_update(const FrontLayout<Real>& child, const Real* update, const FrontLayout<Real>& parent,
+                const Index* place, FrontPart part, Real* numbers);
 
 // Substitution reads every entry of a factor once in either direction, and is bound by that. It
 // gets the entries in the order in which it takes them, which the processor foresees, and as many
@@ -25,16 +32,6 @@ Index factor_front(Index rows, Index columns, Real* block, Real* update);
 //   column: substitution in them is a product with it, in which nothing waits for anything.
 // - Panels of four columns follow, and one of those that are left: pack by pack, from the one below
 //   the chunk on, column by column in each.
-
-/// Rows of a pack, columns of a chunk.
-template <class Real>
-constexpr Index pack_rows = 32 / sizeof(Real);
-constexpr Index panel_width = 4;
-
-template <class Real>
-constexpr Index packs_of(Index rows) {
-  return (rows + pack_rows<Real> - 1) / pack_rows<Real>;
-}
 
 /// The numbers of the first `columns` columns of a front, its own, in that order.
 template <class Real>
@@ -50,9 +47,9 @@ constexpr std::int64_t workspace_size(Index rows) {
   return 3 * std::int64_t{pack_rows<Real>} * packs_of<Real>(rows);
 }
 
-/// The first `columns` columns of a factored front (rows x columns, column by column), in packs.
+/// The block of a factored front in that order.
 template <class Real>
-void pack_front(const Real* block, Index rows, Index columns, Real* packed);
+void pack_front(const FrontLayout<Real>& front, const Real* block, Real* packed);
 
 /// Forward substitution with one packed front. `front` (rows x 4) holds the right-hand side in its
 /// first `columns` rows, W1, and what is to be added to in the others, W2. Puts L11^-1 W1 into

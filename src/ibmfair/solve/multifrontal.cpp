@@ -1,6 +1,7 @@
 #include "ibmfair/solve/multifrontal.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "ibmfair/base/parallel.h"
@@ -22,21 +23,31 @@ void for_branches(const Supernodes& nodes, std::int64_t least_entries,
 
 constexpr std::int64_t worth_sharing_factor = 1'000'000, worth_sharing_solve = 500'000;
 
-/// The numbers in the largest front, all of its rows in all of its own columns.
-template <class List>
-std::int64_t largest_front(const Supernodes& nodes, const List& list) {
-  std::int64_t largest = 0;
-  for (const Index s : list) {
-    largest = std::max(largest, std::int64_t{nodes.rows(s)} * nodes.columns(s));
-  }
-  return largest;
+template <class Real>
+FrontLayout<Real> layout(const Supernodes& nodes, Index s) {
+  return {nodes.rows(s), nodes.columns(s)};
 }
 
-/// Where a thread works on one front.
+/// Where a thread works.
 template <class Real>
-struct FrontScratch {
-  std::vector<Index> place;  // #unknowns: of each row of the front
-  LargeArray<Real> block;    // column by column
+struct FactorScratch {
+  /// Enough for each of the lists.
+  template <class Lists>
+  FactorScratch(const Supernodes& nodes, const Lists& lists) {
+    std::int64_t block_size = 0, updates_size = 0;
+    for (const auto& list : lists) {
+      for (const Index s : list) {
+        block_size = std::max(block_size, layout<Real>(nodes, s).block_size());
+      }
+      updates_size = std::max(updates_size, stack_size(nodes, list, [&](Index s) {
+                                return layout<Real>(nodes, s).update_size();
+                              }));
+    }
+    block = LargeArray<Real>(static_cast<std::size_t>(block_size));
+    updates = LargeArray<Real>(static_cast<std::size_t>(updates_size));
+  }
+
+  LargeArray<Real> block, updates;
 };
 
 }  // namespace
@@ -46,74 +57,73 @@ template <class Real>
 class FrontalFactor<Real>::Pass {
  public:
   Pass(FrontalFactor& factor, const SymmetricMatrix& J, const EliminatedColumns& columns)
-      : factor_(factor), nodes_(factor.nodes_), J_(J), columns_(columns) {
-    update_.resize(static_cast<std::size_t>(nodes_.size()));
-    const auto square = [&](Index s) {
-      return std::int64_t{nodes_.rows_below(s)} * nodes_.rows_below(s);
-    };
-    for (const Branch& branch : nodes_.branches) {
-      stacks_.emplace_back(stack_size(nodes_, branch, square));
-    }
-    stacks_.emplace_back(stack_size(nodes_, nodes_.trunk, square));
-  }
+      : factor_(factor),
+        nodes_(factor.nodes_),
+        J_(J),
+        columns_(columns),
+        of_branch_(nodes_.branches.size()),
+        update_(static_cast<std::size_t>(nodes_.size())) {}
 
-  /// Factors the supernodes in `list`, those of branch b or (b = #branches) of the trunk; returns
-  /// -1 or the column at which the matrix is not positive definite.
-  template <class List>
-  Index run(const List& list, std::size_t b, FrontScratch<Real>& scratch) {
-    UpdateStack<Real> stack(nodes_, update_, stacks_[b].data());
-    for (const Index s : list) {
-      const std::int64_t below = nodes_.rows_below(s);
-      const Index rows = nodes_.rows(s), columns = nodes_.columns(s);
-      Real* const block = scratch.block.data();
-      Real* const update = stack.push(s, below * below);
-      gather_matrix(s, block, scratch.place);
-      for (Index j = 0; j < below; ++j) {
-        std::fill(update + j * below + j, update + (j + 1) * below, Real(0));
-      }
-      for (const Index child : nodes_.children[s]) {
-        add_update(child, s, block, update);
-      }
-      if (const Index bad = factor_front(rows, columns, block, update); bad >= 0) {
-        return nodes_.first_column[s] + bad;
-      }
-      pack_front(block, rows, columns, factor_.values_.data() + factor_.first_value_[s]);
-      stack.take_room_of_children(s, below * below);
+  /// Factors the supernodes of branch b and keeps what the trunk shall get. Returns -1 or the
+  /// column at which the matrix is not positive definite.
+  Index run_branch(std::size_t b, FactorScratch<Real>& scratch) {
+    UpdateStack<Real> stack(nodes_, update_, scratch.updates.data());
+    if (const Index bad = run(nodes_.branches[b], stack, scratch); bad >= 0) {
+      return bad;
+    }
+    const Real* const first = scratch.updates.data();
+    of_branch_[b] = LargeArray<Real>(static_cast<std::size_t>(stack.top() - first));
+    std::copy(first, static_cast<const Real*>(stack.top()), of_branch_[b].data());
+    for (const Index s : nodes_.branches[b]) {
+      update_[s] = of_branch_[b].data() + (update_[s] - first);
     }
     return -1;
   }
 
+  Index run_trunk() {
+    FactorScratch<Real> scratch(nodes_, std::array{nodes_.trunk});
+    UpdateStack<Real> stack(nodes_, update_, scratch.updates.data());
+    return run(nodes_.trunk, stack, scratch);
+  }
+
  private:
-  void gather_matrix(Index s, Real* block, std::vector<Index>& place) const {
-    const Index rows = nodes_.rows(s);
-    const std::vector<double>& scale = factor_.scale_;
-    const Index* const row = nodes_.row.data() + nodes_.first_row[s];
-    for (Index i = 0; i < rows; ++i) {
-      place[row[i]] = i;
+  static constexpr Index pack = pack_rows<Real>;
+
+  template <class List>
+  Index run(const List& list, UpdateStack<Real>& stack, FactorScratch<Real>& scratch) {
+    Real* const block = scratch.block.data();
+    for (const Index s : list) {
+      const auto front = layout<Real>(nodes_, s);
+      Real* const update = stack.push(s, front.update_size());
+      gather_matrix(s, front, block);
+      add_children(s, front, FrontPart::block, block);
+      if (const Index bad = factor_front(front, block, update); bad >= 0) {
+        return nodes_.first_column[s] + bad;
+      }
+      add_children(s, front, FrontPart::update, update);
+      pack_front(front, block, factor_.values_.data() + factor_.first_value_[s]);
+      stack.take_room_of_children(s, front.update_size());
     }
-    std::fill(block, block + std::int64_t{rows} * nodes_.columns(s), Real(0));
-    for (Index j = nodes_.first_column[s]; j < nodes_.first_column[s + 1]; ++j, block += rows) {
+    return -1;
+  }
+
+  void gather_matrix(Index s, const FrontLayout<Real>& front, Real* block) const {
+    const double* const scale = factor_.scale_.data();
+    const Index* const row = nodes_.row.data() + nodes_.first_row[s];
+    std::fill_n(block, front.block_size(), Real(0));
+    for (Index j = nodes_.first_column[s]; j < nodes_.first_column[s + 1]; ++j, block += pack) {
       for (std::int64_t k = columns_.first[j]; k < columns_.first[j + 1]; ++k) {
-        const Index i = columns_.row[k];
-        block[place[i]] = static_cast<Real>(J_.value[columns_.source[k]] * scale[i] * scale[j]);
+        const Index i = columns_.place[k];
+        block[front.in_block(i)] =
+            static_cast<Real>(J_.value[columns_.source[k]] * scale[row[i]] * scale[j]);
       }
     }
   }
 
-  /// Adds the lower triangle of the child's update where its rows are among those of s.
-  void add_update(Index child, Index s, Real* block, Real* update) const {
-    const Index columns = nodes_.columns(s), rows = nodes_.rows(s), below = rows - columns;
-    const Index side = nodes_.rows_below(child);
-    const Index* const place =
-        nodes_.place_in_parent.data() + nodes_.first_row[child] + nodes_.columns(child);
-    const Real* from = update_[child];
-    for (Index j = 0; j < side; ++j, from += side) {
-      Real* const to = place[j] < columns
-                           ? block + std::int64_t{place[j]} * rows
-                           : update + std::int64_t{place[j] - columns} * below - columns;
-      for (Index i = j; i < side; ++i) {
-        to[place[i]] += from[i];
-      }
+  void add_children(Index s, const FrontLayout<Real>& front, FrontPart part, Real* numbers) const {
+    for (const Index child : nodes_.children[s]) {
+      add_update(layout<Real>(nodes_, child), update_[child], front,
+                 nodes_.place_in_parent.data() + nodes_.first_row[child], part, numbers);
     }
   }
 
@@ -121,8 +131,8 @@ class FrontalFactor<Real>::Pass {
   const Supernodes& nodes_;
   const SymmetricMatrix& J_;
   const EliminatedColumns& columns_;
-  std::vector<LargeArray<Real>> stacks_;  // one per branch, and the trunk's
-  std::vector<Real*> update_;             // #S
+  std::vector<LargeArray<Real>> of_branch_;  // updates for the trunk
+  std::vector<Real*> update_;                // #S
 };
 
 template <class Real>
@@ -148,28 +158,24 @@ Index FrontalFactor<Real>::factor(const SymmetricMatrix& J, const EliminatedColu
     largest_scale_ = std::max(largest_scale_, scale_[i]);
   }
   Pass pass(*this, J, columns);
-  const std::size_t branches = nodes_.branches.size();
-  std::int64_t largest = 0;
-  for (const Branch& branch : nodes_.branches) {
-    largest = std::max(largest, largest_front(nodes_, branch));
+  std::vector<Index> bad_column(nodes_.branches.size(), -1);
+  {
+    std::vector<FactorScratch<Real>> scratch;
+    for (int i = 0; i < worker_count(); ++i) {
+      scratch.emplace_back(nodes_, nodes_.branches);
+    }
+    for_branches(nodes_, worth_sharing_factor, scratch, [&](std::int64_t b, auto& own) {
+      const FlushSubnormals flush;
+      bad_column[b] = pass.run_branch(b, own);
+    });
   }
-  std::vector<FrontScratch<Real>> scratch(worker_count());
-  for (FrontScratch<Real>& of_thread : scratch) {
-    of_thread = {std::vector<Index>(nodes_.unknown.size()), LargeArray<Real>(largest)};
-  }
-  std::vector<Index> bad_column(branches, -1);
-  for_branches(nodes_, worth_sharing_factor, scratch, [&](std::int64_t b, auto& own) {
-    const FlushSubnormals flush;
-    bad_column[b] = pass.run(nodes_.branches[b], b, own);
-  });
   Index bad = n;  // the first in order of elimination
   for (const Index column : bad_column) {
     bad = column < 0 ? bad : std::min(bad, column);
   }
   if (bad == n) {
     const FlushSubnormals flush;
-    scratch[0].block = LargeArray<Real>(largest_front(nodes_, nodes_.trunk));
-    const Index column = pass.run(nodes_.trunk, branches, scratch[0]);
+    const Index column = pass.run_trunk();
     bad = column < 0 ? n : column;
   }
   return bad < n ? nodes_.unknown[bad] : -1;

@@ -75,15 +75,15 @@ void split_for_threads(Supernodes& nodes, const std::vector<Index>& parent) {
 
 }  // namespace
 
-EliminatedColumns eliminated_columns(const SymmetricMatrix& J, const std::vector<Index>& unknown) {
-  const std::size_t n = unknown.size();
+EliminatedColumns eliminated_columns(const SymmetricMatrix& J, const Supernodes& nodes) {
+  const std::size_t n = nodes.unknown.size();
   std::vector<Index> turn(n);
   for (std::size_t i = 0; i < n; ++i) {
-    turn[unknown[i]] = static_cast<Index>(i);
+    turn[nodes.unknown[i]] = static_cast<Index>(i);
   }
   EliminatedColumns columns;
   columns.first.assign(n + 1, 0);
-  columns.row.resize(J.row.size());
+  columns.place.resize(J.row.size());
   columns.source.resize(J.row.size());
   const auto each = [&](auto&& act) {
     for (std::int64_t j = 0; j < J.size(); ++j) {
@@ -97,9 +97,19 @@ EliminatedColumns eliminated_columns(const SymmetricMatrix& J, const std::vector
   std::partial_sum(columns.first.begin(), columns.first.end(), columns.first.begin());
   std::vector<std::int64_t> next(columns.first.begin(), columns.first.end() - 1);
   each([&](Index column, Index row, std::int64_t k) {
-    columns.row[next[column]] = row;
+    columns.place[next[column]] = row;
     columns.source[next[column]++] = k;
   });
+  std::vector<Index>& place = turn;
+  for (Index s = 0; s < nodes.size(); ++s) {
+    for (Index i = 0; i < nodes.rows(s); ++i) {
+      place[nodes.row[nodes.first_row[s] + i]] = i;
+    }
+    for (std::int64_t k = columns.first[nodes.first_column[s]];
+         k < columns.first[nodes.first_column[s + 1]]; ++k) {
+      columns.place[k] = place[columns.place[k]];
+    }
+  }
   return columns;
 }
 

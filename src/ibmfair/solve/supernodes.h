@@ -12,14 +12,6 @@
 
 namespace ibmfair {
 
-/// Where the entries of a matrix go: column j of the factor takes value[source[k]] into row row[k],
-/// for k = first[j] .. first[j + 1] - 1. Rows are numbered in order of elimination.
-struct EliminatedColumns {
-  std::vector<std::int64_t> first;
-  std::vector<Index> row;
-  std::vector<std::int64_t> source;
-};
-
 /// A range of supernodes that depends on no supernode outside of it.
 struct Branch {
   Index first, last;  ///< one past the end
@@ -64,8 +56,16 @@ struct Supernodes {
   Index rows_below(Index s) const { return rows(s) - columns(s); }
 };
 
-/// Places the entries of `J` (by its pattern) into the columns of the factor.
-EliminatedColumns eliminated_columns(const SymmetricMatrix& J, const std::vector<Index>& unknown);
+/// Where the entries of a matrix go: column j of the factor takes value[source[k]] into row
+/// place[k] of its front, for k = first[j] .. first[j + 1] - 1.
+struct EliminatedColumns {
+  std::vector<std::int64_t> first;
+  std::vector<Index> place;
+  std::vector<std::int64_t> source;
+};
+
+/// For the pattern of `J`.
+EliminatedColumns eliminated_columns(const SymmetricMatrix& J, const Supernodes& nodes);
 
 /// Fills in what follows from unknown, first_column, first_row and row: everything else.
 void complete(Supernodes& nodes);

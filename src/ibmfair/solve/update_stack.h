@@ -17,6 +17,9 @@ class UpdateStack {
   UpdateStack(const Supernodes& nodes, std::vector<Real*>& of, Real* memory)
       : nodes_(nodes), of_(of), top_(memory) {}
 
+  /// The end of what it holds.
+  Real* top() const { return top_; }
+
   /// Memory for the `size` numbers of s, while those of its children are still there.
   Real* push(Index s, std::int64_t size) {
     of_[s] = top_;

@@ -1,0 +1,64 @@
+// Where the numbers of a front stand while it is factored. Both the block of its own columns and
+// the update that it hands on are kept in packs of rows, each column by column, so that kernels
+// read and write them in turn and with whole vectors.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "ibmfair/base/types.h"
+
+namespace ibmfair {
+
+/// Rows of a pack: as many as fill 32 bytes.
+template <class Real>
+constexpr Index pack_rows = 32 / sizeof(Real);
+
+/// Columns that kernels take together.
+constexpr Index panel_width = 4;
+
+template <class Real>
+constexpr Index packs_of(Index rows) {
+  return (rows + pack_rows<Real> - 1) / pack_rows<Real>;
+}
+
+/// Where a front's own columns are, and the others.
+enum class FrontPart : std::uint8_t { block, update };
+
+/// A front of `rows` rows, of which the first `columns` are its own. Entry (i, j), i >= j, is
+/// number in(part, i) + pack_rows * j of the part.
+template <class Real>
+struct FrontLayout {
+  static constexpr Index pack = pack_rows<Real>;
+
+  Index rows, columns;
+
+  Index packs() const { return packs_of<Real>(rows); }
+
+  /// From pack to pack of the block. There is room for whole panels.
+  std::ptrdiff_t stride() const {
+    return std::ptrdiff_t{pack} * ((columns + panel_width - 1) / panel_width * panel_width);
+  }
+  std::int64_t block_size() const { return packs() * std::int64_t{stride()}; }
+  std::ptrdiff_t in_block(Index i) const { return i / pack * stride() + i % pack; }
+
+  /// The pack with which the update begins: its first rows may be the front's own, and are idle.
+  Index first_pack() const { return columns / pack; }
+  /// From pack to pack there is room for one pack of columns more.
+  std::int64_t update_size() const {
+    return rows > columns ? before_pack(packs() - first_pack()) : 0;
+  }
+  std::ptrdiff_t in_update(Index i) const {
+    return before_pack(i / pack - first_pack()) - std::ptrdiff_t{pack} * pack * first_pack() +
+           i % pack;
+  }
+
+  std::ptrdiff_t in(FrontPart part, Index i) const {
+    return part == FrontPart::block ? in_block(i) : in_update(i);
+  }
+
+ private:
+  static std::ptrdiff_t before_pack(std::ptrdiff_t p) { return pack * pack * p * (p + 1) / 2; }
+};
+
+}  // namespace ibmfair
