@@ -198,7 +198,7 @@ TEST_F(BatchTest, WantOfMemoryEndsOneItemOnly) {
               R"({"defaults": {"command": "make", "shape": "icosphere"}, "jobs": [
       {"output": "large.off", "options": {"subdivide": 9}}, {"output": "small.off"}]})");
   const RunResult result =
-      run({"batch", "jobs.json", "--json"}, {.address_space = std::int64_t{3} << 27U});
+      run({"batch", "jobs.json", "--json"}, {.address_space = std::int64_t{3} << 26U});
   EXPECT_EQ(result.exit_code, 1) << result.err;
   const json items = json::parse(result.out)["items"];
   EXPECT_EQ(items[0]["exit_code"], 5);

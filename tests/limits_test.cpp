@@ -105,7 +105,7 @@ TEST(Limits, WhatDoesNotFitIntoTheAddressSpaceIsRefusedWithWhatWould) {
   const std::string in = directory / "in.ply", out = directory / "out.ply";
   ASSERT_EQ(run_program({"make", "torus", in, "--rows", "240", "--columns", "600"}).exit_code, 0);
   const Words smooth{"smooth", in, out, "--quiet", "--threads", "1"};
-  const RunOptions limited{.address_space = std::int64_t{640} << 20U};
+  const RunOptions limited{.address_space = std::int64_t{450} << 20U};
   const RunResult refused = run_program(smooth + Words{"--solver", "cholmod"}, limited);
   EXPECT_EQ(refused.exit_code, 5);
   EXPECT_TRUE(contains(refused.err, "the limit is") && contains(refused.err, "--solver cg fits"))

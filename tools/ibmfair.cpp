@@ -5,7 +5,8 @@
 int main(int argc, char** argv) {
   const int code = ibmfair::commands::run_program(argc, argv);
 #ifndef __SANITIZE_ADDRESS__  // looks for leaks at the end
-  // OpenBLAS, when it is unloaded, waits for its threads, which never end where memory is short.
+  // CHOLMOD may bring OpenBLAS, which waits for its threads when it is unloaded; where memory is
+  // short, they never end.
   std::_Exit(code);
 #endif
   return code;

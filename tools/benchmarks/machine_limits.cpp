@@ -88,7 +88,9 @@ double MemoryReading::bytes() const {
 
 template <class Real>
 MatrixProduct<Real>::MatrixProduct()
-    : A_(static_cast<std::size_t>(matrix_size) * matrix_size, Real{1}), B_(A_), C_(A_) {}
+    : A_(static_cast<std::size_t>(matrix_size) * matrix_size, Real{1}), B_(A_), C_(A_) {
+  openblas_set_num_threads(1);
+}
 
 template <class Real>
 void MatrixProduct<Real>::run() {

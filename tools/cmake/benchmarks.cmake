@@ -4,7 +4,8 @@ find_package(benchmark QUIET)
 find_path(OPENMESH_INCLUDE_DIR OpenMesh/Core/IO/MeshIO.hh)
 find_library(OPENMESH_CORE_LIBRARY OpenMeshCore)
 find_library(OPENMESH_TOOLS_LIBRARY OpenMeshTools)
-mark_as_advanced(OPENMESH_INCLUDE_DIR OPENMESH_CORE_LIBRARY OPENMESH_TOOLS_LIBRARY)
+find_library(OPENBLAS_LIBRARY openblas PATH_SUFFIXES openblas-pthread)
+mark_as_advanced(OPENMESH_INCLUDE_DIR OPENMESH_CORE_LIBRARY OPENMESH_TOOLS_LIBRARY OPENBLAS_LIBRARY)
 
 add_custom_target(benchmarks)
 
@@ -34,8 +35,8 @@ if(OPENMESH_INCLUDE_DIR AND OPENMESH_CORE_LIBRARY AND OPENMESH_TOOLS_LIBRARY)
                         ${OPENMESH_TOOLS_LIBRARY})
 endif()
 
-if(benchmark_FOUND)
+if(benchmark_FOUND AND OPENBLAS_LIBRARY)
   add_benchmark(kernels kernels.cpp machine_limits.cpp stages.cpp)
-  target_link_libraries(kernels PRIVATE ibmfair_library benchmark::benchmark CHOLMOD::CHOLMOD
+  target_link_libraries(kernels PRIVATE ibmfair_library benchmark::benchmark ${OPENBLAS_LIBRARY}
                         ibmfair_flags)
 endif()

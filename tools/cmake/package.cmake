@@ -25,7 +25,7 @@ set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME libibmfair-dev)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SHLIBDEPS OFF)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS
-    "libeigen3-dev, libsuitesparse-dev, libopenblas-dev, libtbb-dev, libfmt-dev, libpng-dev, zlib1g-dev, libmeshoptimizer-dev, libgmp-dev, libmpfr-dev")
+    "libeigen3-dev, libsuitesparse-dev, libtbb-dev, libfmt-dev, libpng-dev, zlib1g-dev, libmeshoptimizer-dev, libgmp-dev, libmpfr-dev")
 set(CPACK_DEBIAN_PETSC_PACKAGE_NAME ibmfair-petsc)
 set(CPACK_DEBIAN_PETSC_PACKAGE_SECTION graphics)
 set(CPACK_DEBIAN_PETSC_PACKAGE_DEPENDS "ibmfair (= ${PROJECT_VERSION}), openmpi-bin")

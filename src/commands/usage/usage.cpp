@@ -125,7 +125,6 @@ std::vector<VariableUsage> variables() {
       {"TERM", "`dumb`: no colours, no progress"},
       {kernels_variable,
        "`baseline` or `avx2`: do without AVX2 or AVX-512, to see whether results depend on it"},
-      {"OPENBLAS_CORETYPE", "the kernels of OpenBLAS, as Haswell: the same on all processors"},
       {"SOURCE_DATE_EPOCH", "the date of the man page, in seconds since 1970"}};
 }
 

@@ -19,8 +19,6 @@
 #include "ibmfair/base/errors.h"
 #include "ibmfair/base/process_memory.h"
 
-extern "C" void openblas_set_num_threads(int count);
-
 namespace ibmfair {
 namespace {
 
@@ -58,7 +56,6 @@ void set_thread_count(int count) {
     throw BadOption("cannot use " + std::to_string(count) + " threads: give 0 (all) to " +
                     std::to_string(largest_thread_count));
   }
-  openblas_set_num_threads(1);
   static std::optional<tbb::global_control> limit;
   limit.reset();
   if (count = count > 0 ? count : environment_thread_count(); count > 0) {

@@ -5,9 +5,8 @@ namespace ibmfair {
 
 /// Sets the number of threads of all loops to come; 0 leaves it to the environment
 /// (OMP_NUM_THREADS, else one for each core that the process may use); it is less where the address
-/// space is limited and has no room for so many. Results do not depend on it. BLAS is held at one
-/// thread whatever the number: its threaded kernels split sums differently from count to count.
-/// Throws BadOption for a negative number or one above `largest_thread_count`.
+/// space is limited and has no room for so many. Results do not depend on it. Throws BadOption for a
+/// negative number or one above `largest_thread_count`.
 void set_thread_count(int count);
 
 constexpr int largest_thread_count = 1024;

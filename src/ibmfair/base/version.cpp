@@ -6,13 +6,17 @@
 #include <cholmod.h>
 #include <fmt/format.h>
 
-// OpenBLAS's own header clashes with CHOLMOD's; these two are all that is needed of it.
-extern "C" {
-char* openblas_get_config();
-char* openblas_get_corename();
-}
+#include "ibmfair/base/instruction_set.h"
 
 namespace ibmfair {
+namespace {
+
+std::string name_of(InstructionSet set) {
+  constexpr std::array names{"baseline", "AVX2", "AVX-512"};
+  return names[static_cast<std::size_t>(set)];
+}
+
+}  // namespace
 
 std::string version() {
   return IBMFAIR_VERSION;
@@ -23,12 +27,11 @@ std::vector<Component> component_versions() {
   std::array<int, 3> cholmod{};
   SuiteSparse_version(suitesparse.data());
   cholmod_version(cholmod.data());
-  return {
-      {"Eigen",
-       fmt::format("{}.{}.{}", EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION, EIGEN_MINOR_VERSION)},
-      {"SuiteSparse", fmt::format("{}", fmt::join(suitesparse, "."))},
-      {"CHOLMOD", fmt::format("{}", fmt::join(cholmod, "."))},
-      {"BLAS", fmt::format("{}, kernels for {}", openblas_get_config(), openblas_get_corename())}};
+  return {{"Eigen",
+           fmt::format("{}.{}.{}", EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION, EIGEN_MINOR_VERSION)},
+          {"SuiteSparse", fmt::format("{}", fmt::join(suitesparse, "."))},
+          {"CHOLMOD", fmt::format("{}", fmt::join(cholmod, "."))},
+          {"kernels", name_of(kernel_set())}};
 }
 
 }  // namespace ibmfair

@@ -15,7 +15,7 @@ struct Component {
 };
 
 /// What the running program computes with, as found at run time where the component tells: Eigen,
-/// SuiteSparse, CHOLMOD, OpenBLAS.
+/// SuiteSparse, CHOLMOD, and the instructions that kernels use.
 std::vector<Component> component_versions();
 
 }  // namespace ibmfair

@@ -6,7 +6,6 @@
 #include <fmt/format.h>
 
 #include "ibmfair/base/errors.h"
-#include "ibmfair/solve/blas_memory.h"
 #include "ibmfair/solve/cholmod_context.h"
 #include "ibmfair/solve/multifrontal.h"
 #include "ibmfair/solve/supernodes.h"
@@ -106,7 +105,6 @@ struct CholeskyFactor::State {
 };
 
 CholeskyFactor::CholeskyFactor(const SymbolicCholesky& symbolic, Precision precision) {
-  reserve_blas_memory();
   const Supernodes& nodes = symbolic.state_->nodes;
   state_ = precision == Precision::float32
                ? std::make_unique<State>(State{symbolic.state_, SingleFactor(nodes)})

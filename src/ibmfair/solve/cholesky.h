@@ -43,7 +43,6 @@ enum class Precision : std::uint8_t { float32, float64 };
 /// The factor L L^T of a matrix with the analysed pattern.
 class CholeskyFactor {
  public:
-  /// Throws OutOfMemory where there is too little for the dense kernels.
   explicit CholeskyFactor(const SymbolicCholesky& symbolic,
                           Precision precision = Precision::float64);
   ~CholeskyFactor();
