@@ -6,6 +6,7 @@
 #include "ibmfair/base/errors.h"
 #include "ibmfair/base/parallel.h"
 #include "ibmfair/base/stopwatch.h"
+#include "ibmfair/flow/iterative_jacobian.h"
 
 namespace ibmfair {
 namespace {
@@ -21,14 +22,24 @@ constexpr double widest_float32 = 1e6;
 
 // Seconds on one core of a machine of 2023; only their ratios matter. tools/solver_table prints
 // what they were chosen by, here and in iterative_jacobian.cpp.
-constexpr double ordering_per_unknown = 2e-6;  // minimum degree; dissection takes thrice that
-constexpr double per_flop = 1 / 20e9;          // of the factorization, float32
-constexpr double per_entry = 8 / 9e9;          // of the factor, read twice in each solve
-constexpr double renewals = 5;  // by all steps of the guarded flow, where the mesh is noisy
+constexpr double per_flop = 1 / 35e9;  // of the factorization, float32
+constexpr double per_entry = 8 / 9e9;  // of the factor, read twice in each solve
+
+// Factorizations by all steps of the guarded flow. The farther smoothing reaches, the more of the
+// noise it takes away, which the Jacobian was made with.
+double factorizations(double iterations) {
+  return std::clamp(iterations / 4, 1.0, 5.0);
+}
 
 // Bytes, as seen on tori of 41 and 164 thousand vertices: the analysis and the assembled matrix,
 // and the factor, which may have to be float64, with what factoring it needs.
 constexpr double bytes_per_unknown = 1630, bytes_per_entry = 8.5;
+
+// By minimum degree, and from where on round surfaces are dissected, too (solve/cholesky.cpp).
+double ordering_seconds(double n) {
+  constexpr double by_degree = 1.4e-6, dissected = 7e-6, least_dissected = 30'000;
+  return n * (n < least_dissected ? by_degree : dissected);
+}
 
 // Surfaces have small separators: nested dissection leaves about this much.
 double factor_entries(double n) {
@@ -59,12 +70,14 @@ void tell_stage(const FlowOptions& options, FlowStage stage) {
 
 }  // namespace
 
-SolverForecast forecast_direct(const JacobianShape& shape, const JacobianParts& /*parts*/) {
+SolverForecast forecast_direct(const JacobianShape& shape, const JacobianParts& parts) {
   const double n = shape.unknowns.size(), entries = factor_entries(n);
   const double left = shape.steps_left();
-  const double factorizations =
-      shape.options.guarded ? std::max(1.0, renewals * left / shape.options.steps) : 1;
-  return {.seconds = ordering_per_unknown * n + per_flop * factor_flops(n) * factorizations +
+  const double factors = shape.options.guarded
+                             ? std::max(1.0, factorizations(forecast_iterations(shape, parts)) *
+                                                 left / shape.options.steps)
+                             : 1;
+  return {.seconds = ordering_seconds(n) + per_flop * factor_flops(n) * factors +
                      per_entry * entries * left,
           .bytes = bytes_per_unknown * n + bytes_per_entry * entries,
           .factor_entries = entries};
