@@ -114,10 +114,14 @@ void Jacobian::solve(const Points& B, Points& Y) {
 /// How many iterations a solve takes is hardly to be foreseen. Where they turn out to be so many
 /// that a factor for the steps that are left is cheaper, it follows.
 void Jacobian::reconsider() {
-  const double seconds = solver_->seconds_of_last_solve() * shape().steps_left();
+  const double seconds = solver_->seconds_of_last_solve();
+  if (seconds <= considered_) {  // a factor did not pay when more steps were left
+    return;
+  }
+  considered_ = seconds;
   const JacobianParts parts{weights_, D_, h_};
   const JacobianBackend* other =
-      seconds > 0 ? other_backend(shape(), parts, true, seconds) : nullptr;
+      other_backend(shape(), parts, true, seconds * shape().steps_left());
   if (other == nullptr) {
     return;
   }

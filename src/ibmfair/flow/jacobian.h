@@ -68,7 +68,8 @@ class Jacobian {
   Eigen::VectorXd D_, damping_;
   double h_ = 0;
   int failures_ = 0;
-  bool settled_ = false;  // on this backend, whatever it takes
+  bool settled_ = false;   // on this backend, whatever it takes
+  double considered_ = 0;  // the most seconds of a solve so far
 };
 
 }  // namespace ibmfair
