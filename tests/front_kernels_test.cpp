@@ -67,6 +67,7 @@ struct FactoredFront {
     const auto rows = static_cast<Index>(L.rows()), columns = static_cast<Index>(L.cols());
     constexpr Index before = 5;
     std::vector<Index> row;
+    row.reserve(static_cast<std::size_t>(rows));
     for (Index i = 0; i < rows; ++i) {
       row.push_back(before + (i < columns ? i : 3 * i));
     }

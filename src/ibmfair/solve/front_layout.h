@@ -37,7 +37,8 @@ struct FrontLayout {
 
   /// From pack to pack of the block. There is room for whole panels.
   std::ptrdiff_t stride() const {
-    return std::ptrdiff_t{pack} * ((columns + panel_width - 1) / panel_width * panel_width);
+    const Index panels = (columns + panel_width - 1) / panel_width;
+    return std::ptrdiff_t{pack} * panel_width * panels;
   }
   std::int64_t block_size() const { return packs() * std::int64_t{stride()}; }
   std::ptrdiff_t in_block(Index i) const { return i / pack * stride() + i % pack; }
@@ -58,7 +59,7 @@ struct FrontLayout {
   }
 
  private:
-  static std::ptrdiff_t before_pack(std::ptrdiff_t p) { return pack * pack * p * (p + 1) / 2; }
+  static std::ptrdiff_t before_pack(std::ptrdiff_t p) { return p * (p + 1) / 2 * pack * pack; }
 };
 
 }  // namespace ibmfair

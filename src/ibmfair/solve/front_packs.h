@@ -152,7 +152,7 @@ IBMFAIR_INLINE void to_rows(const Pack3<float>& pack, float* rows) {
   const Pack<float> z01 = zip_low(z, none), z23 = zip_high(z, none);
   const Pack<float> two[] = {zip_low_pairs(xy01, z01), zip_high_pairs(xy01, z01),
                              zip_low_pairs(xy23, z23), zip_high_pairs(xy23, z23)};
-  for (int i = 0; i < 4; ++i) {
+  for (std::ptrdiff_t i = 0; i < 4; ++i) {
     store(rows + 4 * i, low_half(two[i]));
     store(rows + 4 * (i + 4), high_half(two[i]));
   }

@@ -161,6 +161,7 @@ Index FrontalFactor<Real>::factor(const SymmetricMatrix& J, const EliminatedColu
   std::vector<Index> bad_column(nodes_.branches.size(), -1);
   {
     std::vector<FactorScratch<Real>> scratch;
+    scratch.reserve(static_cast<std::size_t>(worker_count()));
     for (int i = 0; i < worker_count(); ++i) {
       scratch.emplace_back(nodes_, nodes_.branches);
     }
