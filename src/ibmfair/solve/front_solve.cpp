@@ -8,7 +8,7 @@ namespace {
 
 /// A workspace of more bytes leaves the first cache too little room for the panels beside it, and
 /// the processor no longer fetches these ahead.
-constexpr std::int64_t small_workspace = 12 * 1024;
+constexpr std::int64_t small_workspace = 12288;
 
 /// Numbers that are fetched ahead then: 8 kB.
 template <class Real>
@@ -23,6 +23,12 @@ IBMFAIR_INLINE void fetch(const Real* numbers, std::ptrdiff_t distance) {
   for (std::ptrdiff_t i = 0; i < count * std::ptrdiff_t{sizeof(Real)}; i += cache_line) {
     __builtin_prefetch(bytes + i, 0, 2);  // 2: not to the first cache
   }
+}
+
+/// The workspace from pack p on.
+template <class Real>
+IBMFAIR_INLINE Real* from_pack(Real* W, Index p) {
+  return W + std::ptrdiff_t{3} * pack_rows<Real> * p;
 }
 
 /// Packs of three coordinates that follow each other in a workspace.
@@ -104,7 +110,7 @@ struct Chunk {
 
   IBMFAIR_INLINE static const Real* forward(const Real* L, Index packs, Real* W) {
     Pack3<Real> own = load_three(W);
-    for (int c = 0; c < 3; ++c) {
+    for (std::ptrdiff_t c = 0; c < 3; ++c) {
       Pack<Real> sum = W[c * pack] * load<Pack<Real>>(L);
       for (int k = 1; k < columns; ++k) {
         sum += W[c * pack + k] * load<Pack<Real>>(L + k * pack);
@@ -121,7 +127,7 @@ struct Chunk {
   }
 
   IBMFAIR_INLINE static const Real* backward(const Real* L, Index packs, Real* W) {
-    const Real* const end = W + 3 * pack * std::ptrdiff_t{packs};
+    const Real* const end = from_pack(W, packs);
     Panels sum = {};
     if constexpr (second_width > 0) {
       L = Panel<Real, second_width, fetching>::backward(L, packs - 1, end, sum[1]);
@@ -157,12 +163,6 @@ struct Chunk {
 /// Chunks of every width.
 template <class Real>
 using Widths = std::make_integer_sequence<int, pack_rows<Real>>;
-
-/// The workspace from pack p on.
-template <class Real>
-IBMFAIR_INLINE Real* from_pack(Real* W, Index p) {
-  return W + 3 * pack_rows<Real> * std::ptrdiff_t{p};
-}
 
 /// Fills the workspace with `rows` rows.
 template <class Real, class Rows>
