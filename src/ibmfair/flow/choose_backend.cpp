@@ -14,7 +14,7 @@ namespace {
 
 /// Of the seconds forecast for a backend without a factor, to compare: where it takes more, one
 /// with a factor follows before long (Jacobian::reconsider), where less, nobody would know.
-constexpr double doubt = 0.7;
+constexpr double doubt = 0.5;
 
 bool fits(const SolverForecast& forecast, const FlowOptions& options) {
   const bool allowed =

@@ -73,7 +73,7 @@ const JacobianBackend& jacobian_backend(std::string_view name);
 
 /// The backend that options.solver names; for "auto", of those that fit into the memory the one
 /// that is predicted to take the least time for a Jacobian of these parts, those without a factor
-/// seven tenths of it, as they can be left. Throws OutOfMemory where the named one, or none of
+/// half of it, as they can be left. Throws OutOfMemory where the named one, or none of
 /// them, fits.
 const JacobianBackend& choose_backend(const JacobianShape& shape, const JacobianParts& parts);
 
