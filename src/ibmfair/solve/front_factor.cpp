@@ -60,17 +60,18 @@ template <class Real>
 struct Panel {
   static constexpr Index pack = pack_rows<Real>;
 
+  FrontLayout<Real> front;
   Real* block;
-  std::ptrdiff_t stride;
   Index strip, column;  // the first one of either
   Real* inverse;        // of the diagonal; 0 for columns that are room only
 
   /// The four rows of the panel's own columns, from column 0 on.
-  IBMFAIR_INLINE Real* own_rows() const { return block + column / pack * stride + column % pack; }
+  IBMFAIR_INLINE Real* own_rows() const { return block + front.in_block(column); }
 
   /// Rows of some packs lose what is due and are divided by the panel's triangle.
   template <int packs>
   IBMFAIR_INLINE void tile(Index first) const {
+    const std::ptrdiff_t stride = front.stride();
     Real* const A = block + first * stride;
     const auto due = Tile<Real, packs>::product(A + pack * strip, stride, own_rows() + pack * strip,
                                                 column - strip);
@@ -90,9 +91,9 @@ struct Panel {
   /// Factors the panel's triangle, and divides the other rows of its pack. Returns -1, or which of
   /// the `columns` columns has a pivot that is not positive.
   IBMFAIR_INLINE Index factor(Index columns) const {
-    Real* const A = block + column / pack * stride;
+    Real* const A = own_rows() - column % pack;
     const auto due =
-        Tile<Real, 1>::product(A + pack * strip, stride, own_rows() + pack * strip, column - strip);
+        Tile<Real, 1>::product(A + pack * strip, 0, own_rows() + pack * strip, column - strip);
     Pack<Real> x[panel_width];
     for (int c = 0; c < panel_width; ++c) {
       x[c] = load<Pack<Real>>(A + pack * (column + c)) - due.sum[0][c];
@@ -135,10 +136,10 @@ struct Panel {
 /// The columns first .. last - 1 of a block, in the packs with their own rows.
 template <class Real>
 struct FactorStrip {
-  IBMFAIR_INLINE static Index run(Real* block, std::ptrdiff_t stride, Index first, Index last,
+  IBMFAIR_INLINE static Index run(FrontLayout<Real> front, Real* block, Index first, Index last,
                                   Real* inverse) {
     for (Index j = first; j < last; j += panel_width, inverse += panel_width) {
-      const Panel<Real> panel{block, stride, first, j, inverse};
+      const Panel<Real> panel{front, block, first, j, inverse};
       if (const Index bad = panel.factor(std::min(panel_width, last - j)); bad >= 0) {
         return j + bad;
       }
@@ -151,15 +152,15 @@ struct FactorStrip {
 /// The same columns in other packs.
 template <class Real>
 struct DivideBand {
+  FrontLayout<Real> front;
   Real* block;
-  std::ptrdiff_t stride;
   Index first, last;
   Real* inverse;
 
   template <int packs>
   IBMFAIR_INLINE void tile(Index p) const {
     for (Index j = first; j < last; j += panel_width) {
-      const Panel<Real> panel{block, stride, first, j, inverse + (j - first)};
+      const Panel<Real> panel{front, block, first, j, inverse + (j - first)};
       panel.template tile<packs>(p);
     }
   }
@@ -186,9 +187,9 @@ struct SubtractBand {
   IBMFAIR_INLINE void tile(Index p) const {
     const std::ptrdiff_t stride = front.stride();
     const bool is_new = part == FrontPart::update && strip == 0;
-    const auto due = Tile<Real, packs>::product(
-        block + p * stride + pack * strip, stride,
-        block + column / pack * stride + column % pack + pack * strip, width);
+    const auto due =
+        Tile<Real, packs>::product(block + p * stride + pack * strip, stride,
+                                   block + front.in_block(column) + pack * strip, width);
     for (int i = 0; i < packs; ++i) {
       const Index row = pack * (p + i);
       Real* const to = numbers + pack * std::ptrdiff_t{column} + front.in(part, row);
@@ -230,13 +231,13 @@ Index factor_front(const FrontLayout<Real>& front, Real* block, Real* update) {
   Real inverse[strip_width];
   for (Index first = 0; first < columns; first += width) {
     const Index last = std::min(first + width, columns);
-    const Index bad = run<FactorStrip<Real>>(block, front.stride(), first, last, inverse);
+    const Index bad = run<FactorStrip<Real>>(front, block, first, last, inverse);
     if (bad >= 0) {
       return bad;
     }
     const double rows = front.rows - last, products = rows * (last - first);
-    in_bands(DivideBand<Real>{block, front.stride(), first, last, inverse}, packs_of<Real>(last),
-             packs, products * (last - first) / 2);
+    in_bands(DivideBand<Real>{front, block, first, last, inverse}, packs_of<Real>(last), packs,
+             products * (last - first) / 2);
     const auto subtract = [&](FrontPart part, Real* numbers, Index begin, Index end) {
       in_bands(SubtractBand<Real>{front, block, first, last - first, part, numbers, begin, end},
                begin / pack, packs, products * (end - begin));
