@@ -1,5 +1,6 @@
 #include "commands/program.h"
 
+#include <algorithm>
 #include <cstdlib>
 #include <exception>
 #include <string>
@@ -24,15 +25,13 @@ namespace {
 void choose_kernels() {
   const char* given = std::getenv(kernels_variable);
   if (given == nullptr || *given == '\0') return;
-  for (const auto& [name, set] :
-       {std::pair{"baseline", InstructionSet::baseline}, std::pair{"avx2", InstructionSet::avx2},
-        std::pair{"avx512", InstructionSet::avx512}}) {
-    if (std::string_view(name) == given) {
-      return choose_kernel_set(set);
-    }
+  const auto& names = instruction_set_names;
+  const auto name = std::find(names.begin(), names.end(), given);
+  if (name == names.end()) {
+    throw BadOption(
+        fmt::format("{}: '{}' is neither {}", kernels_variable, given, fmt::join(names, " nor ")));
   }
-  throw BadOption(
-      fmt::format("{}: '{}' is neither baseline nor avx2 nor avx512", kernels_variable, given));
+  choose_kernel_set(static_cast<InstructionSet>(name - names.begin()));
 }
 
 ExitCode parse_and_run(const std::vector<std::string>& words, Console& console) {

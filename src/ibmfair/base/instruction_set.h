@@ -1,12 +1,16 @@
 // Which of their versions the vectorized kernels (base/lanes.h) run in.
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <string_view>
 
 namespace ibmfair {
 
 /// What a kernel is compiled for; each has all that those before it have.
 enum class InstructionSet : std::uint8_t { baseline, avx2, avx512 };
+inline constexpr std::array<std::string_view, 3> instruction_set_names{"baseline", "avx2",
+                                                                       "avx512"};
 
 /// The best that this processor has.
 InstructionSet best_instruction_set();

@@ -9,14 +9,6 @@
 #include "ibmfair/base/instruction_set.h"
 
 namespace ibmfair {
-namespace {
-
-std::string name_of(InstructionSet set) {
-  constexpr std::array names{"baseline", "AVX2", "AVX-512"};
-  return names[static_cast<std::size_t>(set)];
-}
-
-}  // namespace
 
 std::string version() {
   return IBMFAIR_VERSION;
@@ -31,7 +23,7 @@ std::vector<Component> component_versions() {
            fmt::format("{}.{}.{}", EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION, EIGEN_MINOR_VERSION)},
           {"SuiteSparse", fmt::format("{}", fmt::join(suitesparse, "."))},
           {"CHOLMOD", fmt::format("{}", fmt::join(cholmod, "."))},
-          {"kernels", name_of(kernel_set())}};
+          {"kernels", std::string(instruction_set_names[static_cast<std::size_t>(kernel_set())])}};
 }
 
 }  // namespace ibmfair

@@ -73,8 +73,7 @@ const JacobianBackend& jacobian_backend(std::string_view name);
 
 /// The backend that options.solver names; for "auto", of those that fit into the memory the one
 /// that is predicted to take the least time for a Jacobian of these parts, those without a factor
-/// half of it, as they can be left. Throws OutOfMemory where the named one, or none of
-/// them, fits.
+/// half of it, as they can be left. Throws OutOfMemory where the named one, or none of them, fits.
 const JacobianBackend& choose_backend(const JacobianShape& shape, const JacobianParts& parts);
 
 /// A backend with a factor, or one without, to go on with: where the options leave the choice open,
