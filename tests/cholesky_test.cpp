@@ -15,8 +15,8 @@ namespace {
 /// I + S of a mesh: symmetric positive definite, with the pattern that the flow has.
 SymmetricMatrix example(const State& state) {
   const auto energy = bending_model("lagrange").bind(state.topology, {});
-  const HessianAssembler assembler(energy->stencils(),
-                                   Unknowns(std::vector<std::uint8_t>(state.X.rows(), 0)));
+  const StencilTerms terms(energy->stencils(), state.topology.vertex_count);
+  const HessianAssembler assembler(terms, Unknowns(std::vector<std::uint8_t>(state.X.rows(), 0)));
   SymmetricMatrix J = assembler.pattern();
   StencilWeights weights;
   energy->linearise(state.X, weights);

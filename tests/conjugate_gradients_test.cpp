@@ -21,7 +21,9 @@ namespace {
 /// J = D + h S of a shaken mesh with every third vertex held, or none, by rows and assembled.
 struct Example {
   Example(const State& state, std::string_view model, bool hold)
-      : energy(bending_model(model).bind(state.topology, {})), unknowns([&] {
+      : energy(bending_model(model).bind(state.topology, {})),
+        terms(energy->stencils(), state.topology.vertex_count),
+        unknowns([&] {
           std::vector<std::uint8_t> held(state.X.rows(), 0);
           for (std::size_t v = 0; hold && v < held.size(); v += 3) {
             held[v] = 1;
@@ -30,7 +32,7 @@ struct Example {
         }()) {
     energy->linearise(shaken(state, 0.1), weights);
     D = Eigen::VectorXd::LinSpaced(unknowns.size(), 1, 3);
-    const HessianAssembler assembler(energy->stencils(), unknowns);
+    const HessianAssembler assembler(terms, unknowns);
     J = assembler.pattern();
     assembler.assemble(weights, J);
     double largest = 0;
@@ -44,7 +46,7 @@ struct Example {
     for (std::int64_t j = 0; j < J.size(); ++j) {
       J.value[J.column_first[j]] += D[j];
     }
-    rows = std::make_unique<JacobianRows>(energy->stencils(), unknowns);
+    rows = std::make_unique<JacobianRows>(terms, unknowns);
     rows->update(weights, D, h);
   }
 
@@ -58,6 +60,7 @@ struct Example {
   }
 
   std::unique_ptr<BendingEnergy> energy;
+  StencilTerms terms;
   Unknowns unknowns;
   StencilWeights weights;
   Eigen::VectorXd D;

@@ -133,8 +133,8 @@ TEST_P(BendingEnergies, IsQuadraticUnderIsometricDeformations) {
   }
   const State flat(sheet);
   const auto energy = GetParam().bind(flat.topology);
-  const HessianAssembler assembler(energy->stencils(),
-                                   Unknowns(std::vector<std::uint8_t>(flat.X.rows(), 0)));
+  const StencilTerms terms(energy->stencils(), flat.topology.vertex_count);
+  const HessianAssembler assembler(terms, Unknowns(std::vector<std::uint8_t>(flat.X.rows(), 0)));
   SymmetricMatrix S = assembler.pattern();
   StencilWeights weights;
   energy->linearise(flat.X, weights);

@@ -11,7 +11,8 @@ namespace ibmfair::test {
 namespace {
 
 SymmetricMatrix assemble(BendingEnergy& energy, const Points& X, const Unknowns& unknowns) {
-  const HessianAssembler assembler(energy.stencils(), unknowns);
+  const StencilTerms terms(energy.stencils(), static_cast<Index>(X.rows()));
+  const HessianAssembler assembler(terms, unknowns);
   SymmetricMatrix S = assembler.pattern();
   StencilWeights weights;
   energy.linearise(X, weights);
@@ -78,12 +79,39 @@ TEST(Hessian, OfTheUnknownsIsTheBlockOfTheWhole) {
   }
 }
 
+TEST(Hessian, IsTheSumOverTheStencils) {
+  for (const Member& member : family()) {
+    const State state(all_meshes().front().mesh);
+    const auto energy = member.bind(state.topology);
+    StencilWeights weights;
+    energy->linearise(shaken(state, 0.05), weights);
+    const Rows& stencils = energy->stencils();
+    Eigen::MatrixXd S = Eigen::MatrixXd::Zero(state.X.rows(), state.X.rows());
+    for (Index s = 0; s < stencils.size(); ++s) {
+      for (std::int64_t k = stencils.first[s]; k < stencils.first[s + 1]; ++k) {
+        for (std::int64_t l = stencils.first[s]; l < stencils.first[s + 1]; ++l) {
+          S(stencils.value[k], stencils.value[l]) += weights.w[s] * weights.c[k] * weights.c[l];
+        }
+      }
+    }
+    const Unknowns all(std::vector<std::uint8_t>(state.X.rows(), 0));
+    const Eigen::MatrixXd assembled = dense(assemble(*energy, shaken(state, 0.05), all));
+    EXPECT_LE((assembled - S).cwiseAbs().maxCoeff(), 1e-13 * S.cwiseAbs().maxCoeff())
+        << identifier(member);
+    const StencilTerms terms(stencils, state.topology.vertex_count);
+    for (Index v = 0; v < terms.vertex_count(); ++v) {
+      EXPECT_NEAR(terms.diagonal(v, weights), S(v, v), 1e-13 * S(v, v)) << identifier(member);
+    }
+  }
+}
+
 TEST(Hessian, RefillingDoesNotRememberTheOldValues) {
   for (const BendingModel& model : bending_models()) {
     const State state(closed_meshes()[3].mesh);
     const auto energy = model.bind(state.topology, {});
     const Unknowns all(std::vector<std::uint8_t>(state.X.rows(), 0));
-    const HessianAssembler assembler(energy->stencils(), all);
+    const StencilTerms terms(energy->stencils(), state.topology.vertex_count);
+    const HessianAssembler assembler(terms, all);
     SymmetricMatrix S = assembler.pattern();
     StencilWeights weights;
     for (const double amount : {0.05, 0.0}) {

@@ -30,12 +30,7 @@ void with_entries(Vec vector, const Copy& copy) {
 
 PetscJacobian::PetscJacobian(const JacobianShape& shape, const PetscParts& parts,
                              LinearSolver solver)
-    : shape_(shape),
-      comm_(parts.communicator()),
-      solver_(solver),
-      places_(positions_by_value(shape.stencils.value,
-                                 static_cast<Index>(shape.unknowns.unknown.size()))),
-      stencil_of_place_(row_of_position(shape.stencils)) {
+    : shape_(shape), comm_(parts.communicator()), solver_(solver) {
   const Stopwatch watch(shape.report.seconds.analyse);
   number_unknowns(parts);
   make_matrix();
@@ -71,24 +66,22 @@ void PetscJacobian::gather(Index u, const JacobianParts* parts, Row& row) {
     }
     return slot_[v];
   };
-  row.value[slot_of(vertex)] = parts != nullptr ? parts->D[u] : 0;
-  for (const Index place : places_[vertex]) {
-    const Index s = stencil_of_place_[place];
-    const double factor =
-        parts != nullptr ? parts->h * parts->weights.w[s] * parts->weights.c[place] : 0;
-    for (std::int64_t k = shape_.stencils.first[s]; k < shape_.stencils.first[s + 1]; ++k) {
-      const Index v = shape_.stencils.value[k];
-      if (number_[v] >= 0) {
-        row.value[slot_of(v)] += parts != nullptr ? factor * parts->weights.c[k] : 0;
-      }
+  slot_of(vertex);
+  shape_.terms.for_vertices(vertex, [&](Index v) {
+    if (number_[v] >= 0) {
+      slot_of(v);
     }
+  });
+  if (parts != nullptr) {
+    shape_.terms.for_terms(vertex, parts->weights, [&](Index v, double term) {
+      if (number_[v] >= 0) {
+        row.value[slot_[v]] += parts->h * term;
+      }
+    });
+    row.value[slot_[vertex]] += parts->D[u];
   }
   slot_[vertex] = -1;
-  for (const Index place : places_[vertex]) {
-    for (const Index v : shape_.stencils[stencil_of_place_[place]]) {
-      slot_[v] = -1;
-    }
-  }
+  shape_.terms.for_vertices(vertex, [&](Index v) { slot_[v] = -1; });
 }
 
 void PetscJacobian::make_matrix() {

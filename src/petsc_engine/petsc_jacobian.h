@@ -44,8 +44,6 @@ class PetscJacobian final : public JacobianSolver {
   const JacobianShape shape_;
   const Communicator& comm_;
   const LinearSolver solver_;
-  Rows places_;  // of each vertex, positions in the stencils' values
-  std::vector<Index> stencil_of_place_;
   std::vector<PetscInt> number_;  // #V, of the unknowns of all ranks; -1: held
   PetscInt first_ = 0;            // number of this rank's first unknown
   std::vector<PetscInt> slot_;    // scratch, #V: where a row has the vertex

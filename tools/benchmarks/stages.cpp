@@ -32,7 +32,8 @@ void bind(StageInputs& s) {
 }
 
 void make_pattern(StageInputs& s) {
-  s.results.assembler.emplace(s.crouzeix_raviart->stencils(), s.unknowns);
+  s.results.terms.emplace(s.crouzeix_raviart->stencils(), s.topology.vertex_count);
+  s.results.assembler.emplace(*s.results.terms, s.unknowns);
 }
 
 /// J = M + h S, [W07] (13).
@@ -231,9 +232,10 @@ StageInputs::StageInputs(std::string input_path, std::string output_path)
       crouzeix_raviart(bending_model("crouzeix-raviart").bind(topology, {})),
       lagrange(bending_model("lagrange").bind(topology, {})),
       unknowns(std::vector<std::uint8_t>(topology.vertex_count, 0)),
-      assembler(crouzeix_raviart->stencils(), unknowns),
+      terms(crouzeix_raviart->stencils(), topology.vertex_count),
+      assembler(terms, unknowns),
       J(assembler.pattern()),
-      rows(crouzeix_raviart->stencils(), unknowns),
+      rows(terms, unknowns),
       iteration(rows),
       B(X) {
   assemble(*this);

@@ -21,6 +21,7 @@ struct StageResults {
   std::optional<MeshFile> file;
   std::optional<Topology> topology;
   std::unique_ptr<BendingEnergy> bending;
+  std::optional<StencilTerms> terms;
   std::optional<HessianAssembler> assembler;
   std::optional<SymbolicCholesky> symbolic;
   std::optional<CholeskyFactor> factor;
@@ -40,6 +41,7 @@ struct StageInputs {
   Topology topology;
   std::unique_ptr<BendingEnergy> crouzeix_raviart, lagrange;
   Unknowns unknowns;
+  StencilTerms terms;
   HessianAssembler assembler;
   StencilWeights weights;
   SymmetricMatrix J;

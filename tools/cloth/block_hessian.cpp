@@ -6,8 +6,9 @@
 namespace ibmfair::cloth {
 
 BlockHessian::BlockHessian(const Rows& elements, Index vertices)
-    : pattern_(
-          HessianAssembler(elements, Unknowns(std::vector<std::uint8_t>(vertices, 0))).pattern()),
+    : pattern_(HessianAssembler(StencilTerms(elements, vertices),
+                                Unknowns(std::vector<std::uint8_t>(vertices, 0)))
+                   .pattern()),
       blocks_(pattern_.row.size(), Block::Zero()) {}
 
 void BlockHessian::clear() {

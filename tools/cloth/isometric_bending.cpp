@@ -13,7 +13,8 @@ SymmetricMatrix hessian_at_rest(const Plate& plate) {
   StencilWeights weights;
   energy->linearise(plate.rest, weights);
   const Unknowns all(std::vector<std::uint8_t>(static_cast<std::size_t>(plate.rest.rows()), 0));
-  const HessianAssembler assembler(energy->stencils(), all);
+  const StencilTerms terms(energy->stencils(), plate.topology.vertex_count);
+  const HessianAssembler assembler(terms, all);
   SymmetricMatrix S = assembler.pattern();
   assembler.assemble(weights, S);
   return S;

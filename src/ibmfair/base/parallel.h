@@ -45,11 +45,12 @@ void parallel_for(std::int64_t count, Body&& body) {
 }
 
 /// Calls task(first, last, scratch) on parts of 0 .. count - 1 of `part_size` each, in parallel;
-/// scratch has `scratch_size` entries, zeros or what earlier tasks of the same thread have left.
-template <class Task>
+/// scratch is a vector of `scratch_size` entries, zeros or what earlier tasks of the same thread
+/// have left.
+template <class Entry, class Task>
 void parallel_parts(std::int64_t count, std::int64_t part_size, std::size_t scratch_size,
                     const Task& task) {
-  std::vector<std::vector<Index>> scratch(worker_count());
+  std::vector<std::vector<Entry>> scratch(worker_count());
   run_tasks((count + part_size - 1) / part_size, count >= worth_sharing, [&](std::int64_t part) {
     auto& own = scratch[worker_index()];
     own.resize(scratch_size, 0);

@@ -1,6 +1,7 @@
 #include "ibmfair/energy/hessian.h"
 
 #include <algorithm>
+#include <numeric>
 
 #include "ibmfair/base/parallel.h"
 
@@ -37,53 +38,58 @@ Unknowns::Unknowns(const std::vector<std::uint8_t>& fixed, const std::vector<std
   }
 }
 
-HessianAssembler::HessianAssembler(const Rows& stencils, const Unknowns& unknowns)
-    : stencils_(stencils),
-      unknowns_(unknowns),
-      places_(positions_by_value(stencils.value, static_cast<Index>(unknowns.unknown.size()))),
-      stencil_of_place_(row_of_position(stencils)) {
-  std::vector<Index> rows;
-  for (Index j = 0; j < unknowns_.size(); ++j) {
-    rows.assign(1, j);
-    for (const Index place : places_[unknowns_.vertex[j]]) {
-      for (const Index v : stencils_[stencil_of_place_[place]]) {
-        if (unknowns_.unknown[v] > j) {
-          rows.push_back(unknowns_.unknown[v]);
+HessianAssembler::HessianAssembler(const StencilTerms& terms, const Unknowns& unknowns)
+    : terms_(terms), vertex_(unknowns.vertex) {
+  find_pattern(unknowns.unknown);
+}
+
+void HessianAssembler::find_pattern(const std::vector<Index>& unknown) {
+  const auto size = static_cast<std::int64_t>(vertex_.size());
+  std::vector<std::vector<Index>> parts((size + columns_per_task - 1) / columns_per_task);
+  std::vector<std::int64_t>& column_first = pattern_.column_first;
+  column_first.resize(vertex_.size() + 1);
+  const auto find = [&](std::int64_t first, std::int64_t last, std::vector<Index>& column_of) {
+    std::vector<Index>& part = parts[first / columns_per_task];
+    for (auto j = static_cast<Index>(first); j < last; ++j) {
+      const std::size_t begin = part.size();
+      part.push_back(j);
+      terms_.for_vertices(vertex_[j], [&](Index v) {
+        const Index i = unknown[v];
+        if (i > j && column_of[i] != j + 1) {
+          column_of[i] = j + 1;
+          part.push_back(i);
         }
-      }
+      });
+      std::sort(part.begin() + static_cast<std::ptrdiff_t>(begin), part.end());
+      column_first[j + 1] = static_cast<std::int64_t>(part.size() - begin);
     }
-    std::sort(rows.begin(), rows.end());
-    rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
-    pattern_.row.insert(pattern_.row.end(), rows.begin(), rows.end());
-    pattern_.column_first.push_back(static_cast<std::int64_t>(pattern_.row.size()));
+  };
+  parallel_parts<Index>(size, columns_per_task, vertex_.size(), find);
+  std::partial_sum(column_first.begin(), column_first.end(), column_first.begin());
+  pattern_.row.resize(static_cast<std::size_t>(column_first.back()));
+  pattern_.value.resize(pattern_.row.size());
+  for (std::size_t p = 0; p < parts.size(); ++p) {
+    std::copy(parts[p].begin(), parts[p].end(),
+              pattern_.row.begin() + column_first[p * columns_per_task]);
   }
-  pattern_.value.assign(pattern_.row.size(), 0);
 }
 
 void HessianAssembler::assemble(const StencilWeights& weights, SymmetricMatrix& S) const {
-  // Column by column, each gathered from the stencils at its vertex: nothing is stored per term,
-  // and no two threads write the same entry.
-  const auto fill = [&](std::int64_t first, std::int64_t last,
-                        std::vector<Index>& place_in_column) {
+  // Terms are added up by vertex, also those of rows that are not in the column: what is left there
+  // is never read, and the loop has no branches.
+  const auto fill = [&](std::int64_t first, std::int64_t last, std::vector<double>& sum) {
     for (std::int64_t j = first; j < last; ++j) {
-      double* column = &S.value[S.column_first[j]];
-      const std::int64_t size = S.column_first[j + 1] - S.column_first[j];
-      for (std::int64_t k = 0; k < size; ++k) {
-        place_in_column[S.row[S.column_first[j] + k]] = static_cast<Index>(k);
+      const std::int64_t begin = S.column_first[j], end = S.column_first[j + 1];
+      for (std::int64_t k = begin; k < end; ++k) {
+        sum[vertex_[S.row[k]]] = 0;
       }
-      std::fill(column, column + size, 0.0);
-      for (const Index place : places_[unknowns_.vertex[j]]) {
-        const Index s = stencil_of_place_[place];
-        const double wc = weights.w[s] * weights.c[place];
-        for (std::int64_t other = stencils_.first[s]; other < stencils_.first[s + 1]; ++other) {
-          if (const Index i = unknowns_.unknown[stencils_.value[other]]; i >= j) {
-            column[place_in_column[i]] += wc * weights.c[other];
-          }
-        }
+      terms_.for_terms(vertex_[j], weights, [&](Index v, double term) { sum[v] += term; });
+      for (std::int64_t k = begin; k < end; ++k) {
+        S.value[k] = sum[vertex_[S.row[k]]];
       }
     }
   };
-  parallel_parts(S.size(), columns_per_task, unknowns_.vertex.size(), fill);
+  parallel_parts<double>(S.size(), columns_per_task, terms_.vertex_count(), fill);
 }
 
 }  // namespace ibmfair

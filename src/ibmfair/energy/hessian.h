@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "ibmfair/energy/bending_energy.h"
+#include "ibmfair/energy/stencil_terms.h"
 
 namespace ibmfair {
 
@@ -39,7 +40,8 @@ struct Unknowns {
 /// Assembles S for one set of stencils and unknowns.
 class HessianAssembler {
  public:
-  HessianAssembler(const Rows& stencils, const Unknowns& unknowns);
+  /// Refers to the terms.
+  HessianAssembler(const StencilTerms& terms, const Unknowns& unknowns);
 
   /// The pattern with zero values.
   const SymmetricMatrix& pattern() const { return pattern_; }
@@ -49,10 +51,10 @@ class HessianAssembler {
   void assemble(const StencilWeights& weights, SymmetricMatrix& S) const;
 
  private:
-  Rows stencils_;
-  Unknowns unknowns_;
-  Rows places_;  // #V rows of positions in the stencils' values
-  std::vector<Index> stencil_of_place_;
+  void find_pattern(const std::vector<Index>& unknown);
+
+  const StencilTerms& terms_;
+  std::vector<Index> vertex_;  // of each unknown
   SymmetricMatrix pattern_;
 };
 

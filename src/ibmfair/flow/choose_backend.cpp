@@ -23,16 +23,16 @@ bool fits(const SolverForecast& forecast, const FlowOptions& options) {
 }
 
 [[noreturn]] void refuse(const JacobianBackend& wanted, const JacobianShape& shape,
-                         const JacobianParts& parts) {
+                         double iterations) {
   constexpr double mega = 1e6;
   const double limit = std::min(shape.options.memory_limit, resident_bytes() + available_bytes());
   std::string message = fmt::format(
       "{:.0f} MB would be needed with the solver {}, {:.0f} MB of them in use already; the limit "
       "is {:.0f} MB",
-      (resident_bytes() + wanted.forecast(shape, parts).bytes) / mega, wanted.name,
+      (resident_bytes() + wanted.forecast(shape, iterations).bytes) / mega, wanted.name,
       resident_bytes() / mega, limit / mega);
   for (const JacobianBackend& other : jacobian_backends()) {
-    if (fits(other.forecast(shape, parts), shape.options)) {
+    if (fits(other.forecast(shape, iterations), shape.options)) {
       message += fmt::format("; --solver {} fits", other.name);
     }
   }
@@ -42,11 +42,12 @@ bool fits(const SolverForecast& forecast, const FlowOptions& options) {
 }  // namespace
 
 const JacobianBackend& choose_backend(const JacobianShape& shape, const JacobianParts& parts) {
+  const double iterations = forecast_iterations(shape, parts);
   const bool open = shape.options.solver == "auto";
   if (!open || !shape.options.guarded) {  // the scheme as published factors
     const JacobianBackend& named = jacobian_backend(open ? "cholmod" : shape.options.solver);
-    if (!fits(named.forecast(shape, parts), shape.options)) {
-      refuse(named, shape, parts);
+    if (!fits(named.forecast(shape, iterations), shape.options)) {
+      refuse(named, shape, iterations);
     }
     return named;
   }
@@ -54,7 +55,7 @@ const JacobianBackend& choose_backend(const JacobianShape& shape, const Jacobian
   const JacobianBackend* smallest = &jacobian_backends().front();
   double least_seconds = 0, least_bytes = std::numeric_limits<double>::infinity();
   for (const JacobianBackend& backend : jacobian_backends()) {
-    const SolverForecast forecast = backend.forecast(shape, parts);
+    const SolverForecast forecast = backend.forecast(shape, iterations);
     const double seconds = (backend.has_factor ? 1 : doubt) * forecast.seconds;
     if (fits(forecast, shape.options) && (best == nullptr || seconds < least_seconds)) {
       best = &backend;
@@ -66,7 +67,7 @@ const JacobianBackend& choose_backend(const JacobianShape& shape, const Jacobian
     }
   }
   if (best == nullptr) {
-    refuse(*smallest, shape, parts);
+    refuse(*smallest, shape, iterations);
   }
   return *best;
 }
@@ -76,9 +77,10 @@ const JacobianBackend* other_backend(const JacobianShape& shape, const JacobianP
   if (shape.options.solver != "auto" || !shape.options.guarded) {
     return nullptr;
   }
+  const double iterations = forecast_iterations(shape, parts);
   for (const JacobianBackend& backend : jacobian_backends()) {
     if (backend.has_factor == has_factor) {
-      const SolverForecast forecast = backend.forecast(shape, parts);
+      const SolverForecast forecast = backend.forecast(shape, iterations);
       if (forecast.seconds < seconds && fits(forecast, shape.options)) {
         return &backend;
       }

@@ -6,7 +6,6 @@
 #include "ibmfair/base/errors.h"
 #include "ibmfair/base/parallel.h"
 #include "ibmfair/base/stopwatch.h"
-#include "ibmfair/flow/iterative_jacobian.h"
 
 namespace ibmfair {
 namespace {
@@ -70,13 +69,12 @@ void tell_stage(const FlowOptions& options, FlowStage stage) {
 
 }  // namespace
 
-SolverForecast forecast_direct(const JacobianShape& shape, const JacobianParts& parts) {
+SolverForecast forecast_direct(const JacobianShape& shape, double iterations) {
   const double n = shape.unknowns.size(), entries = factor_entries(n);
   const double left = shape.steps_left();
-  const double factors = shape.options.guarded
-                             ? std::max(1.0, factorizations(forecast_iterations(shape, parts)) *
-                                                 left / shape.options.steps)
-                             : 1;
+  const double factors =
+      shape.options.guarded ? std::max(1.0, factorizations(iterations) * left / shape.options.steps)
+                            : 1;
   return {.seconds = ordering_seconds(n) + per_flop * factor_flops(n) * factors +
                      per_entry * entries * left,
           .bytes = bytes_per_unknown * n + bytes_per_entry * entries,
@@ -85,7 +83,7 @@ SolverForecast forecast_direct(const JacobianShape& shape, const JacobianParts& 
 
 DirectJacobian::DirectJacobian(const JacobianShape& shape)
     : shape_(shape),
-      assembler_(shape.stencils, shape.unknowns),
+      assembler_(shape.terms, shape.unknowns),
       J_(assembler_.pattern()),
       needs_float64_(shape.options.solver_tolerance < float32_tolerance) {}
 

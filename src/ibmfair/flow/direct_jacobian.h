@@ -33,7 +33,7 @@ class DirectJacobian final : public JacobianSolver {
   std::optional<CholeskySolver> solver_;
 };
 
-/// The cost of a DirectJacobian, from the size of its shape alone.
-SolverForecast forecast_direct(const JacobianShape& shape, const JacobianParts& parts);
+/// The cost of a DirectJacobian: the iterations tell how often it is factored anew.
+SolverForecast forecast_direct(const JacobianShape& shape, double iterations);
 
 }  // namespace ibmfair

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <vector>
 
+#include "ibmfair/base/parallel.h"
 #include "ibmfair/base/stopwatch.h"
 
 namespace ibmfair {
@@ -29,16 +30,11 @@ int most_iterations(double tolerance) {
 /// the tenth from below, which noise leaves where it is. Within half of what was counted on tori,
 /// noisy and not, and on models; needles can make it three times as many.
 double forecast_iterations(const JacobianShape& shape, const JacobianParts& parts) {
-  std::vector<double> ratio(static_cast<std::size_t>(shape.unknowns.size()), 0);  // h diag(S) / D
-  for (Index s = 0; s < shape.stencils.size(); ++s) {
-    for (std::int64_t k = shape.stencils.first[s]; k < shape.stencils.first[s + 1]; ++k) {
-      const Index u = shape.unknowns.unknown[shape.stencils.value[k]];
-      if (u >= 0 && u < shape.unknowns.size()) {
-        const double c = parts.weights.c[k];
-        ratio[u] += parts.h * parts.weights.w[s] * c * c / parts.D[u];
-      }
-    }
-  }
+  std::vector<double> ratio(static_cast<std::size_t>(shape.unknowns.size()));  // h diag(S) / D
+  parallel_for(shape.unknowns.size(), [&](std::int64_t u) {
+    const double S = shape.terms.diagonal(shape.unknowns.vertex[u], parts.weights);
+    ratio[u] = parts.h * S / parts.D[u];
+  });
   const auto smallest = [&](double part) {
     const auto place = ratio.begin() + static_cast<std::ptrdiff_t>(part * ratio.size());
     std::nth_element(ratio.begin(), place, ratio.end());
@@ -47,16 +43,15 @@ double forecast_iterations(const JacobianShape& shape, const JacobianParts& part
   return 3.2 * (1 + smallest(0.5)) / std::sqrt(1 + smallest(0.1));
 }
 
-SolverForecast forecast_iterative(const JacobianShape& shape, const JacobianParts& parts) {
-  const auto places = static_cast<double>(shape.stencils.value.size());
-  return {.seconds = seconds_per_row * shape.unknowns.size() * forecast_iterations(shape, parts) *
-                     shape.steps_left(),
+SolverForecast forecast_iterative(const JacobianShape& shape, double iterations) {
+  const auto places = static_cast<double>(shape.terms.vertices_in_stencils());
+  return {.seconds = seconds_per_row * shape.unknowns.size() * iterations * shape.steps_left(),
           .bytes = bytes_per_place * places + bytes_per_row * shape.unknowns.size()};
 }
 
 IterativeJacobian::IterativeJacobian(const JacobianShape& shape)
     : shape_(shape),
-      J_(shape.stencils, shape.unknowns),
+      J_(shape.terms, shape.unknowns),
       solver_(J_),
       tolerance_(shape.options.solver_tolerance) {}
 

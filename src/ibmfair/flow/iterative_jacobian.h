@@ -28,11 +28,7 @@ class IterativeJacobian final : public JacobianSolver {
 /// The iterations after which a solve to that residual is given up: every digit takes as many.
 int most_iterations(double tolerance);
 
-/// About how many iterations a solve takes with the diagonal for a preconditioner, to the default
-/// tolerance.
-double forecast_iterations(const JacobianShape& shape, const JacobianParts& parts);
-
-/// The cost of an IterativeJacobian: the condition of J decides.
-SolverForecast forecast_iterative(const JacobianShape& shape, const JacobianParts& parts);
+/// The cost of an IterativeJacobian.
+SolverForecast forecast_iterative(const JacobianShape& shape, double iterations);
 
 }  // namespace ibmfair

@@ -20,6 +20,7 @@ Jacobian::Jacobian(BendingEnergy& energy, const Topology& topology, const Unknow
                    const FlowOptions& options, const MeshParts& parts, FlowReport& report)
     : energy_(energy),
       topology_(topology),
+      terms_(energy.stencils(), topology.vertex_count),
       unknowns_(unknowns),
       options_(options),
       parts_(parts),
@@ -52,7 +53,7 @@ JacobianParts Jacobian::linearise(const Points& X, double h) {
 }
 
 JacobianShape Jacobian::shape() const {
-  return {energy_.stencils(), unknowns_, options_, report_};
+  return {terms_, unknowns_, options_, report_};
 }
 
 void Jacobian::refactor(const Points& X, double h) {
@@ -95,9 +96,10 @@ void Jacobian::take(const JacobianBackend& backend) {
 
 std::vector<BackendForecast> Jacobian::forecasts(const Points& X, double h) {
   const JacobianParts parts = linearise(X, h);
+  const double iterations = forecast_iterations(shape(), parts);
   std::vector<BackendForecast> result;
   for (const JacobianBackend& backend : jacobian_backends()) {
-    result.push_back({backend.name, backend.forecast(shape(), parts)});
+    result.push_back({backend.name, backend.forecast(shape(), iterations)});
   }
   report_.solver = choose_backend(shape(), parts).name;
   return result;

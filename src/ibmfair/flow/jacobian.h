@@ -59,6 +59,7 @@ class Jacobian {
 
   BendingEnergy& energy_;
   const Topology& topology_;
+  const StencilTerms terms_;
   const Unknowns& unknowns_;
   const FlowOptions& options_;
   const MeshParts& parts_;

@@ -2,6 +2,7 @@
 #include <string>
 
 #include "ibmfair/base/errors.h"
+#include "ibmfair/base/stopwatch.h"
 #include "ibmfair/flow/direct_jacobian.h"
 #include "ibmfair/flow/iterative_jacobian.h"
 #include "ibmfair/flow/jacobian_solver.h"
@@ -11,6 +12,7 @@ namespace {
 
 template <class Solver>
 std::unique_ptr<JacobianSolver> make(const JacobianShape& shape) {
+  const Stopwatch watch(shape.report.seconds.assemble);  // finds the pattern
   return std::make_unique<Solver>(shape);
 }
 

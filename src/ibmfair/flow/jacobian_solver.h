@@ -47,7 +47,7 @@ class JacobianSolver {
 
 /// What a backend works on; all outlive it.
 struct JacobianShape {
-  const Rows& stencils;
+  const StencilTerms& terms;
   const Unknowns& unknowns;
   const FlowOptions& options;
   FlowReport& report;  ///< counts and times are added to it
@@ -60,10 +60,15 @@ struct JacobianBackend {
   std::string_view name;     ///< as the command line takes it
   std::string_view summary;  ///< one line
   std::unique_ptr<JacobianSolver> (*make)(const JacobianShape& shape);
-  /// For the steps that are left.
-  SolverForecast (*forecast)(const JacobianShape& shape, const JacobianParts& parts);
+  /// For the steps that are left, where each solve takes about so many iterations without a factor
+  /// (forecast_iterations).
+  SolverForecast (*forecast)(const JacobianShape& shape, double iterations);
   bool has_factor;
 };
+
+/// About how many iterations a solve takes with the diagonal for a preconditioner, to the default
+/// tolerance.
+double forecast_iterations(const JacobianShape& shape, const JacobianParts& parts);
 
 /// All backends; options.solver names one of them, or "auto".
 std::span<const JacobianBackend> jacobian_backends();

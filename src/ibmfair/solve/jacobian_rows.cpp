@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -16,11 +17,10 @@ constexpr std::int64_t rows_per_task = 4096;
 
 }  // namespace
 
-JacobianRows::JacobianRows(const Rows& stencils, const Unknowns& unknowns)
-    : stencils_(stencils),
+JacobianRows::JacobianRows(const StencilTerms& terms, const Unknowns& unknowns)
+    : terms_(terms),
       unknowns_(unknowns),
-      places_(positions_by_value(stencils.value, static_cast<Index>(unknowns.unknown.size()))),
-      stencil_of_place_(row_of_position(stencils)),
+      beside_held_(unknowns.vertex.size(), 0),
       a_(unknowns.size()),
       inverse_diagonal_(unknowns.size()) {
   find_columns();
@@ -34,19 +34,19 @@ void JacobianRows::find_columns() {
     for (auto u = static_cast<Index>(first); u < last; ++u) {
       const std::size_t before = part.size();
       row_of[u] = u + 1;
-      for (const Index place : places_[unknowns_.vertex[u]]) {
-        for (const Index w : stencils_[stencil_of_place_[place]]) {
-          const Index v = unknowns_.unknown[w];
-          if (v >= 0 && row_of[v] != u + 1) {
-            row_of[v] = u + 1;
-            part.push_back(v);
-          }
+      terms_.for_vertices(unknowns_.vertex[u], [&](Index w) {
+        const Index v = unknowns_.unknown[w];
+        if (v < 0) {
+          beside_held_[u] = 1;
+        } else if (row_of[v] != u + 1) {
+          row_of[v] = u + 1;
+          part.push_back(v);
         }
-      }
+      });
       columns_.first[u + 1] = static_cast<std::int64_t>(part.size() - before);
     }
   };
-  parallel_parts(size(), rows_per_task, unknowns_.vertex.size(), find);
+  parallel_parts<Index>(size(), rows_per_task, unknowns_.vertex.size(), find);
   std::partial_sum(columns_.first.begin(), columns_.first.end(), columns_.first.begin());
   columns_.value.resize(static_cast<std::size_t>(columns_.first.back()));
   b_.resize(columns_.value.size());
@@ -60,11 +60,7 @@ void JacobianRows::update_diagonal(const StencilWeights& weights, const Eigen::V
                                    double h) {
   Eigen::VectorXd diagonal(size());
   parallel_for(size(), [&](std::int64_t u) {
-    double S = 0;
-    for (const Index place : places_[unknowns_.vertex[u]]) {
-      S += weights.w[stencil_of_place_[place]] * weights.c[place] * weights.c[place];
-    }
-    diagonal[u] = D[u] + h * S;
+    diagonal[u] = D[u] + h * terms_.diagonal(unknowns_.vertex[u], weights);
   });
   for (Index u = 0; u < size(); ++u) {
     if (!(diagonal[u] > 0) || !std::isfinite(diagonal[u])) {
@@ -80,32 +76,38 @@ void JacobianRows::update_diagonal(const StencilWeights& weights, const Eigen::V
 
 void JacobianRows::update(const StencilWeights& weights, const Eigen::VectorXd& D, double h) {
   update_diagonal(weights, D, h);
-  // Two more sums than columns: for the vertex itself, which is not needed, and for what is held.
-  // The inner loop has no branches.
-  const auto fill = [&](std::int64_t first, std::int64_t last, std::vector<Index>& slot) {
-    std::vector<double> sums;
+  // Terms are added up by vertex, in a loop without branches; only the sums of the row's columns
+  // are set to zero before and read afterwards, and those of the held vertices beside it.
+  const double scale = h / unit_;
+  const auto fill = [&](std::int64_t first, std::int64_t last, std::vector<double>& sum) {
     for (auto u = static_cast<Index>(first); u < last; ++u) {
+      const Index own = unknowns_.vertex[u];
       const auto columns = columns_[u];
-      const auto own = static_cast<Index>(columns.size()), held = own + 1;
-      for (Index k = 0; k < own; ++k) {
-        slot[columns[k] + 1] = k;
+      for (const Index v : columns) {
+        sum[unknowns_.vertex[v]] = 0;
       }
-      slot[u + 1] = own;
-      slot[0] = held;
-      sums.assign(columns.size() + 2, 0);
-      for (const Index place : places_[unknowns_.vertex[u]]) {
-        const Index s = stencil_of_place_[place];
-        const double factor = h / unit_ * weights.w[s] * weights.c[place];
-        for (std::int64_t k = stencils_.first[s]; k < stencils_.first[s + 1]; ++k) {
-          sums[slot[unknowns_.unknown[stencils_.value[k]] + 1]] += factor * weights.c[k];
-        }
+      if (beside_held_[u] != 0) {
+        take_held(own, sum);
       }
-      a_[u] = static_cast<float>(D[u] / unit_ - sums[held]);
-      std::transform(sums.begin(), sums.begin() + own, b_.begin() + columns_.first[u],
-                     [](double sum) { return static_cast<float>(sum); });
+      terms_.for_terms(own, weights, [&](Index w, double term) { sum[w] += term; });
+      std::transform(columns.begin(), columns.end(), b_.begin() + columns_.first[u],
+                     [&](Index v) { return static_cast<float>(scale * sum[unknowns_.vertex[v]]); });
+      const double held = beside_held_[u] != 0 ? take_held(own, sum) : 0;
+      a_[u] = static_cast<float>(D[u] / unit_ - scale * held);
     }
   };
-  parallel_parts(size(), rows_per_task, unknowns_.vertex.size() + 1, fill);
+  parallel_parts<double>(size(), rows_per_task, terms_.vertex_count(), fill);
+}
+
+/// The sum over the held vertices beside vertex `own`, which are set to zero.
+double JacobianRows::take_held(Index own, std::vector<double>& sum) const {
+  double held = 0;
+  terms_.for_vertices(own, [&](Index w) {
+    if (unknowns_.unknown[w] < 0) {
+      held += std::exchange(sum[w], 0.0);
+    }
+  });
+  return held;
 }
 
 double JacobianRows::apply(const Quads& p, Quads& q) const {

@@ -6,6 +6,7 @@
 
 #include "ibmfair/energy/bending_energy.h"
 #include "ibmfair/energy/hessian.h"
+#include "ibmfair/energy/stencil_terms.h"
 
 namespace ibmfair {
 
@@ -23,8 +24,8 @@ using Quads = Eigen::Array<float, 4, Eigen::Dynamic>;
 /// is D_u, plus what the stencil's held vertices have taken with them.
 class JacobianRows {
  public:
-  /// Refers to the stencils and the unknowns.
-  JacobianRows(const Rows& stencils, const Unknowns& unknowns);
+  /// Refers to the terms and the unknowns.
+  JacobianRows(const StencilTerms& terms, const Unknowns& unknowns);
 
   /// D: one positive entry per unknown; h > 0. Throws FactorizationFailed where an entry of the
   /// diagonal is not a positive number.
@@ -46,13 +47,13 @@ class JacobianRows {
  private:
   void find_columns();
   void update_diagonal(const StencilWeights& weights, const Eigen::VectorXd& D, double h);
+  double take_held(Index own, std::vector<double>& sum) const;
 
-  const Rows& stencils_;
+  const StencilTerms& terms_;
   const Unknowns& unknowns_;
-  Rows places_;                          // of each vertex, positions in stencils_.value
-  std::vector<Index> stencil_of_place_;  // as stencils_.value
-  Rows columns_;                         // of each unknown, the others that share a stencil with it
-  std::vector<float> b_;                 // as columns_.value
+  Rows columns_;  // of each unknown, the others that share a stencil with it
+  std::vector<std::uint8_t> beside_held_;  // whether held vertices share one with it
+  std::vector<float> b_;                   // as columns_.value
   Eigen::VectorXf a_;
   Eigen::VectorXf inverse_diagonal_;
   double unit_ = 1;
