@@ -139,7 +139,11 @@ void ConservedQuantities::constrain(Points& step) const {
 }
 
 Points ConservedQuantities::speed(const Points& g, const Eigen::VectorXd& D) const {
-  const auto over_D = [&](const Points& B) -> Points { return D.cwiseInverse().asDiagonal() * B; };
+  const auto over_D = [&](const Points& B) {
+    Points Y(B.rows(), 3);
+    parallel_for(B.rows(), [&](std::int64_t u) { Y.row(u) = B.row(u) / D[u]; });
+    return Y;
+  };
   std::vector<Points> Z;
   std::transform(A_.begin(), A_.end(), std::back_inserter(Z), over_D);
   Points speed = over_D(g);

@@ -106,7 +106,9 @@ Points FlowProblem::newton_step() {
   const double h = jacobian_->time_step();
   const auto solve = [&](const Points& B, Points& Y) { jacobian_->solve(B, Y); };
   Points step;
-  solve(-h * g_, step);  // [W07] (12) at X_k, where the residual is h grad E_b
+  force_.resize(g_.rows(), 3);
+  parallel_for(g_.rows(), [&](std::int64_t u) { force_.row(u) = -h * g_.row(u); });
+  solve(force_, step);  // [W07] (12) at X_k, where the residual is h grad E_b
   conserved_.linearise(X, solve);
   conserved_.constrain(step);
   Points Y, correction;
@@ -172,21 +174,25 @@ std::vector<Index> FlowProblem::stopped() const {
 }
 
 double FlowProblem::longest(const Points& move) const {
-  return parts.max(move.rows() > 0 ? move.rowwise().norm().maxCoeff() : 0);
+  return parts.max(move.rows() > 0 ? std::sqrt(move.rowwise().squaredNorm().maxCoeff()) : 0);
 }
 
 double FlowProblem::gradient_norm() const {
   const Eigen::VectorXd& D = jacobian_->metric();
   const Points speed = conserved_.speed(g_, D);
-  return std::sqrt(parts.sum((D.asDiagonal() * speed).cwiseProduct(speed).sum()));
+  return std::sqrt(parts.sum(parallel_sum(
+      unknowns.size(), [&](std::int64_t u) { return D[u] * speed.row(u).squaredNorm(); })));
 }
 
 double FlowProblem::power() const {
-  const Eigen::VectorXd& D = jacobian_->metric();
-  const Eigen::ArrayXd undamped = D.array() / jacobian_->damping().array();
-  const Eigen::ArrayXd speed = conserved_.speed(g_, D).rowwise().norm();
-  const double weight = parts.sum(undamped.sum());
-  const double root = parts.sum((undamped * speed.sqrt()).sum()) / weight;
+  const Eigen::VectorXd &D = jacobian_->metric(), &damping = jacobian_->damping();
+  const Points speed = conserved_.speed(g_, D);
+  const auto share = [&](std::int64_t u) -> Eigen::Array2d {
+    return D[u] / damping[u] * Eigen::Array2d(1, std::sqrt(speed.row(u).norm()));
+  };
+  const Eigen::Array2d sums =
+      parallel_sum(unknowns.size(), Eigen::Array2d(Eigen::Array2d::Zero()), share);
+  const double weight = parts.sum(sums[0]), root = parts.sum(sums[1]) / weight;
   return weight * std::pow(root, 4) / static_cast<double>(report.unknowns);
 }
 

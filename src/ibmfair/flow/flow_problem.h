@@ -108,6 +108,7 @@ class FlowProblem {
   double energy_ = 0, next_energy_ = 0;
   Points G_;  // #V x 3, reused
   Points g_, next_g_;
+  Points force_;                    // reused
   Points by_vertex_, with_others_;  // reused
   bool gradient_is_known_ = false;
 };

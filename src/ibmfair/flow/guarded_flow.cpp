@@ -111,10 +111,7 @@ class GuardedFlow {
       return true;
     }
     Points step = p_.newton_step();
-    slope_ = -p_.parts.sum(p_.gradient().cwiseProduct(step).sum());
-    metric_part_ =
-        p_.parts.sum((p_.jacobian().metric().asDiagonal() * step).cwiseProduct(step).sum()) /
-        p_.jacobian().time_step();
+    take_slope(step);
     StepRecord record;
     record.refactored = fresh;
     record.gradient_norm = p_.gradient_norm();
@@ -145,6 +142,18 @@ class GuardedFlow {
       p_.report.status = FlowStatus::interrupted;
     }
     return go_on;
+  }
+
+  void take_slope(const Points& step) {
+    const Points& g = p_.gradient();
+    const Eigen::VectorXd& D = p_.jacobian().metric();
+    const auto share = [&](std::int64_t u) -> Eigen::Array2d {
+      return {-g.row(u).dot(step.row(u)), D[u] * step.row(u).squaredNorm()};
+    };
+    const Eigen::Array2d sums =
+        parallel_sum(step.rows(), Eigen::Array2d(Eigen::Array2d::Zero()), share);
+    slope_ = p_.parts.sum(sums[0]);
+    metric_part_ = p_.parts.sum(sums[1]) / p_.jacobian().time_step();
   }
 
   /// The state is stationary: nothing will move in what is left of the time.
@@ -215,7 +224,8 @@ class GuardedFlow {
   bool search(const Points& step, StepRecord& record) {
     const Stopwatch watch(p_.report.seconds.guard);
     for (int i = 0; i <= backtracks; ++i, fraction_ /= 2) {
-      move_ = fraction_ * step;
+      move_.resize(step.rows(), 3);
+      parallel_for(step.rows(), [&](std::int64_t u) { move_.row(u) = fraction_ * step.row(u); });
       const FoldFreeLanding trial = displace_without_folds(
           p_, folds_, move_, Y_, [this](const Points& Y) { return p_.energy_at(Y); });
       if (trial.leads_somewhere()) {
