@@ -1,10 +1,12 @@
 // What `smooth` forecasts and tells, and that it keeps to its limits.
 #include <regex>
 #include <string>
+#include <utility>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "ibmfair/base/stopwatch.h"
 #include "support/program_figures.h"
 #include "support/run_program.h"
 #include "support/temporary_directory.h"
@@ -42,6 +44,52 @@ TEST(Smooth, ADryRunForecastsEverySolverAndWritesNothing) {
     EXPECT_EQ(solver["factor_entries"] > 0, solver["solver"] == "cholmod");
   }
   EXPECT_EQ(directory.entries(), 1U);
+}
+
+TEST(Smooth, StagesTakeNoMoreThanTheRun) {
+  const TemporaryDirectory directory;
+  const std::string in = mesh_with_a_large_factor(directory), out = directory / "out.ply";
+  for (const char* solver : {"cholmod", "cg", "auto"}) {
+    for (const Words& options : {Words{}, Words{"--twicing", "1"}, Words{"--plain"}}) {
+      double all = 0;
+      json found;
+      {
+        const Stopwatch watch(all);
+        found = figures(
+            Words{"smooth", in, out, "--overwrite", "--quiet", "--steps", "2", "--solver", solver} +
+            options);
+      }
+      double sum = 0;
+      for (const auto& [stage, seconds] : found["seconds"].items()) {
+        EXPECT_GE(seconds.get<double>(), 0) << stage;
+        sum += seconds.get<double>();
+      }
+      EXPECT_LE(sum, all) << solver;
+    }
+  }
+}
+
+/// Also where vertices are held, and the flow knows those of a part only.
+TEST(Smooth, EnergiesAreThoseOfTheWholeMesh) {
+  const TemporaryDirectory directory;
+  const std::string out = directory / "out.ply";
+  for (const char* shape : {"torus", "cylinder"}) {
+    const std::string in = directory / "in.ply";
+    ASSERT_EQ(run_program({"make", shape, in, "--noise", "0.2", "--overwrite"}).exit_code, 0);
+    for (const Words& options :
+         {Words{}, Words{"--twicing", "1"}, Words{"--laplacian", "lagrange"},
+          Words{"--boundary", "fixed"}, Words{"--boundary", "fixed", "--laplacian", "lagrange"}}) {
+      const json found = figures(Words{"smooth", in, out, "--overwrite", "--quiet"} + options);
+      for (const auto& [state, mesh] : {std::pair{"before", in}, std::pair{"after", out}}) {
+        const json alone = figures(Words{"smooth", mesh, directory / "same.ply", "--overwrite",
+                                         "--quiet", "--steps", "0"} +
+                                   options);
+        const double energy = alone["before"]["energy"];
+        EXPECT_NEAR(found[state]["energy"].get<double>(), energy, 1e-9 * energy)
+            << shape << ", " << state;
+      }
+    }
+  }
 }
 
 TEST(Smooth, KeepsToTheMemoryItIsGiven) {

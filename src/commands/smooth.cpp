@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <array>
 #include <memory>
 #include <optional>
@@ -143,6 +144,19 @@ FlowOptions flow_options(const SmoothArguments& arguments, const MeshFile& file,
   return options;
 }
 
+/// Of the mesh before and after. A flow that could move every vertex has found the energies.
+void measure(Smoothing& s, const FlowOptions& options) {
+  const Stopwatch watch(s.figures.seconds_measure);
+  const bool known =
+      options.steps > 0 && std::find(s.held.begin(), s.held.end(), 1) == s.held.end();
+  const auto figures = [&](const Points& X, double energy) {
+    return known ? mesh_figures(X, s.topology, energy) : mesh_figures(X, s.topology, options);
+  };
+  s.figures.before = figures(s.before(), s.figures.flow.energy_before);
+  s.figures.after = figures(s.X, s.figures.flow.energy_after);
+  measure_moves(s.before(), s.X, s.figures);
+}
+
 ExitCode run_smooth(SmoothArguments arguments, const CLI::App& app, Console& console) {
   require_single_engine(arguments.engine);
   check_outputs(arguments);
@@ -157,16 +171,13 @@ ExitCode run_smooth(SmoothArguments arguments, const CLI::App& app, Console& con
     progress.end();
     return forecast(arguments, options, s, report, console);
   }
-  progress.begin("measure");
   s.figures.mean_edge_length = mean_edge_length(s.before(), s.topology.E);
-  s.figures.before = mesh_figures(s.before(), s.topology, options);
   if (options.steps > 0) {
     s.held = held(arguments, s.file, s.topology, options.cutoff_factor);
     run_flow(arguments, s.X, s.topology, s.held, MeshParts::one(), s.figures, progress);
   }
   progress.begin("measure");
-  s.figures.after = mesh_figures(s.X, s.topology, options);
-  measure_moves(s.before(), s.X, s.figures);
+  measure(s, options);
 
   const FlowStatus status = s.figures.flow.status;
   const OutputOptions output =

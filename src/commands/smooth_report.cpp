@@ -76,6 +76,8 @@ ordered_json seconds_json(const SmoothFigures& figures) {
           {"solve", s.solve},
           {"guard", s.guard},
           {"relax", s.relax},
+          {"other", s.other},
+          {"measure", figures.seconds_measure},
           {"write", figures.seconds_write}};
 }
 
@@ -138,9 +140,14 @@ std::string way_on(const SmoothFigures& figures, const SmoothArguments& argument
 }  // namespace
 
 MeshFigures mesh_figures(const Points& X, const Topology& topology, const FlowOptions& options) {
+  return mesh_figures(
+      X, topology,
+      bending_model(options.laplacian).bind(topology, options.energy_options())->energy(X));
+}
+
+MeshFigures mesh_figures(const Points& X, const Topology& topology, double energy) {
   MeshFigures figures;
-  figures.energy =
-      bending_model(options.laplacian).bind(topology, options.energy_options())->energy(X);
+  figures.energy = energy;
   figures.area = surface_area(X, topology.F);
   figures.volume = enclosed_volume(X, topology.F);
   const Eigen::VectorXd angles = smallest_angles(X, topology.F);

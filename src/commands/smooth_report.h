@@ -30,12 +30,15 @@ struct SmoothFigures {
   double total_time = 0;                  ///< that the flow was to run for, in its unit
   std::int64_t vertices = 0, triangles = 0;
   bool closed = true;
-  double seconds_read = 0, seconds_topology = 0, seconds_write = 0;
+  double seconds_read = 0, seconds_topology = 0, seconds_measure = 0, seconds_write = 0;
   FlowReport flow;
 };
 
 /// E_b, area, volume and quality of `X`.
 MeshFigures mesh_figures(const Points& X, const Topology& topology, const FlowOptions& options);
+
+/// The same where E_b is known: the energy takes longer to bind to a mesh than all the rest.
+MeshFigures mesh_figures(const Points& X, const Topology& topology, double energy);
 
 /// They as an object, with the counts of a mesh whose connectivity a run may change.
 nlohmann::ordered_json mesh_state_json(const Points& X, const Topology& topology,

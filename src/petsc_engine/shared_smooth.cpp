@@ -216,14 +216,14 @@ class SharedSmooth {
     arguments_.flow = flow_options(arguments_, mesh, console_);
     progress.begin("measure");
     figures_.mean_edge_length = mean_edge_length(mesh.X, mesh.topology, *mesh.parts);
-    figures_.before = mesh_figures(mesh.piece, mesh.X, mesh.topology, arguments_.flow, *mesh.parts);
+    figures_.before = measured(mesh);
     if (arguments_.flow.steps > 0) {
       commands::run_flow(arguments_, mesh.X, mesh.topology,
                          held(arguments_, mesh, arguments_.flow.cutoff_factor), *mesh.parts,
                          figures_, progress);
     }
     progress.begin("measure");
-    figures_.after = mesh_figures(mesh.piece, mesh.X, mesh.topology, arguments_.flow, *mesh.parts);
+    figures_.after = measured(mesh);
     measure_moves(mesh, figures_);
     write(mesh, progress);
     return commands::exit_code_of(figures_.flow.status);
@@ -234,6 +234,11 @@ class SharedSmooth {
     if (output.path != "-") {
       ibmfair::require_writable(output.path, output.write.overwrite);
     }
+  }
+
+  commands::MeshFigures measured(const SharedMesh& mesh) {
+    const Stopwatch watch(figures_.seconds_measure);
+    return mesh_figures(mesh.piece, mesh.X, mesh.topology, arguments_.flow, *mesh.parts);
   }
 
   void tell_of_defects(const SharedMesh& mesh) {

@@ -101,6 +101,9 @@ enum class FlowStatus : std::uint8_t {
 /// Seconds of wall time spent in each part.
 struct FlowSeconds {
   double assemble = 0, analyse = 0, factor = 0, gradient = 0, solve = 0, guard = 0, relax = 0;
+  double other = 0;  ///< binding the energy to the mesh, and all that is in none of these
+
+  double named() const { return assemble + analyse + factor + gradient + solve + guard + relax; }
 };
 
 struct FlowReport {

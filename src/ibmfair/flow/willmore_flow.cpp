@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "ibmfair/base/errors.h"
+#include "ibmfair/base/stopwatch.h"
 #include "ibmfair/flow/flow_problem.h"
 #include "ibmfair/flow/guarded_flow.h"
 #include "ibmfair/flow/local_mesh.h"
@@ -46,6 +47,20 @@ FlowReport flow_as_numbered(Points& X, const Topology& topology,
   return std::move(problem.report);
 }
 
+/// With the numbers of neighbours close together.
+FlowReport flow_by_places(Points& X, const Topology& topology,
+                          const std::vector<std::uint8_t>& held, const FlowOptions& options,
+                          const StepObserver& observer, const MeshParts& parts) {
+  if (!parts.is_whole() || !is_scattered(topology)) {
+    return flow_as_numbered(X, topology, held, options, observer, parts);
+  }
+  LocalMesh local = local_mesh(X, topology, held, options);
+  FlowReport report =
+      flow_as_numbered(local.X, local.topology, local.held, local.options, observer, parts);
+  X(local.vertex, Eigen::all) = local.X;
+  return report;
+}
+
 FlowForecast forecast_as_numbered(const Points& X, const Topology& topology,
                                   const std::vector<std::uint8_t>& held,
                                   const FlowOptions& options) {
@@ -64,14 +79,14 @@ FlowForecast forecast_as_numbered(const Points& X, const Topology& topology,
 FlowReport willmore_flow(Points& X, const Topology& topology, const std::vector<std::uint8_t>& held,
                          const FlowOptions& options, const StepObserver& observer,
                          const MeshParts& parts) {
-  require_usable(X, held, options, parts);
-  if (!parts.is_whole() || !is_scattered(topology)) {
-    return flow_as_numbered(X, topology, held, options, observer, parts);
+  FlowReport report;
+  double seconds = 0;
+  {
+    const Stopwatch watch(seconds);
+    require_usable(X, held, options, parts);
+    report = flow_by_places(X, topology, held, options, observer, parts);
   }
-  LocalMesh local = local_mesh(X, topology, held, options);
-  FlowReport report =
-      flow_as_numbered(local.X, local.topology, local.held, local.options, observer, parts);
-  X(local.vertex, Eigen::all) = local.X;
+  report.seconds.other = seconds - report.seconds.named();
   return report;
 }
 
