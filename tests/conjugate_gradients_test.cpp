@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "ibmfair/base/errors.h"
+#include "ibmfair/base/instruction_set.h"
 #include "ibmfair/base/threads.h"
 #include "ibmfair/flow/time_scale.h"
 #include "ibmfair/flow/willmore_flow.h"
@@ -116,6 +117,21 @@ TEST(JacobianRows, RefuseWhatIsNotPositive) {
   Example example(state, "lagrange", false);
   example.weights.c[7] = std::numeric_limits<double>::quiet_NaN();
   EXPECT_THROW(example.rows->update(example.weights, example.D, example.h), FactorizationFailed);
+}
+
+TEST(ConjugateGradients, TheInstructionSetDoesNotChangeAByte) {
+  for_every_example([](const Example& example) {
+    const Points B = random_directions(example.J.size());
+    ConjugateGradients solver(*example.rows);
+    Points baseline, Y;
+    choose_kernel_set(InstructionSet::baseline);
+    const int iterations = solver.solve(B, baseline, 1e-3, 1000);
+    for (const InstructionSet set : {InstructionSet::avx2, InstructionSet::avx512}) {
+      choose_kernel_set(set);
+      EXPECT_EQ(solver.solve(B, Y, 1e-3, 1000), iterations);
+      EXPECT_EQ(Y, baseline);
+    }
+  });
 }
 
 TEST(ConjugateGradients, SolveToTheTolerance) {

@@ -31,17 +31,23 @@ void run_tasks(std::int64_t count, bool share, const Task& task) {
   }
 }
 
-/// Calls body(i) for every i in 0 .. count - 1, in parallel; bodies must not write the same place.
+/// Calls body(first, last) for blocks of 0 .. count - 1, in parallel; bodies must not write the
+/// same place.
+template <class Body>
+void parallel_blocks(std::int64_t count, Body&& body) {
+  constexpr std::int64_t block = 2048;
+  run_tasks((count + block - 1) / block, count >= worth_sharing,
+            [&](std::int64_t b) { body(b * block, std::min(count, (b + 1) * block)); });
+}
+
+/// The same for a body(i) for each of them.
 template <class Body>
 void parallel_for(std::int64_t count, Body&& body) {
-  constexpr std::int64_t block = 2048;
-  const auto run = [&](std::int64_t b) {
-    const std::int64_t last = std::min(count, (b + 1) * block);
-    for (std::int64_t i = b * block; i < last; ++i) {
+  parallel_blocks(count, [&](std::int64_t first, std::int64_t last) {
+    for (std::int64_t i = first; i < last; ++i) {
       body(i);
     }
-  };
-  run_tasks((count + block - 1) / block, count >= worth_sharing, run);
+  });
 }
 
 /// Calls task(first, last, scratch) on parts of 0 .. count - 1 of `part_size` each, in parallel;
@@ -58,22 +64,16 @@ void parallel_parts(std::int64_t count, std::int64_t part_size, std::size_t scra
   });
 }
 
-/// `zero` plus the sum of body(i) over 0 .. count - 1. Blocks of fixed size are summed first and
-/// then added in order, so that the rounding, too, is the same for any number of threads.
+/// `zero` plus the sum of body(first, last) over blocks of 0 .. count - 1. These are of fixed size,
+/// and added in order, so that the rounding, too, is the same for any number of threads.
 template <class Value, class Body>
-Value parallel_sum(std::int64_t count, const Value& zero, Body&& body) {
+Value parallel_block_sum(std::int64_t count, const Value& zero, Body&& body) {
   constexpr std::int64_t block = 1024;
   const std::int64_t blocks = (count + block - 1) / block;
   std::vector<Value> partial(static_cast<std::size_t>(blocks), zero);
-  const auto run = [&](std::int64_t b) {
-    const std::int64_t last = std::min(count, (b + 1) * block);
-    Value sum = zero;
-    for (std::int64_t i = b * block; i < last; ++i) {
-      sum += body(i);
-    }
-    partial[static_cast<std::size_t>(b)] = sum;
-  };
-  run_tasks(blocks, count >= worth_sharing, run);
+  run_tasks(blocks, count >= worth_sharing, [&](std::int64_t b) {
+    partial[static_cast<std::size_t>(b)] = body(b * block, std::min(count, (b + 1) * block));
+  });
   Value sum = zero;
   for (const Value& part : partial) {
     sum += part;
@@ -81,7 +81,19 @@ Value parallel_sum(std::int64_t count, const Value& zero, Body&& body) {
   return sum;
 }
 
-/// The same for plain numbers.
+/// The same for a body(i) for each of them.
+template <class Value, class Body>
+Value parallel_sum(std::int64_t count, const Value& zero, Body&& body) {
+  return parallel_block_sum(count, zero, [&](std::int64_t first, std::int64_t last) {
+    Value sum = zero;
+    for (std::int64_t i = first; i < last; ++i) {
+      sum += body(i);
+    }
+    return sum;
+  });
+}
+
+/// And for plain numbers.
 template <class Body>
 double parallel_sum(std::int64_t count, Body&& body) {
   return parallel_sum(count, 0.0, body);

@@ -3,14 +3,9 @@
 #include <algorithm>
 
 #include "ibmfair/base/parallel.h"
+#include "ibmfair/solve/conjugate_gradients_kernels.h"
 
 namespace ibmfair {
-namespace {
-
-using Quad = Eigen::Array4f;
-
-}  // namespace
-
 int ConjugateGradients::solve(const Points& B, Points& Y, double tolerance, int most_iterations) {
   const Index n = J_.size();
   const Eigen::VectorXf& N = J_.inverse_diagonal();
@@ -40,15 +35,12 @@ int ConjugateGradients::solve(const Points& B, Points& Y, double tolerance, int 
       break;  // what is left of the residual is rounding
     }
     const auto alpha = static_cast<float>(rho / curvature);
-    const double next = parallel_sum(n, [&](std::int64_t u) {
-      const Quad r = r_.col(u) - alpha * q_.col(u);
-      r_.col(u) = r;
-      return static_cast<double>(N[u] * r.square().sum());
+    const double next = parallel_block_sum(n, 0.0, [&](std::int64_t first, std::int64_t last) {
+      return step_residual(alpha, q_.data(), N.data(), r_.data(), {first, last});
     });
     const auto beta = static_cast<float>(next / rho);
-    parallel_for(n, [&](std::int64_t u) {
-      x_.col(u) += alpha * p_.col(u);
-      p_.col(u) = N[u] * r_.col(u) + beta * p_.col(u);
+    parallel_blocks(n, [&](std::int64_t first, std::int64_t last) {
+      step_solution(alpha, beta, r_.data(), N.data(), x_.data(), p_.data(), {first, last});
     });
     rho = next;
   }

@@ -9,6 +9,7 @@
 
 #include "ibmfair/base/errors.h"
 #include "ibmfair/base/parallel.h"
+#include "ibmfair/solve/conjugate_gradients_kernels.h"
 
 namespace ibmfair {
 namespace {
@@ -43,6 +44,9 @@ void JacobianRows::find_columns() {
           part.push_back(v);
         }
       });
+      if ((part.size() - before) % 2 != 0) {
+        part.push_back(u);  // its difference to itself is zero: kernels take two at a time
+      }
       columns_.first[u + 1] = static_cast<std::int64_t>(part.size() - before);
     }
   };
@@ -111,14 +115,9 @@ double JacobianRows::take_held(Index own, std::vector<double>& sum) const {
 }
 
 double JacobianRows::apply(const Quads& p, Quads& q) const {
-  return parallel_sum(size(), [&](std::int64_t u) {
-    const Eigen::Array4f own = p.col(u);
-    Eigen::Array4f sum = a_[u] * own;
-    for (std::int64_t k = columns_.first[u]; k < columns_.first[u + 1]; ++k) {
-      sum += b_[k] * (p.col(columns_.value[k]) - own);
-    }
-    q.col(u) = sum;
-    return static_cast<double>((own * sum).sum());
+  const DifferenceRows rows{columns_.first.data(), columns_.value.data(), b_.data(), a_.data()};
+  return parallel_block_sum(size(), 0.0, [&](std::int64_t first, std::int64_t last) {
+    return multiply_rows(rows, p.data(), q.data(), {first, last});
   });
 }
 

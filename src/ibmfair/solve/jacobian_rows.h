@@ -32,7 +32,7 @@ class JacobianRows {
   void update(const StencilWeights& weights, const Eigen::VectorXd& D, double h);
 
   Index size() const { return unknowns_.size(); }
-  /// Off the diagonal.
+  /// Off the diagonal, a few zeros among them.
   std::int64_t entries() const { return columns_.first.back(); }
 
   double unit() const { return unit_; }
@@ -51,7 +51,9 @@ class JacobianRows {
 
   const StencilTerms& terms_;
   const Unknowns& unknowns_;
-  Rows columns_;  // of each unknown, the others that share a stencil with it
+  /// Of each unknown the others that share a stencil with it, and itself where they are odd in
+  /// number.
+  Rows columns_;
   std::vector<std::uint8_t> beside_held_;  // whether held vertices share one with it
   std::vector<float> b_;                   // as columns_.value
   Eigen::VectorXf a_;
