@@ -1,9 +1,7 @@
 #include "ibmfair/flow/conserved_quantities.h"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
-#include <iterator>
 #include <limits>
 
 #include "ibmfair/base/errors.h"
@@ -138,17 +136,17 @@ void ConservedQuantities::constrain(Points& step) const {
   subtract_part(step, A_, Z_);
 }
 
-Points ConservedQuantities::speed(const Points& g, const Eigen::VectorXd& D) const {
-  const auto over_D = [&](const Points& B) {
-    Points Y(B.rows(), 3);
+void ConservedQuantities::speed(const Points& g, const Eigen::VectorXd& D, Points& speed) const {
+  const auto over_D = [&](const Points& B, Points& Y) {
+    Y.resize(B.rows(), 3);
     parallel_for(B.rows(), [&](std::int64_t u) { Y.row(u) = B.row(u) / D[u]; });
-    return Y;
   };
-  std::vector<Points> Z;
-  std::transform(A_.begin(), A_.end(), std::back_inserter(Z), over_D);
-  Points speed = over_D(g);
+  std::vector<Points> Z(A_.size());
+  for (std::size_t i = 0; i < A_.size(); ++i) {
+    over_D(A_[i], Z[i]);
+  }
+  over_D(g, speed);
   subtract_part(speed, A_, Z);
-  return speed;
 }
 
 bool ConservedQuantities::restore(const Points& move, Points& Y) const {

@@ -35,7 +35,7 @@ class ConservedQuantities {
   void constrain(Points& step) const;
 
   /// The speed D^-1 g less what would change the quantities.
-  Points speed(const Points& g, const Eigen::VectorXd& D) const;
+  void speed(const Points& g, const Eigen::VectorXd& D, Points& speed) const;
 
   /// After `move` (one row per unknown) to `Y`: moves the unknowns along J^-1 A until all
   /// quantities have their targets to rounding; false where that fails. Those whose move is zero

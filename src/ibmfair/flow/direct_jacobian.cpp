@@ -138,15 +138,12 @@ void DirectJacobian::factor(Precision precision) {
 
 void DirectJacobian::solve(const Points& B, Points& Y) {
   tell_stage(shape_.options, FlowStage::solve);
-  Points solution;
   {
     const Stopwatch watch(shape_.report.seconds.solve);
-    solver_->solve(B, solution);
-    tried_ = tried_ || relative_residual(J_, solution, B) < good_enough;
+    solver_->solve(B, Y);
+    tried_ = tried_ || relative_residual(J_, Y, B) < good_enough;
   }
-  if (tried_) {
-    Y.swap(solution);
-  } else {
+  if (!tried_) {
     needs_float64_ = true;
     factor(Precision::float64);
     solve(B, Y);

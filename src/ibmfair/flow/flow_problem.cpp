@@ -102,10 +102,9 @@ double FlowProblem::evaluate(const Points& Y, Points& gradient) {
   return parts.sum(energy);
 }
 
-Points FlowProblem::newton_step() {
+void FlowProblem::newton_step(Points& step) {
   const double h = jacobian_->time_step();
   const auto solve = [&](const Points& B, Points& Y) { jacobian_->solve(B, Y); };
-  Points step;
   force_.resize(g_.rows(), 3);
   parallel_for(g_.rows(), [&](std::int64_t u) { force_.row(u) = -h * g_.row(u); });
   solve(force_, step);  // [W07] (12) at X_k, where the residual is h grad E_b
@@ -119,7 +118,6 @@ Points FlowProblem::newton_step() {
     conserved_.constrain(correction);
     step += correction;
   }
-  return step;
 }
 
 const Points& FlowProblem::with_others(const Points& move) {
@@ -177,18 +175,18 @@ double FlowProblem::longest(const Points& move) const {
   return parts.max(move.rows() > 0 ? std::sqrt(move.rowwise().squaredNorm().maxCoeff()) : 0);
 }
 
-double FlowProblem::gradient_norm() const {
+double FlowProblem::gradient_norm() {
   const Eigen::VectorXd& D = jacobian_->metric();
-  const Points speed = conserved_.speed(g_, D);
+  conserved_.speed(g_, D, speed_);
   return std::sqrt(parts.sum(parallel_sum(
-      unknowns.size(), [&](std::int64_t u) { return D[u] * speed.row(u).squaredNorm(); })));
+      unknowns.size(), [&](std::int64_t u) { return D[u] * speed_.row(u).squaredNorm(); })));
 }
 
-double FlowProblem::power() const {
+double FlowProblem::power() {
   const Eigen::VectorXd &D = jacobian_->metric(), &damping = jacobian_->damping();
-  const Points speed = conserved_.speed(g_, D);
+  conserved_.speed(g_, D, speed_);
   const auto share = [&](std::int64_t u) -> Eigen::Array2d {
-    return D[u] / damping[u] * Eigen::Array2d(1, std::sqrt(speed.row(u).norm()));
+    return D[u] / damping[u] * Eigen::Array2d(1, std::sqrt(speed_.row(u).norm()));
   };
   const Eigen::Array2d sums =
       parallel_sum(unknowns.size(), Eigen::Array2d(Eigen::Array2d::Zero()), share);

@@ -64,7 +64,7 @@ class FlowProblem {
 
   /// The step of backward Euler from the state with the Jacobian's own time step, by
   /// `options.newton_iterations` inexact Newton iterations: one row per unknown, length.
-  Points newton_step();
+  void newton_step(Points& step);
 
   /// The move (one row per unknown) with rows for the unknowns of other parts behind its own.
   const Points& with_others(const Points& move);
@@ -87,12 +87,12 @@ class FlowProblem {
   double longest(const Points& move) const;
 
   /// The rate of the flow, sqrt(<g, D^-1 g>).
-  double gradient_norm() const;
+  double gradient_norm();
 
   /// The energy that the flow takes off a vertex in a unit of time, on the average: |D| s^2 / #V,
   /// |D| the sum over D without damping. Of the speed |D^-1 g| counts the mean s of power 1/2:
   /// noise is everywhere, and a few needles, as fast as they are, have little part in it.
-  double power() const;
+  double power();
 
   Jacobian& jacobian() { return *jacobian_; }
   const Jacobian& jacobian() const { return *jacobian_; }
@@ -108,7 +108,7 @@ class FlowProblem {
   double energy_ = 0, next_energy_ = 0;
   Points G_;  // #V x 3, reused
   Points g_, next_g_;
-  Points force_;                    // reused
+  Points force_, speed_;            // reused
   Points by_vertex_, with_others_;  // reused
   bool gradient_is_known_ = false;
 };

@@ -110,8 +110,8 @@ class GuardedFlow {
     if (fresh && !renew_jacobian()) {
       return true;
     }
-    Points step = p_.newton_step();
-    take_slope(step);
+    p_.newton_step(step_);
+    take_slope();
     StepRecord record;
     record.refactored = fresh;
     record.gradient_norm = p_.gradient_norm();
@@ -123,18 +123,18 @@ class GuardedFlow {
       stay_to_the_end();
       return true;
     }
-    if (distorts(step)) {
+    if (distorts()) {
       cut_time_step();
       return true;
     }
-    record.held_back += shorten_own_moves(step);
-    if (!search(step, record)) {
-      recover(step, fresh);
+    record.held_back += shorten_own_moves();
+    if (!search(record)) {
+      recover(fresh);
       return true;
     }
     accept(record);
     relax();
-    adapt(record, step);
+    adapt(record);
     record.energy = p_.report.energy_after;
     p_.report.steps.push_back(record);
     const bool go_on = !observer_ || observer_(record);
@@ -144,14 +144,14 @@ class GuardedFlow {
     return go_on;
   }
 
-  void take_slope(const Points& step) {
+  void take_slope() {
     const Points& g = p_.gradient();
     const Eigen::VectorXd& D = p_.jacobian().metric();
     const auto share = [&](std::int64_t u) -> Eigen::Array2d {
-      return {-g.row(u).dot(step.row(u)), D[u] * step.row(u).squaredNorm()};
+      return {-g.row(u).dot(step_.row(u)), D[u] * step_.row(u).squaredNorm()};
     };
     const Eigen::Array2d sums =
-        parallel_sum(step.rows(), Eigen::Array2d(Eigen::Array2d::Zero()), share);
+        parallel_sum(step_.rows(), Eigen::Array2d(Eigen::Array2d::Zero()), share);
     slope_ = p_.parts.sum(sums[0]);
     metric_part_ = p_.parts.sum(sums[1]) / p_.jacobian().time_step();
   }
@@ -194,9 +194,9 @@ class GuardedFlow {
     ++p_.report.rejected;
   }
 
-  bool distorts(const Points& step) {
+  bool distorts() {
     const Stopwatch watch(p_.report.seconds.guard);
-    const Points& all = p_.with_others(step);
+    const Points& all = p_.with_others(step_);
     own_moves(all, rings_, p_.unknowns, own_);
     distortion_ = fraction_ * distortion(all, own_, rings_, p_.unknowns, edge_length_, p_.parts);
     return distortion_ > 1;
@@ -204,14 +204,14 @@ class GuardedFlow {
 
   /// No vertex leaves its neighbours by more than its mean edge length in one step. Returns how
   /// many would have.
-  std::int64_t shorten_own_moves(Points& step) const {
+  std::int64_t shorten_own_moves() {
     const double shortened = parallel_sum(p_.unknowns.size(), [&](std::int64_t u) {
       const double limit = edge_length_[p_.unknowns.vertex[u]];
       const double length = own_.row(u).norm();
       if (!(length > limit)) {
         return 0;
       }
-      step.row(u) -= (1 - limit / length) * own_.row(u);
+      step_.row(u) -= (1 - limit / length) * own_.row(u);
       return 1;
     });
     return count(shortened);
@@ -221,11 +221,11 @@ class GuardedFlow {
   std::int64_t count(double here) const { return static_cast<std::int64_t>(p_.parts.sum(here)); }
 
   /// Looks for a fraction of the step that lowers the energy enough; leaves it in Y_.
-  bool search(const Points& step, StepRecord& record) {
+  bool search(StepRecord& record) {
     const Stopwatch watch(p_.report.seconds.guard);
     for (int i = 0; i <= backtracks; ++i, fraction_ /= 2) {
-      move_.resize(step.rows(), 3);
-      parallel_for(step.rows(), [&](std::int64_t u) { move_.row(u) = fraction_ * step.row(u); });
+      move_.resize(step_.rows(), 3);
+      parallel_for(step_.rows(), [&](std::int64_t u) { move_.row(u) = fraction_ * step_.row(u); });
       const FoldFreeLanding trial = displace_without_folds(
           p_, folds_, move_, Y_, [this](const Points& Y) { return p_.energy_at(Y); });
       if (trial.leads_somewhere()) {
@@ -266,21 +266,21 @@ class GuardedFlow {
 
   /// A step failed. A stale Jacobian is renewed; with a fresh one, vertices at which the trial runs
   /// uphill get a heavier metric, so that one bad spot does not hold up the whole mesh.
-  void recover(const Points& step, bool fresh) {
+  void recover(bool fresh) {
     stale_ = true;
     if (!fresh) {
       return;
     }
     p_.displace(move_, Y_);
-    if (!damp_culprits(p_.gradient_at(Y_), step)) {
+    if (!damp_culprits(p_.gradient_at(Y_))) {
       h_ *= time_step_cut;
     }
   }
 
   /// Makes the metric heavier around the vertices at which the step runs uphill against this
   /// gradient; false where there are none, or so many that the trouble is not local.
-  bool damp_culprits(const Points& gradient, const Points& step) {
-    const Eigen::VectorXd slope = gradient.cwiseProduct(step).rowwise().sum();
+  bool damp_culprits(const Points& gradient) {
+    const Eigen::VectorXd slope = gradient.cwiseProduct(step_).rowwise().sum();
     double steepest = 0;
     for (const double s : slope) {
       steepest = std::isfinite(s) ? std::max(steepest, s) : steepest;
@@ -340,7 +340,7 @@ class GuardedFlow {
   }
 
   /// Chooses the next time step, and whether the Jacobian has to be renewed.
-  void adapt(const StepRecord& record, const Points& step) {
+  void adapt(const StepRecord& record) {
     const bool shortened = record.time_step < p_.jacobian().time_step() && left_ > 0;
     if (record.decrease_ratio <= stale_decrease || shortened) {
       stale_ = true;
@@ -353,7 +353,7 @@ class GuardedFlow {
     creeping_ = h_ < h_target_ && record.decrease_ratio <= good_decrease ? creeping_ + 1 : 0;
     if (creeping_ > longest_creep) {
       p_.update_gradient();
-      damp_culprits(p_.gradient(), step);
+      damp_culprits(p_.gradient());
       h_ = std::min(h_target_, growth * h_);
       stale_ = true;
       creeping_ = 0;
@@ -377,7 +377,8 @@ class GuardedFlow {
   double slope_ = 0, metric_part_ = 0;  // of the whole step d: <-g,d> and <d,Dd>/h
   double distortion_ = 0;
   double trial_energy_ = 0, energy_before_step_ = 0;
-  Points own_;                  // the part of the step that neighbours do not share
+  Points step_;                 // the Newton step, one row per unknown
+  Points own_;                  // the part of it that neighbours do not share
   std::vector<Index> stopped_;  // unknowns that the Jacobian holds: they went as far as they may
   Points move_;                 // the move that is tried, one row per unknown
   Points Y_;                    // where it leads

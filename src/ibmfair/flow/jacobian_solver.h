@@ -30,11 +30,11 @@ class JacobianSolver {
   /// Takes another Jacobian with the same stencils. Throws FactorizationFailed, OutOfMemory.
   virtual void update(const JacobianParts& parts) = 0;
 
-  /// Y = J^-1 B, one row per unknown; iterative solvers leave a residual of
-  /// `FlowOptions::solver_tolerance`. The Jacobian is not exact either, and what one step leaves
-  /// the next one takes. On noisy tori a fiftieth gives the same root mean square error as the
-  /// default, to a per cent; with twice the default, a model with needles kept a sixth more of its
-  /// energy.
+  /// Y = J^-1 B, one row per unknown, Y being another place than B; iterative solvers leave a
+  /// residual of `FlowOptions::solver_tolerance`. The Jacobian is not exact either, and what one
+  /// step leaves the next one takes. On noisy tori a fiftieth gives the same root mean square error
+  /// as the default, to a per cent; with twice the default, a model with needles kept a sixth more
+  /// of its energy.
   virtual void solve(const Points& B, Points& Y) = 0;
 
   /// What one more solve like the last one takes on one core, counted, not timed; 0 where it takes

@@ -8,10 +8,10 @@ void run_plain(FlowProblem& problem, const StepObserver& observer) {
   FlowReport& report = problem.report;
   const double h = problem.options.total_time / problem.options.steps;
   problem.jacobian().refactor(problem.X, h);
-  Points Y;
+  Points step, Y;
   for (int k = 1; k <= problem.options.steps; ++k) {
     problem.update_gradient();
-    const Points step = problem.newton_step();
+    problem.newton_step(step);
     const bool lands = problem.displace(step, Y) != FlowProblem::Landing::nowhere;
     const double energy = problem.energy_at(Y);
     if (!lands || !std::isfinite(energy) || problem.parts.any(!Y.allFinite())) {
