@@ -32,8 +32,9 @@ void bind(StageInputs& s) {
 }
 
 void make_pattern(StageInputs& s) {
-  s.results.terms.emplace(s.crouzeix_raviart->stencils(), s.topology.vertex_count);
-  s.results.assembler.emplace(*s.results.terms, s.unknowns);
+  s.results.terms =
+      std::make_unique<StencilTerms>(s.crouzeix_raviart->stencils(), s.topology.vertex_count);
+  s.results.assembler = std::make_unique<HessianAssembler>(*s.results.terms, s.unknowns);
 }
 
 /// J = M + h S, [W07] (13).

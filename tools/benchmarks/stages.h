@@ -21,8 +21,8 @@ struct StageResults {
   std::optional<MeshFile> file;
   std::optional<Topology> topology;
   std::unique_ptr<BendingEnergy> bending;
-  std::optional<StencilTerms> terms;
-  std::optional<HessianAssembler> assembler;
+  std::unique_ptr<StencilTerms> terms;
+  std::unique_ptr<HessianAssembler> assembler;
   std::optional<SymbolicCholesky> symbolic;
   std::optional<CholeskyFactor> factor;
 };
