@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <numeric>
 #include <vector>
 
 #include "ibmfair/base/parallel.h"
@@ -14,15 +15,28 @@ namespace ibmfair {
 /// not write where another reads.
 template <class Test>
 std::vector<Index> indices_where(Eigen::Index count, Test&& holds) {
+  constexpr std::int64_t block = 8192;
+  const std::int64_t blocks = (count + block - 1) / block;
+  const bool share = count >= worth_sharing;
   std::vector<std::uint8_t> chosen(static_cast<std::size_t>(count));
-  parallel_for(count, [&](std::int64_t i) { chosen[i] = holds(static_cast<Index>(i)) ? 1 : 0; });
-  std::vector<Index> indices;
-  indices.reserve(static_cast<std::size_t>(std::count(chosen.begin(), chosen.end(), 1)));
-  for (Index i = 0; i < static_cast<Index>(count); ++i) {
-    if (chosen[i]) {
-      indices.push_back(i);
+  std::vector<std::int64_t> first(static_cast<std::size_t>(blocks) + 1, 0);  // in the list
+  run_tasks(blocks, share, [&](std::int64_t b) {
+    const std::int64_t end = std::min<std::int64_t>(count, (b + 1) * block);
+    for (std::int64_t i = b * block; i < end; ++i) {
+      chosen[i] = holds(static_cast<Index>(i)) ? 1 : 0;
+      first[b + 1] += chosen[i];
     }
-  }
+  });
+  std::partial_sum(first.begin(), first.end(), first.begin());
+  std::vector<Index> indices(static_cast<std::size_t>(first.back()));
+  run_tasks(blocks, share && !indices.empty(), [&](std::int64_t b) {
+    std::int64_t i = b * block;
+    for (std::int64_t k = first[b]; k < first[b + 1]; ++i) {
+      if (chosen[i] != 0) {
+        indices[k++] = static_cast<Index>(i);
+      }
+    }
+  });
   return indices;
 }
 

@@ -216,12 +216,14 @@ Rows vertex_rings(const Topology& topology) {
 
 std::vector<std::uint8_t> grow_one_ring(const Topology& topology,
                                         const std::vector<std::uint8_t>& vertices) {
-  std::vector<std::uint8_t> grown = vertices;
-  for (const auto edge : topology.E.rowwise()) {
-    if (vertices[edge[0]] || vertices[edge[1]]) {
-      grown[edge[0]] = grown[edge[1]] = 1;
-    }
-  }
+  std::vector<std::uint8_t> grown(vertices.size());
+  parallel_for(topology.vertex_count, [&](std::int64_t v) {
+    const auto star = topology.stars[static_cast<Index>(v)];
+    grown[v] = vertices[v] || std::any_of(star.begin(), star.end(), [&](Index t) {
+                 return vertices[topology.F(t, 0)] || vertices[topology.F(t, 1)] ||
+                        vertices[topology.F(t, 2)];
+               });
+  });
   return grown;
 }
 
