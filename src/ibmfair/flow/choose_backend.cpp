@@ -16,23 +16,27 @@ namespace {
 /// with a factor follows before long (Jacobian::reconsider), where less, nobody would know.
 constexpr double doubt = 0.5;
 
-bool fits(const SolverForecast& forecast, const FlowOptions& options) {
-  const bool allowed =
-      std::isinf(options.memory_limit) || resident_bytes() + forecast.bytes <= options.memory_limit;
-  return allowed && is_available(forecast.bytes);
+/// The same for any number of iterations.
+double bytes_of(const JacobianBackend& backend, const JacobianShape& shape) {
+  return backend.forecast(shape, 0).bytes;
 }
 
-[[noreturn]] void refuse(const JacobianBackend& wanted, const JacobianShape& shape,
-                         double iterations) {
+bool fits(double bytes, const FlowOptions& options) {
+  const bool allowed =
+      std::isinf(options.memory_limit) || resident_bytes() + bytes <= options.memory_limit;
+  return allowed && is_available(bytes);
+}
+
+[[noreturn]] void refuse(const JacobianBackend& wanted, const JacobianShape& shape) {
   constexpr double mega = 1e6;
   const double limit = std::min(shape.options.memory_limit, resident_bytes() + available_bytes());
   std::string message = fmt::format(
       "{:.0f} MB would be needed with the solver {}, {:.0f} MB of them in use already; the limit "
       "is {:.0f} MB",
-      (resident_bytes() + wanted.forecast(shape, iterations).bytes) / mega, wanted.name,
-      resident_bytes() / mega, limit / mega);
+      (resident_bytes() + bytes_of(wanted, shape)) / mega, wanted.name, resident_bytes() / mega,
+      limit / mega);
   for (const JacobianBackend& other : jacobian_backends()) {
-    if (fits(other.forecast(shape, iterations), shape.options)) {
+    if (fits(bytes_of(other, shape), shape.options)) {
       message += fmt::format("; --solver {} fits", other.name);
     }
   }
@@ -42,22 +46,22 @@ bool fits(const SolverForecast& forecast, const FlowOptions& options) {
 }  // namespace
 
 const JacobianBackend& choose_backend(const JacobianShape& shape, const JacobianParts& parts) {
-  const double iterations = forecast_iterations(shape, parts);
   const bool open = shape.options.solver == "auto";
   if (!open || !shape.options.guarded) {  // the scheme as published factors
     const JacobianBackend& named = jacobian_backend(open ? "cholmod" : shape.options.solver);
-    if (!fits(named.forecast(shape, iterations), shape.options)) {
-      refuse(named, shape, iterations);
+    if (!fits(bytes_of(named, shape), shape.options)) {
+      refuse(named, shape);
     }
     return named;
   }
+  const double iterations = forecast_iterations(shape, parts);
   const JacobianBackend* best = nullptr;
   const JacobianBackend* smallest = &jacobian_backends().front();
   double least_seconds = 0, least_bytes = std::numeric_limits<double>::infinity();
   for (const JacobianBackend& backend : jacobian_backends()) {
     const SolverForecast forecast = backend.forecast(shape, iterations);
     const double seconds = (backend.has_factor ? 1 : doubt) * forecast.seconds;
-    if (fits(forecast, shape.options) && (best == nullptr || seconds < least_seconds)) {
+    if (fits(forecast.bytes, shape.options) && (best == nullptr || seconds < least_seconds)) {
       best = &backend;
       least_seconds = seconds;
     }
@@ -67,7 +71,7 @@ const JacobianBackend& choose_backend(const JacobianShape& shape, const Jacobian
     }
   }
   if (best == nullptr) {
-    refuse(*smallest, shape, iterations);
+    refuse(*smallest, shape);
   }
   return *best;
 }
@@ -81,7 +85,7 @@ const JacobianBackend* other_backend(const JacobianShape& shape, const JacobianP
   for (const JacobianBackend& backend : jacobian_backends()) {
     if (backend.has_factor == has_factor) {
       const SolverForecast forecast = backend.forecast(shape, iterations);
-      if (forecast.seconds < seconds && fits(forecast, shape.options)) {
+      if (forecast.seconds < seconds && fits(forecast.bytes, shape.options)) {
         return &backend;
       }
     }
