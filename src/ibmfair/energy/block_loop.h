@@ -28,8 +28,7 @@ class BlockLoop {
     const auto run = [&](std::int64_t b) {
       partial_[b] = body(blocks.block[b], scratch_[worker_index()]);
     };
-    run_tasks(static_cast<std::int64_t>(blocks.block.size()),
-              static_cast<std::int64_t>(blocks.corners.size()) / 3 >= worth_sharing, run);
+    run_tasks(static_cast<std::int64_t>(blocks.block.size()), blocks.are_worth_sharing(), run);
     double sum = 0;
     for (const double part : partial_) {
       sum += part;

@@ -50,7 +50,7 @@ void compute_and_prefetch(const MeshBlocks& blocks, const MeshBlock& b, std::int
   if (&b != &blocks.block.back()) {
     const MeshBlock& next = *(&b + 1);  // most likely the next one of this thread, too
     own.list = blocks.owned_of(next);
-    halo.list = blocks.halo_of(next);
+    halo.list = next.halo;
   }
   for (std::int64_t first = 0; first < all_groups; first += few) {
     const std::int64_t end = std::min(first + few, all_groups);

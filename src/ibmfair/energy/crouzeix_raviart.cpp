@@ -8,6 +8,7 @@
 #include "ibmfair/energy/crouzeix_raviart_kernels.h"
 #include "ibmfair/mesh/corners.h"
 #include "ibmfair/mesh/geometry.h"
+#include "ibmfair/mesh/select.h"
 
 namespace ibmfair {
 namespace {
@@ -20,24 +21,20 @@ bool touches(const std::vector<std::uint8_t>& active, std::span<const Index> ver
 /// The hinges that are summed over.
 std::vector<Index> active_hinges(const Topology& topology,
                                  const std::vector<std::uint8_t>& active) {
-  std::vector<Index> hinges;
-  hinges.reserve(static_cast<std::size_t>(topology.H.rows()));
-  for (Index h = 0; h < topology.H.rows(); ++h) {
-    if (touches(active, {topology.H.row(h).data(), 4})) {
-      hinges.push_back(h);
-    }
-  }
-  return hinges;
+  return indices_where(topology.H.rows(), [&](Index h) {
+    return touches(active, {topology.H.row(h).data(), 4});
+  });
 }
 
 Rows rows_of_four(const Hinges& H, const std::vector<Index>& hinges) {
+  const auto count = static_cast<std::int64_t>(hinges.size());
   Rows rows;
-  rows.first.reserve(hinges.size() + 1);
-  rows.value.reserve(4 * hinges.size());
-  for (const Index h : hinges) {
-    rows.value.insert(rows.value.end(), H.row(h).data(), H.row(h).data() + 4);
-    rows.first.push_back(static_cast<std::int64_t>(rows.value.size()));
-  }
+  rows.first.assign(hinges.size() + 1, 0);
+  rows.value.resize(4 * hinges.size());
+  parallel_for(count, [&](std::int64_t i) {
+    rows.first[i + 1] = 4 * (i + 1);
+    std::copy_n(H.row(hinges[i]).data(), 4, &rows.value[4 * i]);
+  });
   return rows;
 }
 
@@ -45,16 +42,20 @@ Rows rows_of_four(const Hinges& H, const std::vector<Index>& hinges) {
 MeshBlocks hinge_blocks(const Topology& topology, const std::vector<Index>& hinges,
                         const std::vector<std::uint8_t>& counted) {
   const auto triangles = static_cast<std::size_t>(topology.F.rows());
-  std::vector<std::uint8_t> kept(triangles, 0);
   Neighbours neighbours(3 * triangles, no_triangle);
-  for (const Index h : hinges) {
+  parallel_for(static_cast<std::int64_t>(hinges.size()), [&](std::int64_t i) {
+    const Index h = hinges[i];
     const auto x = topology.H.row(h);
     const Index t0 = topology.hinge_triangles(h, 0), t1 = topology.hinge_triangles(h, 1);
     const bool agree = runs_along(topology.F, t1, x[1], x[0]);
     neighbours[3 * std::size_t(t0) + place_of(topology.F, t0, x[2])] = agree ? t1 : ~t1;
     neighbours[3 * std::size_t(t1) + place_of(topology.F, t1, x[3])] = agree ? t0 : ~t0;
-    kept[t0] = kept[t1] = 1;
-  }
+  });
+  std::vector<std::uint8_t> kept(triangles);
+  parallel_for(static_cast<std::int64_t>(triangles), [&](std::int64_t t) {
+    const Index* beside = &neighbours[3 * t];
+    kept[t] = std::any_of(beside, beside + 3, [](Index other) { return other != no_triangle; });
+  });
   return mesh_blocks(topology, kept, neighbours, counted);
 }
 
@@ -82,15 +83,15 @@ double CrouzeixRaviart::block_energy(const MeshBlock& b, const Points& X, const 
   if (scratch.triangles.size() < triangles) {
     scratch.triangles.resize(triangles);
   }
-  const Index* corners = &blocks_.corners[b.first_corner];
+  const Index* corners = b.corners.data();
   const auto find_frames = [&](std::int64_t first, std::int64_t groups) {
     crouzeix_raviart_frames(corners + 3 * lanes_per_group * first, groups, scratch.vertices.data(),
                             scratch.triangles.data() + lanes_per_group * first);
   };
   compute_and_prefetch(blocks_, b, b.framed_groups, {X, nullptr, G}, find_frames);
   const HingeSums sums =
-      crouzeix_raviart_hinges(b, corners, &blocks_.neighbours[b.first_neighbour], terms_,
-                              G != nullptr, scratch.vertices.data(), scratch.triangles.data());
+      crouzeix_raviart_hinges(b, corners, b.neighbours.data(), terms_, G != nullptr,
+                              scratch.vertices.data(), scratch.triangles.data());
   turns_[&b - blocks_.block.data()] = sums.largest_turn;
   return sums.energy;
 }
@@ -115,8 +116,8 @@ double CrouzeixRaviart::energy_and_gradient(const Points& X, Points& G) {
 }
 
 void CrouzeixRaviart::linearise(const Points& X, StencilWeights& weights) {
-  weights.c.resize(stencils_.value.size());
-  weights.w.resize(static_cast<std::size_t>(stencils_.size()));
+  weights.c.resize(static_cast<Eigen::Index>(stencils_.value.size()));
+  weights.w.resize(stencils_.size());
   parallel_for(stencils_.size(), [&](std::int64_t h) {
     const Index* x = &stencils_.value[4 * h];
     const Vec3 x0 = X.row(x[0]), x1 = X.row(x[1]), x2 = X.row(x[2]), x3 = X.row(x[3]);

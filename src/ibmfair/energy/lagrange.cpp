@@ -57,7 +57,7 @@ void Lagrange::load(const MeshBlock& b, const Points& X, BlockVertices& vertices
 double Lagrange::block_curvature(const MeshBlock& b, const Points& X, BlockScratch& scratch,
                                  BlockRow* y) {
   load(b, X, scratch.vertices);
-  const Index* corners = &blocks_.corners[b.first_corner];
+  const Index* corners = b.corners.data();
   compute_and_prefetch(blocks_, b, b.groups, {X}, [&](std::int64_t first, std::int64_t groups) {
     lagrange_curvature(corners + 3 * lanes_per_group * first, groups, !spontaneous_.empty(),
                        scratch.vertices.data());
@@ -93,7 +93,7 @@ double Lagrange::energy_and_gradient(const Points& X, Points& G) {
   loop_.sum(blocks_, [&](const MeshBlock& b, BlockScratch& scratch) {
     load(b, X, scratch.vertices);
     blocks_.load(b, y_, scratch.vertices);
-    const Index* corners = &blocks_.corners[b.first_corner];
+    const Index* corners = b.corners.data();
     const auto add_forces = [&](std::int64_t first, std::int64_t groups) {
       lagrange_forces(corners + 3 * lanes_per_group * first, groups, !spontaneous_.empty(),
                       scratch.vertices.data());
@@ -106,8 +106,8 @@ double Lagrange::energy_and_gradient(const Points& X, Points& G) {
 }
 
 void Lagrange::linearise(const Points& X, StencilWeights& weights) {
-  weights.c.resize(stencils_.value.size());
-  weights.w.resize(static_cast<std::size_t>(stencils_.size()));
+  weights.c.resize(static_cast<Eigen::Index>(stencils_.value.size()));
+  weights.w.resize(stencils_.size());
   parallel_for(stencils_.size(), [&](std::int64_t s) {
     const auto star = stencils_[static_cast<Index>(s)];
     const auto ring = star.subspan(1);

@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cstring>
+#include <utility>
 
 #include "ibmfair/base/parallel.h"
 #include "ibmfair/energy/vertex_blocks.h"
+#include "ibmfair/mesh/select.h"
 
 namespace ibmfair {
 namespace {
@@ -17,76 +19,115 @@ std::size_t place_of_corner(std::size_t slot, int i) {
   return 3 * lanes * (slot / lanes) + lanes * i + slot % lanes;
 }
 
-/// Numbers vertices and triangles within one block after the other. Each number bears the stamp of
-/// its block, so that a new block clears nothing.
-class Builder {
+/// What all blocks are cut from.
+struct WholeMesh {
+  const Topology& topology;
+  const std::vector<std::uint8_t>& kept;
+  const Neighbours& neighbours;
+  const std::vector<std::uint8_t>& counted;
+  const std::vector<Index>& owned;
+  std::vector<Index> position;  // #V, in `owned`, or -1
+};
+
+/// Numbers for a few vertices or triangles among many: a hash table, which stays in the cache. A
+/// list of all, one for each thread, would not.
+class LocalNumbers {
  public:
-  Builder(const Topology& topology, const std::vector<std::uint8_t>& kept,
-          const Neighbours& neighbours, const std::vector<std::uint8_t>& counted,
-          MeshBlocks& blocks)
-      : topology_(topology),
-        kept_(kept),
-        neighbours_(neighbours),
-        counted_(counted),
-        out_(blocks),
-        position_(static_cast<std::size_t>(topology.vertex_count), -1),
-        number_(position_.size()),
-        triangle_(static_cast<std::size_t>(topology.F.rows())) {
-    for (std::size_t i = 0; i < out_.owned.size(); ++i) {
-      position_[out_.owned[i]] = static_cast<Index>(i);
+  void clear() {
+    ++stamp_;
+    count_ = 0;
+  }
+
+  /// The number of `key`, -1 at first. The reference holds until the next call.
+  Index& operator[](Index key) {
+    if (2 * count_ >= entries_.size()) {
+      grow();
     }
-    for (Index v = 0; v < topology.vertex_count; ++v) {
-      if (position_[v] < 0) {
-        out_.untouched.push_back(v);
+    Entry& entry = *find(key);
+    if (entry.stamp != stamp_) {
+      entry = {stamp_, key, -1};
+      ++count_;
+    }
+    return entry.number;
+  }
+
+ private:
+  struct Entry {
+    Index stamp = -1;  // what stands there is of the block with this one
+    Index key = 0, number = 0;
+  };
+
+  Entry* find(Index key) {
+    constexpr std::uint32_t golden = 2654435769;  // 2^32 over the golden ratio
+    std::size_t place = (static_cast<std::uint32_t>(key) * golden) >> shift_;
+    while (entries_[place].stamp == stamp_ && entries_[place].key != key) {
+      place = (place + 1) % entries_.size();
+    }
+    return &entries_[place];
+  }
+
+  void grow() {
+    const std::vector<Entry> before =
+        std::exchange(entries_, std::vector<Entry>(2 * entries_.size()));
+    --shift_;
+    for (const Entry& entry : before) {
+      if (entry.stamp == stamp_) {
+        *find(entry.key) = entry;
       }
     }
   }
 
-  void add(std::int64_t first_owned, std::int64_t last_owned) {
-    ++stamp_;
+  static constexpr int first_bits = 13;
+  std::vector<Entry> entries_{std::size_t{1} << first_bits};
+  int shift_ = 32 - first_bits;
+  std::size_t count_ = 0;
+  Index stamp_ = 0;
+};
+
+/// Makes one block after the other.
+class Builder {
+ public:
+  explicit Builder(const WholeMesh& mesh) : mesh_(mesh) {}
+
+  MeshBlock build(std::int64_t first_owned, std::int64_t last_owned) {
+    vertex_.clear();
+    triangle_.clear();
+    slots_.clear();
     block_ = {};
     block_.first_owned = first_owned;
     block_.owned = static_cast<Index>(last_owned - first_owned);
-    block_.vertices = filler_vertices;
-    block_.first_halo = static_cast<std::int64_t>(out_.halo.size());
-    block_.first_corner = static_cast<std::int64_t>(out_.corners.size());
-    block_.first_neighbour = static_cast<std::int64_t>(out_.neighbours.size());
-    const std::span<const Index> owned(&out_.owned[first_owned], block_.owned);
-    for (const Index v : owned) {
-      number_[v] = {stamp_, block_.vertices++};
-    }
-    slots_.clear();
-    find_triangles(owned);
+    find_triangles();
     place(own_);
     block_.own_groups = groups();
     place(shared_);
     block_.groups = groups();
-    if (!neighbours_.empty()) {
+    if (!mesh_.neighbours.empty()) {
       find_neighbours();
     }
     block_.framed_groups = groups();
     write_corners();
-    out_.block.push_back(block_);
+    return std::move(block_);
   }
 
  private:
-  struct Number {
-    Index stamp = -1, value = 0;
-  };
-
   std::int64_t groups() const { return static_cast<std::int64_t>(slots_.size() / lanes); }
 
-  void find_triangles(std::span<const Index> owned) {
+  bool is_own(Index v) const {
+    const std::int64_t position = mesh_.position[v] - block_.first_owned;
+    return position >= 0 && position < block_.owned;
+  }
+
+  void find_triangles() {
     own_.clear();
     shared_.clear();
-    for (const Index v : owned) {
-      for (const Index t : topology_.stars[v]) {
-        if (kept_[t] && triangle_[t].stamp != stamp_) {
-          triangle_[t].stamp = stamp_;
-          const bool own =
-              number_[topology_.F(t, 0)].stamp == stamp_ && (counted_.empty() || counted_[t] != 0);
-          (own ? own_ : shared_).push_back(t);
+    for (Index i = 0; i < block_.owned; ++i) {
+      for (const Index t : mesh_.topology.stars[mesh_.owned[block_.first_owned + i]]) {
+        if (!mesh_.kept[t] || triangle_[t] >= 0) {
+          continue;
         }
+        triangle_[t] = 0;
+        const bool counts = mesh_.counted.empty() || mesh_.counted[t] != 0;
+        (counts && is_own(mesh_.topology.F(t, 0)) ? own_ : shared_).push_back(t);
       }
     }
   }
@@ -100,19 +141,19 @@ class Builder {
     for (std::size_t i = 0; i < triangles.size(); ++i) {
       const std::size_t slot = first + lanes * (i % count) + i / count;
       slots_[slot] = triangles[i];
-      triangle_[triangles[i]].value = static_cast<Index>(slot);
+      triangle_[triangles[i]] = static_cast<Index>(slot);
     }
   }
 
   void find_neighbours() {
     const std::size_t count = slots_.size();
-    out_.neighbours.resize(out_.neighbours.size() + 3 * count);
-    Index* neighbour = &out_.neighbours[block_.first_neighbour];
+    block_.neighbours.resize(3 * count);
     for (std::size_t slot = 0; slot < count; ++slot) {
       for (int i = 0; i < 3; ++i) {
         const Index t = slots_[slot];
-        const Index other = t == no_triangle ? no_triangle : neighbours_[3 * std::size_t(t) + i];
-        neighbour[place_of_corner(slot, i)] =
+        const Index other =
+            t == no_triangle ? no_triangle : mesh_.neighbours[3 * std::size_t(t) + i];
+        block_.neighbours[place_of_corner(slot, i)] =
             row_size * (other == no_triangle ? static_cast<Index>(slot) : slot_of(other));
       }
     }
@@ -122,64 +163,63 @@ class Builder {
   /// A neighbour that looks to the other side gets a slot of its own, turned over.
   Index slot_of(Index t) {
     const auto next = static_cast<Index>(slots_.size());
-    if (t >= 0 && triangle_[t].stamp == stamp_) {
-      return triangle_[t].value;
+    if (t < 0) {
+      slots_.push_back(t);
+      return next;
     }
-    slots_.push_back(t);
-    if (t >= 0) {
-      triangle_[t] = {stamp_, next};
+    Index& slot = triangle_[t];
+    if (slot < 0) {
+      slot = next;
+      slots_.push_back(t);
     }
-    return next;
+    return slot;
   }
 
   Index place_of_vertex(Index v) {
-    if (number_[v].stamp != stamp_) {
-      number_[v] = {stamp_, block_.vertices++};
-      out_.halo.push_back(position_[v]);
+    const Index position = mesh_.position[v];
+    if (is_own(v)) {
+      return vertex_size * (filler_vertices + static_cast<Index>(position - block_.first_owned));
     }
-    return vertex_size * number_[v].value;
+    Index& number = vertex_[v];
+    if (number < 0) {
+      number = filler_vertices + block_.owned + static_cast<Index>(block_.halo.size());
+      block_.halo.push_back(position);
+    }
+    return vertex_size * number;
   }
 
   void write_corners() {
-    out_.corners.resize(out_.corners.size() + 3 * slots_.size());
-    Index* corner = &out_.corners[block_.first_corner];
+    block_.corners.resize(3 * slots_.size());
     for (std::size_t slot = 0; slot < slots_.size(); ++slot) {
       std::array<Index, 3> x{0, vertex_size, 2 * vertex_size};
       if (const Index t = slots_[slot]; t != no_triangle) {
-        const auto corners = topology_.F.row(t >= 0 ? t : ~t);
+        const auto corners = mesh_.topology.F.row(t >= 0 ? t : ~t);
         x = {place_of_vertex(corners[0]), place_of_vertex(corners[1]), place_of_vertex(corners[2])};
         if (t < 0) {
           std::swap(x[1], x[2]);
         }
       }
       for (int i = 0; i < 3; ++i) {
-        corner[place_of_corner(slot, i)] = x[i];
+        block_.corners[place_of_corner(slot, i)] = x[i];
       }
     }
   }
 
-  const Topology& topology_;
-  const std::vector<std::uint8_t>& kept_;
-  const Neighbours& neighbours_;
-  const std::vector<std::uint8_t>& counted_;
-  MeshBlocks& out_;
-  std::vector<Index> position_;   // #V, in owned
-  std::vector<Number> number_;    // #V
-  std::vector<Number> triangle_;  // #F: slots
+  const WholeMesh& mesh_;
+  LocalNumbers vertex_;    // those it does not own
+  LocalNumbers triangle_;  // slots
   std::vector<Index> own_, shared_, slots_;
   MeshBlock block_;
-  Index stamp_ = -1;
 };
 
 /// Calls take(vertex of the block, its position in `owned`) for all of a block's vertices.
 template <class Take>
-void for_vertices_of(const MeshBlocks& blocks, const MeshBlock& b, BlockVertices& vertices,
-                     const Take& take) {
+void for_vertices_of(const MeshBlock& b, BlockVertices& vertices, const Take& take) {
   BlockVertex* to = &vertices[filler_vertices];
   for (Index i = 0; i < b.owned; ++i) {
     take(*to++, b.first_owned + i);
   }
-  for (const Index position : blocks.halo_of(b)) {
+  for (const Index position : b.halo) {
     take(*to++, position);
   }
 }
@@ -187,8 +227,9 @@ void for_vertices_of(const MeshBlocks& blocks, const MeshBlock& b, BlockVertices
 }  // namespace
 
 void MeshBlocks::load(const MeshBlock& b, const Points& X, BlockVertices& vertices) const {
-  if (vertices.size() < static_cast<std::size_t>(b.vertices)) {
-    vertices.resize(static_cast<std::size_t>(b.vertices));
+  const std::size_t count = static_cast<std::size_t>(filler_vertices + b.owned) + b.halo.size();
+  if (vertices.size() < count) {
+    vertices.resize(count);
   }
   vertices[0].x = {0, 0, 0, 0};
   vertices[1].x = {1, 0, 0, 0};
@@ -202,21 +243,19 @@ void MeshBlocks::load(const MeshBlock& b, const Points& X, BlockVertices& vertic
   for (const Index v : owned_of(b)) {
     load_one(v);
   }
-  for (const Index position : halo_of(b)) {
+  for (const Index position : b.halo) {
     load_one(owned[position]);
   }
 }
 
 void MeshBlocks::load(const MeshBlock& b, const std::vector<BlockRow>& y,
                       BlockVertices& vertices) const {
-  for_vertices_of(*this, b, vertices,
-                  [&](BlockVertex& vertex, std::int64_t at) { vertex.y = y[at]; });
+  for_vertices_of(b, vertices, [&](BlockVertex& vertex, std::int64_t at) { vertex.y = y[at]; });
 }
 
 void MeshBlocks::load(const MeshBlock& b, const std::vector<double>& w,
                       BlockVertices& vertices) const {
-  for_vertices_of(*this, b, vertices,
-                  [&](BlockVertex& vertex, std::int64_t at) { vertex.x.w = w[at]; });
+  for_vertices_of(b, vertices, [&](BlockVertex& vertex, std::int64_t at) { vertex.x.w = w[at]; });
 }
 
 void MeshBlocks::store(const MeshBlock& b, const BlockVertices& vertices, Points& G) const {
@@ -238,15 +277,24 @@ MeshBlocks mesh_blocks(const Topology& topology, const std::vector<std::uint8_t>
   MeshBlocks blocks;
   Rows vertices = vertex_blocks(topology, kept);
   blocks.owned = std::move(vertices.value);
-  Builder builder(topology, kept, neighbours, counted, blocks);
-  const auto triangles = static_cast<std::size_t>(std::count(kept.begin(), kept.end(), 1));
-  blocks.corners.reserve(3 * triangles + triangles / 2);
-  blocks.neighbours.reserve(neighbours.empty() ? 0 : blocks.corners.capacity());
-  for (std::size_t b = 0; b + 1 < vertices.first.size(); ++b) {
-    builder.add(vertices.first[b], vertices.first[b + 1]);
-  }
-  blocks.corners.shrink_to_fit();
-  blocks.neighbours.shrink_to_fit();
+  WholeMesh mesh{topology, kept, neighbours, counted, blocks.owned, {}};
+  mesh.position.resize(static_cast<std::size_t>(topology.vertex_count), -1);
+  parallel_for(static_cast<std::int64_t>(blocks.owned.size()),
+               [&](std::int64_t i) { mesh.position[blocks.owned[i]] = static_cast<Index>(i); });
+  blocks.untouched =
+      indices_where(topology.vertex_count, [&](Index v) { return mesh.position[v] < 0; });
+  const auto count = static_cast<std::int64_t>(vertices.size());
+  blocks.block.resize(static_cast<std::size_t>(count));
+  constexpr std::int64_t blocks_per_task = 4;
+  const auto build_some = [&](std::int64_t task) {
+    Builder builder(mesh);
+    const std::int64_t first = task * blocks_per_task;
+    for (std::int64_t b = first; b < std::min(count, first + blocks_per_task); ++b) {
+      blocks.block[b] = builder.build(vertices.first[b], vertices.first[b + 1]);
+    }
+  };
+  run_tasks((count + blocks_per_task - 1) / blocks_per_task, blocks.are_worth_sharing(),
+            build_some);
   return blocks;
 }
 

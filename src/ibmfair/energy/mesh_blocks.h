@@ -10,6 +10,7 @@
 #include <span>
 #include <vector>
 
+#include "ibmfair/base/parallel.h"
 #include "ibmfair/base/types.h"
 #include "ibmfair/mesh/topology.h"
 
@@ -39,15 +40,15 @@ inline constexpr Index filler_vertices = 3;
 /// One block. Its vertices are the filler's, then those it owns, then the other corners of its
 /// triangles. Triangles are numbered as they stand in the groups.
 struct MeshBlock {
-  std::int64_t first_owned = 0;      ///< in MeshBlocks::owned
-  Index owned = 0;                   ///< vertices
-  Index vertices = 0;                ///< all, with the filler's
-  std::int64_t first_halo = 0;       ///< in MeshBlocks::halo
-  std::int64_t first_corner = 0;     ///< in MeshBlocks::corners
-  std::int64_t first_neighbour = 0;  ///< in MeshBlocks::neighbours
-  std::int64_t own_groups = 0;       ///< of triangles: each that counts is in these of one block
-  std::int64_t groups = 0;           ///< and of all others at its own vertices
-  std::int64_t framed_groups = 0;    ///< and of the neighbours of both
+  std::int64_t first_owned = 0;    ///< in MeshBlocks::owned
+  Index owned = 0;                 ///< vertices
+  std::vector<Index> halo;         ///< the others, as positions in MeshBlocks::owned
+  std::vector<Index> corners;      ///< 3 x 8 for each group: `vertex_size` times the vertex
+  std::vector<Index> neighbours;   ///< 3 x 8 for each group at its own vertices: `row_size` times
+                                   ///< the triangle, itself where it has no neighbour
+  std::int64_t own_groups = 0;     ///< of triangles: each that counts is in these of one block
+  std::int64_t groups = 0;         ///< and of all others at its own vertices
+  std::int64_t framed_groups = 0;  ///< and of the neighbours of both
 };
 
 /// Triangles in a group: those that a kernel takes at a time, or twice as many.
@@ -59,21 +60,17 @@ inline constexpr Index vertex_size = sizeof(BlockVertex) / sizeof(double);
 
 struct MeshBlocks {
   std::vector<MeshBlock> block;
-  std::vector<Index> owned;       ///< the vertices of all blocks, as the mesh numbers them
-  std::vector<Index> halo;        ///< positions in `owned`
-  std::vector<Index> corners;     ///< 3 x 8 for each group: `vertex_size` times the vertex
-  std::vector<Index> neighbours;  ///< 3 x 8 for each group at the block's own vertices: `row_size`
-                                  ///< times the triangle, itself where it has no neighbour
-  std::vector<Index> untouched;   ///< the vertices that have no triangle
+  std::vector<Index> owned;      ///< the vertices of all blocks, as the mesh numbers them
+  std::vector<Index> untouched;  ///< the vertices that have no triangle
 
   /// A block's own vertices, as the mesh numbers them.
   std::span<const Index> owned_of(const MeshBlock& b) const {
     return {owned.data() + b.first_owned, static_cast<std::size_t>(b.owned)};
   }
-  /// The other corners of its triangles, as positions in `owned`.
-  std::span<const Index> halo_of(const MeshBlock& b) const {
-    return {halo.data() + b.first_halo,
-            static_cast<std::size_t>(b.vertices - filler_vertices - b.owned)};
+
+  /// Whether a loop over the blocks pays on all threads. Triangles are twice as many.
+  bool are_worth_sharing() const {
+    return 2 * static_cast<std::int64_t>(owned.size()) >= worth_sharing;
   }
 
   /// The positions of a block's vertices, x out of X (#V x 3), and sums of zero. The list may grow,

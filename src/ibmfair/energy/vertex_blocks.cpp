@@ -2,6 +2,9 @@
 
 #include <algorithm>
 
+#include "ibmfair/base/parallel.h"
+#include "ibmfair/mesh/select.h"
+
 namespace ibmfair {
 namespace {
 
@@ -14,20 +17,10 @@ constexpr std::size_t block_size = 2048;
 constexpr double acceptable_repetition = 1.2;
 
 std::vector<Index> corners_of(const Topology& topology, const std::vector<std::uint8_t>& kept) {
-  std::vector<std::uint8_t> is_corner(static_cast<std::size_t>(topology.vertex_count), 0);
-  for (Index t = 0; t < topology.F.rows(); ++t) {
-    if (kept[t]) {
-      is_corner[topology.F(t, 0)] = is_corner[topology.F(t, 1)] = is_corner[topology.F(t, 2)] = 1;
-    }
-  }
-  std::vector<Index> corners;
-  corners.reserve(static_cast<std::size_t>(topology.vertex_count));
-  for (Index v = 0; v < topology.vertex_count; ++v) {
-    if (is_corner[v]) {
-      corners.push_back(v);
-    }
-  }
-  return corners;
+  return indices_where(topology.vertex_count, [&](Index v) {
+    const auto star = topology.stars[v];
+    return std::any_of(star.begin(), star.end(), [&](Index t) { return kept[t] != 0; });
+  });
 }
 
 /// Cuts the list into runs of nearly equal length.
@@ -50,16 +43,17 @@ double repetition(const Topology& topology, const std::vector<std::uint8_t>& kep
       block_of[v] = b;
     }
   }
-  std::int64_t triangles = 0, places = 0;
-  for (Index t = 0; t < topology.F.rows(); ++t) {
-    if (kept[t]) {
-      const Index a = block_of[topology.F(t, 0)], b = block_of[topology.F(t, 1)],
-                  c = block_of[topology.F(t, 2)];
-      ++triangles;
-      places += 1 + (b != a) + (c != a && c != b);
+  const Eigen::Array2d zero = Eigen::Array2d::Zero();
+  const auto count = [&](std::int64_t t) -> Eigen::Array2d {
+    if (!kept[t]) {
+      return zero;
     }
-  }
-  return static_cast<double>(places) / static_cast<double>(std::max<std::int64_t>(triangles, 1));
+    const Index a = block_of[topology.F(t, 0)], b = block_of[topology.F(t, 1)],
+                c = block_of[topology.F(t, 2)];
+    return {1, 1 + (b != a) + (c != a && c != b)};
+  };
+  const Eigen::Array2d triangles_and_places = parallel_sum(topology.F.rows(), zero, count);
+  return triangles_and_places[1] / std::max(triangles_and_places[0], 1.0);
 }
 
 /// Each block grows from where an earlier one stopped, so that no gaps are left between them.
