@@ -70,6 +70,14 @@ struct Example {
   std::unique_ptr<JacobianRows> rows;
 };
 
+/// How its rows multiply three random columns.
+Points multiply_by_rows(const Example& example) {
+  Quads p = Quads::Zero(4, example.J.size()), q(4, p.cols());
+  p.topRows(3) = random_directions(p.cols()).transpose().cast<float>();
+  example.rows->apply(p, q);
+  return example.rows->unit() * q.topRows(3).cast<double>().transpose().matrix();
+}
+
 template <class Check>
 void for_every_example(const Check& check) {
   for (const BendingModel& model : bending_models()) {
@@ -77,7 +85,8 @@ void for_every_example(const Check& check) {
       for (const auto& [name, mesh] : placed(all_meshes(), placement)) {
         for (const bool hold : {false, true}) {
           SCOPED_TRACE(std::string(model.name) + ", " + name + (hold ? ", some held" : ""));
-          check(Example(State(mesh), model.name, hold));
+          Example example(State(mesh), model.name, hold);
+          check(example);
         }
       }
     }
@@ -108,6 +117,24 @@ TEST(JacobianRows, SeeNothingButTheMetricInConstants) {
     example.rows->apply(p, q);
     for (Index u = 0; u < p.cols(); ++u) {
       EXPECT_EQ(q(0, u), static_cast<float>(example.D[u] / example.rows->unit()));
+    }
+  });
+}
+
+TEST(JacobianRows, MayHaveManyColumns) {
+  for (const bool hold : {false, true}) {
+    const Example example(State(barrel(300)), "crouzeix-raviart", hold);
+    const Points exact = multiply(example.J, random_directions(example.J.size()));
+    EXPECT_LE((multiply_by_rows(example) - exact).norm(), 1e-5 * exact.norm());
+  }
+}
+
+TEST(JacobianRows, KnowNoScale) {
+  for_every_example([](Example& example) {
+    const Points before = multiply_by_rows(example);
+    for (const double scale : {std::exp2(200), std::exp2(-200)}) {
+      example.rows->update(example.weights, scale * example.D, scale * example.h);
+      EXPECT_EQ(multiply_by_rows(example), scale * before);
     }
   });
 }

@@ -65,7 +65,7 @@ TEST(SharpHinges, LeaveTheHessianPositiveAndPullLessOnIt) {
   plain->linearise(cube.X, all);
   sharp->linearise(cube.X, bounded);
   int gentle = 0, held = 0;
-  for (std::size_t h = 0; h < all.w.size(); ++h) {
+  for (Eigen::Index h = 0; h < all.w.size(); ++h) {
     EXPECT_GT(bounded.w[h], 0);
     gentle += bounded.w[h] > 0.999 * all.w[h] ? 1 : 0;
     held += bounded.w[h] < 0.02 * all.w[h] ? 1 : 0;  // right angles

@@ -311,6 +311,25 @@ Mesh flat_sheet(Index columns, Index rows) {
                    [](double u, double v) { return Vec3(u, v, 0.0); });
 }
 
+Mesh barrel(Index around) {
+  Mesh mesh;
+  mesh.X.resize(2 * around + 2, 3);
+  const Index north = 2 * around, south = north + 1;
+  mesh.X.row(north) = Vec3(0, 0, 2);
+  mesh.X.row(south) = Vec3(0, 0, -2);
+  for (Index i = 0; i < around; ++i) {
+    const double angle = two_pi * i / around;
+    mesh.X.row(i) = Vec3(std::cos(angle), std::sin(angle), 1);
+    mesh.X.row(around + i) = Vec3(std::cos(angle), std::sin(angle), -1);
+    const Index next = (i + 1) % around;
+    mesh.faces.add(std::array{north, i, next});
+    mesh.faces.add(std::array{i, around + i, next});
+    mesh.faces.add(std::array{next, around + i, around + next});
+    mesh.faces.add(std::array{south, around + next, around + i});
+  }
+  return mesh;
+}
+
 Mesh with_mixed_orientation(const Mesh& mesh, unsigned seed) {
   std::mt19937 random(seed);
   Mesh result;

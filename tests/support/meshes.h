@@ -50,6 +50,9 @@ std::vector<NamedMesh> at_all_scales(const std::vector<NamedMesh>& meshes);
 /// A sheet of columns x rows quadrilaterals over the unit square, each cut in two, without bumps.
 Mesh flat_sheet(Index columns, Index rows);
 
+/// Two poles with `around` triangles each, and two rings of as many vertices between them.
+Mesh barrel(Index around);
+
 /// The mesh with face orientations turned at random (fixed by `seed`): nothing that does not speak
 /// of orientation may change.
 Mesh with_mixed_orientation(const Mesh& mesh, unsigned seed = 1);

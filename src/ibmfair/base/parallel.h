@@ -51,28 +51,33 @@ void parallel_for(std::int64_t count, Body&& body) {
 }
 
 /// Calls task(first, last, scratch) on parts of 0 .. count - 1 of `part_size` each, in parallel;
-/// scratch is a vector of `scratch_size` entries, zeros or what earlier tasks of the same thread
-/// have left.
+/// scratch is a vector of at least `scratch_size` entries, zeros or what earlier tasks of the same
+/// thread have left.
 template <class Entry, class Task>
 void parallel_parts(std::int64_t count, std::int64_t part_size, std::size_t scratch_size,
                     const Task& task) {
+  constexpr std::size_t cache_line = 64;  // between what two threads write, or each slows the other
+  const std::size_t size = scratch_size + cache_line / sizeof(Entry);
   std::vector<std::vector<Entry>> scratch(worker_count());
   run_tasks((count + part_size - 1) / part_size, count >= worth_sharing, [&](std::int64_t part) {
     auto& own = scratch[worker_index()];
-    own.resize(scratch_size, 0);
+    own.resize(size, 0);
     task(part * part_size, std::min(count, (part + 1) * part_size), own);
   });
 }
+
+/// The size of the blocks of a sum, the last one excepted.
+inline constexpr std::int64_t sum_block = 1024;
 
 /// `zero` plus the sum of body(first, last) over blocks of 0 .. count - 1. These are of fixed size,
 /// and added in order, so that the rounding, too, is the same for any number of threads.
 template <class Value, class Body>
 Value parallel_block_sum(std::int64_t count, const Value& zero, Body&& body) {
-  constexpr std::int64_t block = 1024;
-  const std::int64_t blocks = (count + block - 1) / block;
+  const std::int64_t blocks = (count + sum_block - 1) / sum_block;
   std::vector<Value> partial(static_cast<std::size_t>(blocks), zero);
   run_tasks(blocks, count >= worth_sharing, [&](std::int64_t b) {
-    partial[static_cast<std::size_t>(b)] = body(b * block, std::min(count, (b + 1) * block));
+    partial[static_cast<std::size_t>(b)] =
+        body(b * sum_block, std::min(count, (b + 1) * sum_block));
   });
   Value sum = zero;
   for (const Value& part : partial) {

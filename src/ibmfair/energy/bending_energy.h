@@ -29,9 +29,8 @@ struct LaplacianMatrices;
 
 /// The coefficients of all stencils at one state of the mesh.
 struct StencilWeights {
-  std::vector<double>
-      c;  ///< laid out as `stencils().value`; the coefficients of a stencil sum to 0
-  std::vector<double> w;  ///< one per stencil, positive
+  Eigen::VectorXd c;  ///< laid out as `stencils().value`; the coefficients of a stencil sum to 0
+  Eigen::VectorXd w;  ///< one per stencil, positive
 };
 
 /// How a member of the family is bound to a mesh.

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <type_traits>
 #include <vector>
 
 #include "ibmfair/base/rows.h"
@@ -14,52 +15,79 @@ namespace ibmfair {
 class StencilTerms {
  public:
   /// Refers to the stencils, which are of `vertex_count` vertices.
-  StencilTerms(const Rows& stencils, Index vertex_count)
-      : stencils_(stencils),
-        places_(positions_by_value(stencils.value, vertex_count)),
-        stencil_of_place_(row_of_position(stencils)) {}
+  StencilTerms(const Rows& stencils, Index vertex_count);
 
   Index vertex_count() const { return places_.size(); }
 
   /// Of all stencils together: a vertex counts in each.
-  std::size_t vertices_in_stencils() const { return stencil_of_place_.size(); }
+  std::size_t vertices_in_stencils() const { return stencils_.value.size(); }
+
+  /// How often for_vertices(v) calls.
+  std::size_t terms_at(Index v) const {
+    std::int64_t count = 0;
+    for_stencils(v, [&](Index /*place*/, Index /*s*/, std::int64_t /*first*/, auto width) {
+      count += width;
+    });
+    return static_cast<std::size_t>(count);
+  }
 
   /// Calls take(w) for every vertex w of every stencil at vertex v, v among them: S_vw may be other
   /// than zero. A vertex comes as often as it shares a stencil with v.
   template <class Take>
   void for_vertices(Index v, const Take& take) const {
-    for (const Index place : places_[v]) {
-      for (const Index w : stencils_[stencil_of_place_[place]]) {
-        take(w);
+    for_stencils(v, [&](Index /*place*/, Index /*s*/, std::int64_t first, auto width) {
+      for (std::int64_t k = first; k < first + width; ++k) {
+        take(stencils_.value[k]);
       }
-    }
+    });
   }
 
-  /// The same with the terms whose sums are the entries of the row: take(w, w_s c_sv c_sw).
+  /// The same in the same order, with the terms whose sums are the entries of the row: take(w,
+  /// w_s c_sv c_sw).
   template <class Take>
   void for_terms(Index v, const StencilWeights& weights, const Take& take) const {
-    for (const Index place : places_[v]) {
-      const Index s = stencil_of_place_[place];
+    for_stencils(v, [&](Index place, Index s, std::int64_t first, auto width) {
       const double factor = weights.w[s] * weights.c[place];
-      for (std::int64_t k = stencils_.first[s]; k < stencils_.first[s + 1]; ++k) {
+      for (std::int64_t k = first; k < first + width; ++k) {
         take(stencils_.value[k], factor * weights.c[k]);
       }
-    }
+    });
   }
 
   /// S_vv.
   double diagonal(Index v, const StencilWeights& weights) const {
     double sum = 0;
-    for (const Index place : places_[v]) {
-      sum += weights.w[stencil_of_place_[place]] * weights.c[place] * weights.c[place];
-    }
+    for_stencils(v, [&](Index place, Index s, std::int64_t /*first*/, auto /*width*/) {
+      sum += weights.w[s] * weights.c[place] * weights.c[place];
+    });
     return sum;
   }
 
  private:
+  static constexpr Index hinge_width = 4;
+
+  /// Calls visit(place, s, first, width) for each stencil s at v, whose vertices, `width` of them,
+  /// stand from `first` on, v at `place`.
+  template <class Visit>
+  void for_stencils(Index v, const Visit& visit) const {
+    if (all_are_hinges_) {
+      for (const Index place : places_[v]) {
+        const Index s = place / hinge_width;
+        visit(place, s, std::int64_t{hinge_width} * s,
+              std::integral_constant<std::int64_t, hinge_width>{});
+      }
+      return;
+    }
+    for (const Index place : places_[v]) {
+      const Index s = stencil_of_place_[place];
+      visit(place, s, stencils_.first[s], stencils_.first[s + 1] - stencils_.first[s]);
+    }
+  }
+
   const Rows& stencils_;
   Rows places_;                          // of each vertex, positions in stencils_.value
-  std::vector<Index> stencil_of_place_;  // as stencils_.value
+  bool all_are_hinges_;                  // four vertices each, for which nothing is looked up
+  std::vector<Index> stencil_of_place_;  // as stencils_.value; empty for hinges
 };
 
 }  // namespace ibmfair

@@ -121,8 +121,8 @@ PerVertex VertexEnergy::energy_by_vertex(const Points& X) {
 }
 
 void VertexEnergy::linearise(const Points& X, StencilWeights& weights) {
-  weights.c.assign(stencils_.value.size(), 0);
-  weights.w.resize(nodes_.size());
+  weights.c.setZero(static_cast<Eigen::Index>(stencils_.value.size()));
+  weights.w.resize(static_cast<Eigen::Index>(nodes_.size()));
   triangles_.measure(X);
   parallel_for(stencils_.size(), [&](std::int64_t s) {
     const auto star = stencils_[static_cast<Index>(s)];

@@ -9,7 +9,7 @@
 #include <functional>
 #include <vector>
 
-#include "ibmfair/energy/hessian.h"
+#include "ibmfair/energy/unknowns.h"
 #include "ibmfair/flow/flow_options.h"
 #include "ibmfair/mesh/topology.h"
 

@@ -1,7 +1,7 @@
 // How far a step takes the mesh from where the Jacobian was built.
 #pragma once
 
-#include "ibmfair/energy/hessian.h"
+#include "ibmfair/energy/unknowns.h"
 #include "ibmfair/flow/mesh_parts.h"
 #include "ibmfair/mesh/topology.h"
 

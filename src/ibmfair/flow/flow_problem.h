@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "ibmfair/energy/bending_energy.h"
-#include "ibmfair/energy/hessian.h"
+#include "ibmfair/energy/unknowns.h"
 #include "ibmfair/flow/conserved_quantities.h"
 #include "ibmfair/flow/flow_options.h"
 #include "ibmfair/flow/jacobian.h"

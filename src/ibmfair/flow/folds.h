@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "ibmfair/energy/hessian.h"
+#include "ibmfair/energy/unknowns.h"
 #include "ibmfair/mesh/topology.h"
 
 namespace ibmfair {

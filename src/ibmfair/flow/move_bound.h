@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <limits>
 
-#include "ibmfair/energy/hessian.h"
+#include "ibmfair/energy/unknowns.h"
 
 namespace ibmfair {
 

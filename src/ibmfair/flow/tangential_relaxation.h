@@ -7,7 +7,7 @@
 
 #include <vector>
 
-#include "ibmfair/energy/hessian.h"
+#include "ibmfair/energy/unknowns.h"
 #include "ibmfair/flow/mesh_parts.h"
 #include "ibmfair/mesh/topology.h"
 

@@ -1,7 +1,7 @@
 // Normals of the vertices that move.
 #pragma once
 
-#include "ibmfair/energy/hessian.h"
+#include "ibmfair/energy/unknowns.h"
 #include "ibmfair/mesh/topology.h"
 
 namespace ibmfair {

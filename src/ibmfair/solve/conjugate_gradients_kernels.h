@@ -8,13 +8,12 @@
 
 namespace ibmfair {
 
-/// The rows of a matrix as differences: (J x)_u = a_u x_u + sum_k b_k (x_column[k] - x_u), k from
-/// first[u] to first[u + 1], which are an even number of entries.
+/// Rows of a matrix as differences: (J x)_u = b_f x_u + sum_k b_k (x_column[k] - x_u) for the i-th
+/// of them, where f is first[i], and k the numbers behind it below first[i + 1], even in number.
 struct DifferenceRows {
   const std::int64_t* first;
   const Index* column;
   const float* b;
-  const float* a;
 };
 
 /// Unknowns begin .. end - 1.
@@ -22,7 +21,7 @@ struct UnknownRange {
   std::int64_t begin, end;
 };
 
-/// q = J p. Returns <p, q>.
+/// q = J p, where J has the rows of the range. Returns <p, q>.
 double multiply_rows(const DifferenceRows& J, const float* p, float* q, UnknownRange range);
 
 /// r -= alpha q. Returns <r, N r>, N being one number for each unknown.

@@ -1,66 +1,21 @@
-// Vectors for substitution, 32 bytes at a time, and the ways between the two forms of what stands
-// beside a front: rows of four numbers, as they are handed from front to front (three coordinates,
-// and one number that is idle), and packs of rows, one coordinate after the other, as kernels take
-// them. For .cpp files of kernels only, as base/lanes.h.
+// The ways between the two forms of what stands beside a front: rows of four numbers, as they are
+// handed from front to front, and packs of rows, one coordinate after the other, one number of each
+// row, as the kernels of substitution take them. For .cpp files of kernels only, as base/lanes.h.
 #pragma once
 
 #include <cstddef>
-#include <cstring>
 
-#include "ibmfair/base/simd.h"
 #include "ibmfair/base/types.h"
 #include "ibmfair/solve/front_kernels.h"
-
-// No vector is passed between functions: all are part of kernels.
-#pragma GCC diagnostic ignored "-Wpsabi"
+#include "ibmfair/solve/row_vectors.h"
 
 namespace ibmfair {
 
-template <class Real>
-struct VectorsOf;
-template <>
-struct VectorsOf<float> {
-  using Row4 __attribute__((vector_size(16))) = float;
-  using Pack __attribute__((vector_size(32))) = float;
-};
-template <>
-struct VectorsOf<double> {
-  using Row4 __attribute__((vector_size(32))) = double;
-  using Pack = Row4;
-};
-
-/// A row of four numbers.
-template <class Real>
-using Row4 = typename VectorsOf<Real>::Row4;
-/// One number for each row of a pack.
-template <class Real>
-using Pack = typename VectorsOf<Real>::Pack;
 /// The three coordinates of a pack of rows.
 template <class Real>
 struct Pack3 {
   Pack<Real> c[3];
 };
-
-template <class Vector, class Real>
-IBMFAIR_INLINE Vector load(const Real* numbers) {
-  Vector vector;
-  std::memcpy(&vector, numbers, sizeof vector);
-  return vector;
-}
-template <class Vector, class Real>
-IBMFAIR_INLINE void store(Real* numbers, const Vector& vector) {
-  std::memcpy(numbers, &vector, sizeof vector);
-}
-
-IBMFAIR_INLINE Pack<float> both_halves(const Row4<float>& low, const Row4<float>& high) {
-  return __builtin_shufflevector(low, high, 0, 1, 2, 3, 4, 5, 6, 7);
-}
-IBMFAIR_INLINE Row4<float> low_half(const Pack<float>& a) {
-  return __builtin_shufflevector(a, a, 0, 1, 2, 3);
-}
-IBMFAIR_INLINE Row4<float> high_half(const Pack<float>& a) {
-  return __builtin_shufflevector(a, a, 4, 5, 6, 7);
-}
 
 /// The first numbers of a and of b in turns, within each half of the packs; the second ones.
 IBMFAIR_INLINE Pack<float> zip_low(const Pack<float>& a, const Pack<float>& b) {

@@ -5,8 +5,9 @@
 #include <vector>
 
 #include "ibmfair/energy/bending_energy.h"
-#include "ibmfair/energy/hessian.h"
+#include "ibmfair/energy/row_sums.h"
 #include "ibmfair/energy/stencil_terms.h"
+#include "ibmfair/energy/unknowns.h"
 
 namespace ibmfair {
 
@@ -14,9 +15,9 @@ namespace ibmfair {
 /// column is one vector register.
 using Quads = Eigen::Array<float, 4, Eigen::Dynamic>;
 
-/// J restricted to the unknowns and divided by `unit`, the geometric mean of the smallest and the
-/// largest entry of its diagonal, so that float32 holds both; symmetric positive definite. Rows are
-/// kept as differences,
+/// J restricted to the unknowns and divided by `unit`, a power of two not too far from the entries
+/// of its diagonal, so that float32 holds them; symmetric positive definite. Rows are kept as
+/// differences,
 ///
 ///   (J x)_u = a_u x_u + sum_v b_uv (x_v - x_u)
 ///
@@ -24,16 +25,16 @@ using Quads = Eigen::Array<float, 4, Eigen::Dynamic>;
 /// is D_u, plus what the stencil's held vertices have taken with them.
 class JacobianRows {
  public:
-  /// Refers to the terms and the unknowns.
+  /// Refers to the terms.
   JacobianRows(const StencilTerms& terms, const Unknowns& unknowns);
 
   /// D: one positive entry per unknown; h > 0. Throws FactorizationFailed where an entry of the
   /// diagonal is not a positive number.
   void update(const StencilWeights& weights, const Eigen::VectorXd& D, double h);
 
-  Index size() const { return unknowns_.size(); }
+  Index size() const { return static_cast<Index>(sums_.size()); }
   /// Off the diagonal, a few zeros among them.
-  std::int64_t entries() const { return columns_.first.back(); }
+  std::int64_t entries() const;
 
   double unit() const { return unit_; }
 
@@ -45,20 +46,13 @@ class JacobianRows {
   double apply(const Quads& p, Quads& q) const;
 
  private:
-  void find_columns();
-  void update_diagonal(const StencilWeights& weights, const Eigen::VectorXd& D, double h);
-  double take_held(Index own, std::vector<double>& sum) const;
+  void fill(const StencilWeights& weights, const Eigen::VectorXd& D, double h);
 
-  const StencilTerms& terms_;
-  const Unknowns& unknowns_;
-  /// Of each unknown the others that share a stencil with it, and itself where they are odd in
-  /// number.
-  Rows columns_;
-  std::vector<std::uint8_t> beside_held_;  // whether held vertices share one with it
-  std::vector<float> b_;                   // as columns_.value
-  Eigen::VectorXf a_;
+  RowSums sums_;
+  std::vector<Eigen::VectorXf> b_;  // as the columns of its blocks; a_u in the place of b_uu
+  Eigen::VectorXd diagonal_;
   Eigen::VectorXf inverse_diagonal_;
-  double unit_ = 1;
+  double unit_ = 1;  // as long as it does, so that the rows are summed up once
 };
 
 }  // namespace ibmfair

@@ -1,0 +1,92 @@
+// The rows of S = sum_s w_s c_s c_s^T ([W07] section 2.3) that belong to the unknowns, summed up
+// again and again while the weights change: where each term of a row is added to is found once.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "ibmfair/base/parallel.h"
+#include "ibmfair/energy/stencil_terms.h"
+#include "ibmfair/energy/unknowns.h"
+
+namespace ibmfair {
+
+/// The columns of some rows that follow each other: of row i of the block those from first[i] to
+/// first[i + 1].
+struct RowBlock {
+  std::vector<std::int64_t> first{0};
+  std::vector<Index> column;
+};
+
+class RowSums {
+ public:
+  /// Which of the other unknowns in its stencils a row lists: the later ones, in increasing order,
+  /// or all. In pairs: where they are odd in number its own unknown once more, its entry zero.
+  enum class Others : std::uint8_t { later, all_in_pairs };
+
+  /// Refers to the terms.
+  RowSums(const StencilTerms& terms, const Unknowns& unknowns, Others others);
+
+  std::int64_t size() const { return static_cast<std::int64_t>(vertex_.size()); }
+
+  /// Rows in a block; only the last one may have fewer. No range of parallel_block_sum is in two.
+  static constexpr std::int64_t block_size = 4 * sum_block;
+
+  /// The columns of all rows, those of unknown u in block u / block_size: u itself and then the
+  /// others.
+  const std::vector<RowBlock>& blocks() const { return blocks_; }
+
+  /// Calls take(u, entries, rest) for every unknown u, on all threads: entries[k] is S_uv for the
+  /// k-th column v of its row, `rest` the sum of S_uv over the v that the row does not list.
+  template <class Take>
+  void for_rows(const StencilWeights& weights, const Take& take) const {
+    const auto sum_up = [&](std::int64_t begin, std::int64_t end, std::vector<double>& sum) {
+      const std::vector<std::int64_t>& first = blocks_[begin / block_size].first;
+      const Places& places = places_[begin / block_size];
+      const std::uint8_t* narrow = places.narrow.data();
+      const Index* wide = places.wide.data();
+      for (std::int64_t u = begin; u < end; ++u) {
+        const std::int64_t width = first[u - begin + 1] - first[u - begin];
+        std::fill_n(sum.begin(), width + 1, 0.0);
+        if (width <= widest_narrow) {
+          narrow = add_terms(u, weights, narrow, sum.data());
+        } else {
+          wide = add_terms(u, weights, wide, sum.data());
+        }
+        take(static_cast<Index>(u),
+             std::span<const double>(&sum[1], static_cast<std::size_t>(width)), sum[0]);
+      }
+    };
+    parallel_parts<double>(size(), block_size, widest_ + 1, sum_up);
+  }
+
+ private:
+  static constexpr std::int64_t widest_narrow = 255;
+
+  /// Of all terms of the rows of a block, in order: 0 for what the row does not list, k + 1 for its
+  /// k-th column. Only rows with many columns need more than a byte.
+  struct Places {
+    std::vector<std::uint8_t> narrow;
+    std::vector<Index> wide;
+  };
+
+  void find_row(const Unknowns& unknowns, Index u, Others others, std::vector<Index>& place_of,
+                std::vector<Index>& columns, Places& places) const;
+
+  template <class Place>
+  const Place* add_terms(std::int64_t u, const StencilWeights& weights, const Place* place,
+                         double* sum) const {
+    terms_.for_terms(vertex_[u], weights, [&](Index /*w*/, double term) { sum[*place++] += term; });
+    return place;
+  }
+
+  const StencilTerms& terms_;
+  std::vector<Index> vertex_;  // of each unknown
+  std::vector<RowBlock> blocks_;
+  std::vector<Places> places_;  // one a block
+  std::size_t widest_ = 0;
+};
+
+}  // namespace ibmfair
