@@ -43,7 +43,7 @@ FlowProblem::FlowProblem(const Points& X_start, const Topology& mesh_topology,
       conserved_(X, topology, unknowns, options),
       bending_(bind_energy(topology, options, held, parts)),
       jacobian_(std::make_unique<Jacobian>(*bending_, topology, unknowns, options, parts, report)) {
-  energy_ = energy_at(X);
+  update_gradient();
   if (!std::isfinite(energy_)) {
     throw BadMesh("the bending energy of the mesh is not finite: coordinates are too large");
   }

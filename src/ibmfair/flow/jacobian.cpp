@@ -1,9 +1,11 @@
 #include "ibmfair/flow/jacobian.h"
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 
 #include "ibmfair/base/errors.h"
+#include "ibmfair/base/parallel.h"
 #include "ibmfair/base/stopwatch.h"
 #include "ibmfair/energy/mass_matrices.h"
 #include "ibmfair/mesh/geometry.h"
@@ -29,20 +31,21 @@ Jacobian::Jacobian(BendingEnergy& energy, const Topology& topology, const Unknow
       damping_(D_) {}
 
 void Jacobian::update_metric(const Points& X) {
-  if (options_.counts_valence()) {
-    for (Index u = 0; u < unknowns_.size(); ++u) {
-      const std::size_t count = topology_.stars[unknowns_.vertex[u]].size();
-      D_[u] = static_cast<double>(std::max<std::size_t>(1, count)) / regular_valence;
+  const bool by_valence = options_.counts_valence();
+  const bool by_mass = !by_valence && options_.metric == Metric::mass;
+  const PerVertex mass = by_mass ? lumped_vertex_mass(X, topology_) : PerVertex();
+  parallel_for(unknowns_.size(), [&](std::int64_t u) {
+    const Index v = unknowns_.vertex[u];
+    double D = by_mass ? mass[v] : 1;
+    if (by_valence) {
+      D = static_cast<double>(std::max<std::size_t>(1, topology_.stars[v].size())) /
+          regular_valence;
     }
-  } else if (options_.metric == Metric::mass) {
-    D_ = lumped_vertex_mass(X, topology_)(unknowns_.vertex);
-  } else {
-    D_.setOnes(unknowns_.size());
-  }
-  if (options_.cutoff_factor.size() > 0) {
-    D_ = D_.array() / options_.cutoff_factor(unknowns_.vertex).array().pow(4);
-  }
-  D_ = D_.cwiseProduct(damping_);
+    if (options_.cutoff_factor.size() > 0) {
+      D /= std::pow(options_.cutoff_factor[v], 4);
+    }
+    D_[u] = D * damping_[u];
+  });
 }
 
 JacobianParts Jacobian::linearise(const Points& X, double h) {
