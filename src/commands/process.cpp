@@ -9,6 +9,7 @@
 #include <unistd.h>
 
 #include "commands/signals.h"
+#include "ibmfair/base/process_memory.h"
 
 namespace ibmfair::commands {
 
@@ -40,6 +41,7 @@ void prepare_process() {
   keep_open(STDOUT_FILENO, O_RDONLY);
   keep_open(STDERR_FILENO, O_RDONLY);
   handle_signals();
+  keep_freed_memory();
 }
 
 }  // namespace ibmfair::commands

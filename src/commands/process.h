@@ -1,4 +1,4 @@
-// What the process owes its surroundings: signals and standard descriptors.
+// What the process owes its surroundings: signals, standard descriptors, memory.
 #pragma once
 
 namespace ibmfair::commands {
@@ -9,7 +9,7 @@ inline constexpr const char* parent_variable = "IBMFAIR_PARENT";
 
 /// Sets up how signals are met (commands/signals.h), and makes sure that no file that is opened
 /// later can take the place of a standard stream that the caller closed. A process that belongs to
-/// a batch ends with it, however that ends.
+/// a batch ends with it, however that ends. What the process frees it keeps.
 void prepare_process();
 
 }  // namespace ibmfair::commands

@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include <fmt/format.h>
+#include <malloc.h>
 #include <sys/resource.h>
 
 #include "ibmfair/base/errors.h"
@@ -92,10 +93,26 @@ double left_of_address_space(const std::string& root) {
   return std::max(0.0, limit - taken);
 }
 
+double kept_bytes() {
+#ifdef __GLIBC__
+  return static_cast<double>(mallinfo2().fordblks);
+#else
+  return 0;
+#endif
+}
+
 }  // namespace
 
+void keep_freed_memory() {
+#ifdef __GLIBC__
+  mallopt(M_MMAP_MAX, 0);         // what was mapped for one array would go back with it
+  mallopt(M_TRIM_THRESHOLD, -1);  // never
+#endif
+}
+
 double resident_bytes() {
-  return kilobyte * entry("/proc/self/status", "VmRSS:").value_or(0);
+  const double held = kilobyte * entry("/proc/self/status", "VmRSS:").value_or(0);
+  return std::max(0.0, held - kept_bytes());
 }
 
 double peak_resident_bytes() {
