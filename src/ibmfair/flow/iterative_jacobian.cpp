@@ -30,7 +30,7 @@ int most_iterations(double tolerance) {
 /// noisy and not, and on models; needles can make it three times as many. A sample of the unknowns
 /// is enough for that.
 double forecast_iterations(const JacobianShape& shape, const JacobianParts& parts) {
-  constexpr Index enough = 20'000;
+  constexpr Index enough = 4'000;
   const Index stride = 1 + shape.unknowns.size() / enough;
   std::vector<double> ratio;  // h diag(S) / D
   for (Index u = 0; u < shape.unknowns.size(); u += stride) {

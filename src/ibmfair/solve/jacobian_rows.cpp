@@ -7,6 +7,7 @@
 
 #include "ibmfair/base/errors.h"
 #include "ibmfair/base/parallel.h"
+#include "ibmfair/mesh/select.h"
 #include "ibmfair/solve/conjugate_gradients_kernels.h"
 
 namespace ibmfair {
@@ -43,20 +44,23 @@ std::int64_t JacobianRows::entries() const {
 void JacobianRows::update(const StencilWeights& weights, const Eigen::VectorXd& D, double h) {
   diagonal_.resize(size());
   fill(weights, D, h);
-  for (Index u = 0; u < size(); ++u) {
-    if (!(diagonal_[u] > 0) || !std::isfinite(diagonal_[u])) {
-      throw FactorizationFailed(fmt::format(
-          "the Jacobian is not positive definite at unknown {}: a triangle there has (almost) no "
-          "area, or a coordinate is not finite",
-          u));
-    }
+  const std::vector<Index> wrong = indices_where(size(), [&](Index u) {
+    return !(diagonal_[u] > 0) || !std::isfinite(diagonal_[u]);
+  });
+  if (!wrong.empty()) {
+    throw FactorizationFailed(fmt::format(
+        "the Jacobian is not positive definite at unknown {}: a triangle there has (almost) no "
+        "area, or a coordinate is not finite",
+        wrong.front()));
   }
   const double unit = middle_of(diagonal_);
   if (std::abs(std::log2(unit / unit_)) > farthest_unit) {
     unit_ = unit;
     fill(weights, D, h);
   }
-  inverse_diagonal_ = (unit_ * diagonal_.cwiseInverse()).cast<float>();
+  parallel_for(size(), [&](std::int64_t u) {
+    inverse_diagonal_[u] = static_cast<float>(unit_ / diagonal_[u]);
+  });
 }
 
 void JacobianRows::fill(const StencilWeights& weights, const Eigen::VectorXd& D, double h) {
