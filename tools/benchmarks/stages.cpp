@@ -35,6 +35,7 @@ void make_pattern(StageInputs& s) {
   s.results.terms =
       std::make_unique<StencilTerms>(s.crouzeix_raviart->stencils(), s.topology.vertex_count);
   s.results.assembler = std::make_unique<HessianAssembler>(*s.results.terms, s.unknowns);
+  s.results.matrix = s.results.assembler->pattern();
 }
 
 /// J = M + h S, [W07] (13).

@@ -23,6 +23,7 @@ struct StageResults {
   std::unique_ptr<BendingEnergy> bending;
   std::unique_ptr<StencilTerms> terms;
   std::unique_ptr<HessianAssembler> assembler;
+  SymmetricMatrix matrix;
   std::optional<SymbolicCholesky> symbolic;
   std::optional<CholeskyFactor> factor;
 };

@@ -44,9 +44,8 @@ std::int64_t JacobianRows::entries() const {
 void JacobianRows::update(const StencilWeights& weights, const Eigen::VectorXd& D, double h) {
   diagonal_.resize(size());
   fill(weights, D, h);
-  const std::vector<Index> wrong = indices_where(size(), [&](Index u) {
-    return !(diagonal_[u] > 0) || !std::isfinite(diagonal_[u]);
-  });
+  const std::vector<Index> wrong = indices_where(
+      size(), [&](Index u) { return !(diagonal_[u] > 0) || !std::isfinite(diagonal_[u]); });
   if (!wrong.empty()) {
     throw FactorizationFailed(fmt::format(
         "the Jacobian is not positive definite at unknown {}: a triangle there has (almost) no "
