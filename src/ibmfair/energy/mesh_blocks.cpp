@@ -61,7 +61,7 @@ class LocalNumbers {
     constexpr std::uint32_t golden = 2654435769;  // 2^32 over the golden ratio
     std::size_t place = (static_cast<std::uint32_t>(key) * golden) >> shift_;
     while (entries_[place].stamp == stamp_ && entries_[place].key != key) {
-      place = (place + 1) % entries_.size();
+      place = (place + 1) & (entries_.size() - 1);
     }
     return &entries_[place];
   }
@@ -78,7 +78,7 @@ class LocalNumbers {
   }
 
   static constexpr int first_bits = 13;
-  std::vector<Entry> entries_{std::size_t{1} << first_bits};
+  std::vector<Entry> entries_ = std::vector<Entry>(std::size_t{1} << first_bits);
   int shift_ = 32 - first_bits;
   std::size_t count_ = 0;
   Index stamp_ = 0;
