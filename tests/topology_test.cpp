@@ -230,6 +230,20 @@ TEST(Geometry, FlatHingesAreOpenAndCubeEdgesAreRight) {
   EXPECT_NEAR(smallest_angles(sheet.X, sheet.topology.F).minCoeff(), std::atan(0.75), 1e-12);
 }
 
+TEST(Geometry, NeedlesAreTheTrianglesWithASmallerAngle) {
+  for (const auto& [name, mesh] : all_meshes()) {
+    const State state(mesh);
+    const Eigen::VectorXd angles = smallest_angles(state.X, state.topology.F);
+    for (const double angle : {0.01, 0.3, 0.6, 1.0}) {
+      std::vector<Index> smaller;
+      for (Index t = 0; t < angles.size(); ++t) {
+        if (angles[t] < angle) smaller.push_back(t);
+      }
+      EXPECT_EQ(needles(state.X, state.topology.F, angle), smaller) << name;
+    }
+  }
+}
+
 TEST(Geometry, TrianglesWithoutDigitsAreDegenerate) {
   Points X(3, 3);
   X << 0, 0, 0, 1, 0, 0, 0.5, 1e-9, 0;

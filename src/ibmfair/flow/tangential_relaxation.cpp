@@ -66,16 +66,14 @@ void TangentialRelaxation::moves(const Points& X, Points& move) {
 }
 
 bool TangentialRelaxation::moves_at_needles(const Points& X, Points& move) {
-  const Eigen::VectorXd angles = smallest_angles(X, topology_.F);
-  const std::vector<Index> needles =
-      indices_where(angles.size(), [&](Index t) { return angles[t] < needle; });
-  if (!parts_.any(!needles.empty())) {
+  const std::vector<Index> thin = needles(X, topology_.F, needle);
+  if (!parts_.any(!thin.empty())) {
     return false;
   }
   Points all;
   moves(X, all);
   move = Points::Zero(all.rows(), 3);
-  for (const Index t : needles) {
+  for (const Index t : thin) {
     for (const Index v : topology_.F.row(t)) {
       if (const Index u = unknowns_.unknown[v]; u >= 0 && u < unknowns_.size()) {
         move.row(u) = all.row(u);

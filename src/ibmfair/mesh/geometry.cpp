@@ -24,6 +24,18 @@ double area(const Corners& corners) {
   return double_area_vector(corners.a, corners.b, corners.c).norm() / 2;
 }
 
+/// Sine and cosine of the smallest angle, times the lengths of the two edges there.
+struct Angle {
+  double sine, cosine;
+};
+
+Angle smallest_angle(const Corners& corners) {
+  const auto& [a, b, c] = corners;
+  const Vec3 u = b - a, v = c - b, w = a - c;
+  // Times lengths, the sine is the same for all three, and the cosines are as they are sized.
+  return {u.cross(v).norm(), std::max({-u.dot(w), -v.dot(u), -w.dot(v)})};
+}
+
 /// Twice the longest height-to-edge ratio that rounding alone can produce.
 constexpr double flatness_limit = 1e-12;
 
@@ -128,13 +140,18 @@ Vec3 bounding_box_size(const Points& X) {
 Eigen::VectorXd smallest_angles(const Points& X, const Triangles& F) {
   Eigen::VectorXd angles(F.rows());
   parallel_for(F.rows(), [&](std::int64_t t) {
-    const auto [a, b, c] = corners(X, F, t);
-    const Vec3 u = b - a, v = c - b, w = a - c;
-    const double sine = u.cross(v).norm();  // |u||v| sin, the same for all three corners
-    const double cosine = std::max({-u.dot(w), -v.dot(u), -w.dot(v)});  // the largest, as sized
+    const auto [sine, cosine] = smallest_angle(corners(X, F, t));
     angles[t] = sine > 0 ? std::atan2(sine, cosine) : 0;
   });
   return angles;
+}
+
+std::vector<Index> needles(const Points& X, const Triangles& F, double angle) {
+  const double tangent = std::tan(angle);
+  return indices_where(F.rows(), [&](Index t) {
+    const auto [sine, cosine] = smallest_angle(corners(X, F, t));
+    return sine <= tangent * cosine;
+  });
 }
 
 Eigen::VectorXd dihedral_angles(const Points& X, const Hinges& H) {
