@@ -93,14 +93,6 @@ double left_of_address_space(const std::string& root) {
   return std::max(0.0, limit - taken);
 }
 
-double kept_bytes() {
-#ifdef __GLIBC__
-  return static_cast<double>(mallinfo2().fordblks);
-#else
-  return 0;
-#endif
-}
-
 }  // namespace
 
 void keep_freed_memory() {
@@ -111,8 +103,7 @@ void keep_freed_memory() {
 }
 
 double resident_bytes() {
-  const double held = kilobyte * entry("/proc/self/status", "VmRSS:").value_or(0);
-  return std::max(0.0, held - kept_bytes());
+  return kilobyte * entry("/proc/self/status", "VmRSS:").value_or(0);
 }
 
 double peak_resident_bytes() {

@@ -10,7 +10,7 @@ namespace ibmfair {
 /// 7 % less, of 2.6 million 5 %, and no more memory.
 void keep_freed_memory();
 
-/// Bytes of memory that the process uses now, without those it has freed and kept; 0 where the
+/// Bytes of memory that the process holds now, freed ones that it keeps among them; 0 where the
 /// system does not tell.
 double resident_bytes();
 
