@@ -22,10 +22,12 @@ std::vector<Index> indices_where(Eigen::Index count, Test&& holds) {
   std::vector<std::int64_t> first(static_cast<std::size_t>(blocks) + 1, 0);  // in the list
   run_tasks(blocks, share, [&](std::int64_t b) {
     const std::int64_t end = std::min<std::int64_t>(count, (b + 1) * block);
+    std::int64_t found = 0;
     for (std::int64_t i = b * block; i < end; ++i) {
       chosen[i] = holds(static_cast<Index>(i)) ? 1 : 0;
-      first[b + 1] += chosen[i];
+      found += chosen[i];
     }
+    first[b + 1] = found;
   });
   std::partial_sum(first.begin(), first.end(), first.begin());
   std::vector<Index> indices(static_cast<std::size_t>(first.back()));
