@@ -85,7 +85,7 @@ double CrouzeixRaviart::block_energy(const MeshBlock& b, const Points& X, const 
   }
   const Index* corners = b.corners.data();
   const auto find_frames = [&](std::int64_t first, std::int64_t groups) {
-    crouzeix_raviart_frames(corners + 3 * lanes_per_group * first, groups, scratch.vertices.data(),
+    crouzeix_raviart_frames(corners + first * 3 * lanes_per_group, groups, scratch.vertices.data(),
                             scratch.triangles.data() + lanes_per_group * first);
   };
   compute_and_prefetch(blocks_, b, b.framed_groups, {X, nullptr, G}, find_frames);

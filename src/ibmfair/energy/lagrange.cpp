@@ -59,7 +59,7 @@ double Lagrange::block_curvature(const MeshBlock& b, const Points& X, BlockScrat
   load(b, X, scratch.vertices);
   const Index* corners = b.corners.data();
   compute_and_prefetch(blocks_, b, b.groups, {X}, [&](std::int64_t first, std::int64_t groups) {
-    lagrange_curvature(corners + 3 * lanes_per_group * first, groups, !spontaneous_.empty(),
+    lagrange_curvature(corners + first * 3 * lanes_per_group, groups, !spontaneous_.empty(),
                        scratch.vertices.data());
   });
   double E = 0;
@@ -95,7 +95,7 @@ double Lagrange::energy_and_gradient(const Points& X, Points& G) {
     blocks_.load(b, y_, scratch.vertices);
     const Index* corners = b.corners.data();
     const auto add_forces = [&](std::int64_t first, std::int64_t groups) {
-      lagrange_forces(corners + 3 * lanes_per_group * first, groups, !spontaneous_.empty(),
+      lagrange_forces(corners + first * 3 * lanes_per_group, groups, !spontaneous_.empty(),
                       scratch.vertices.data());
     };
     compute_and_prefetch(blocks_, b, b.groups, {X, &y_, &G}, add_forces);

@@ -43,16 +43,16 @@ double repetition(const Topology& topology, const std::vector<std::uint8_t>& kep
       block_of[v] = b;
     }
   }
-  const Eigen::Array2d zero = Eigen::Array2d::Zero();
   const auto count = [&](std::int64_t t) -> Eigen::Array2d {
     if (!kept[t]) {
-      return zero;
+      return {0, 0};
     }
     const Index a = block_of[topology.F(t, 0)], b = block_of[topology.F(t, 1)],
                 c = block_of[topology.F(t, 2)];
     return {1, 1 + (b != a) + (c != a && c != b)};
   };
-  const Eigen::Array2d triangles_and_places = parallel_sum(topology.F.rows(), zero, count);
+  const Eigen::Array2d triangles_and_places =
+      parallel_sum(topology.F.rows(), Eigen::Array2d(Eigen::Array2d::Zero()), count);
   return triangles_and_places[1] / std::max(triangles_and_places[0], 1.0);
 }
 
