@@ -11,7 +11,7 @@ namespace {
 
 constexpr int linear_steps = 4;     // of backward Euler; more change little
 constexpr double tolerance = 1e-3;  // of solves: no later step takes what these leave
-constexpr int halvings = 2;         // of what is put back, until the energy is low enough
+constexpr int most_halvings = 2;    // of what is put back, until the energy is low enough
 
 class Twicing {
  public:
@@ -58,7 +58,7 @@ class Twicing {
   bool put_back(const Eigen::VectorXd& height) {
     const Stopwatch watch(p_.report.seconds.guard);
     Points move = height.asDiagonal() * normals_;
-    for (int i = 0; i <= halvings; ++i, move /= 2) {
+    for (int i = 0; i <= most_halvings; ++i, move /= 2) {
       const FoldFreeLanding trial = displace_without_folds(
           p_, folds_, move, Y_, [this](const Points& Y) { return p_.energy_at(Y); });
       if (trial.leads_somewhere() && trial.energy <= p_.report.energy_before) {
