@@ -122,10 +122,14 @@ class Builder {
     shared_.clear();
     for (Index i = 0; i < block_.owned; ++i) {
       for (const Index t : mesh_.topology.stars[mesh_.owned[block_.first_owned + i]]) {
-        if (!mesh_.kept[t] || triangle_[t] >= 0) {
+        if (!mesh_.kept[t]) {
           continue;
         }
-        triangle_[t] = 0;
+        Index& slot = triangle_[t];
+        if (slot >= 0) {
+          continue;
+        }
+        slot = 0;
         const bool counts = mesh_.counted.empty() || mesh_.counted[t] != 0;
         (counts && is_own(mesh_.topology.F(t, 0)) ? own_ : shared_).push_back(t);
       }

@@ -17,8 +17,6 @@ class StencilTerms {
   /// Refers to the stencils, which are of `vertex_count` vertices.
   StencilTerms(const Rows& stencils, Index vertex_count);
 
-  Index vertex_count() const { return places_.size(); }
-
   /// Of all stencils together: a vertex counts in each.
   std::size_t vertices_in_stencils() const { return stencils_.value.size(); }
 

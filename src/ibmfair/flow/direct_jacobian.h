@@ -3,6 +3,7 @@
 
 #include <optional>
 
+#include "ibmfair/energy/hessian.h"
 #include "ibmfair/flow/jacobian_solver.h"
 #include "ibmfair/solve/cholesky.h"
 

@@ -5,7 +5,8 @@
 #include <vector>
 
 #include "ibmfair/energy/bending_energy.h"
-#include "ibmfair/energy/hessian.h"
+#include "ibmfair/energy/stencil_terms.h"
+#include "ibmfair/energy/unknowns.h"
 #include "ibmfair/flow/flow_options.h"
 #include "ibmfair/flow/jacobian_solver.h"
 #include "ibmfair/flow/mesh_parts.h"

@@ -8,7 +8,8 @@
 #include <string_view>
 
 #include "ibmfair/energy/bending_energy.h"
-#include "ibmfair/energy/hessian.h"
+#include "ibmfair/energy/stencil_terms.h"
+#include "ibmfair/energy/unknowns.h"
 #include "ibmfair/flow/flow_options.h"
 
 namespace ibmfair {
