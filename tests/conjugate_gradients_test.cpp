@@ -70,12 +70,24 @@ struct Example {
   std::unique_ptr<JacobianRows> rows;
 };
 
-/// How its rows multiply three random columns.
-Points multiply_by_rows(const Example& example) {
-  Quads p = Quads::Zero(4, example.J.size()), q(4, p.cols());
-  p.topRows(3) = random_directions(p.cols()).transpose().cast<float>();
-  example.rows->apply(p, q);
-  return example.rows->unit() * q.topRows(3).cast<double>().transpose().matrix();
+/// J X by its rows for three random columns X, and <X, J X>.
+struct RowProduct {
+  explicit RowProduct(const Example& example) {
+    Quads p = Quads::Zero(4, example.J.size()), q(4, p.cols());
+    p.topRows(3) = random_directions(p.cols()).transpose().cast<float>();
+    curvature = example.rows->unit() * example.rows->apply(p, q);
+    Y = example.rows->unit() * q.topRows(3).cast<double>().transpose().matrix();
+  }
+  Points Y;
+  double curvature = 0;
+};
+
+void expect_the_assembled_product(const Example& example) {
+  const Points X = random_directions(example.J.size()), exact = multiply(example.J, X);
+  const RowProduct product(example);
+  EXPECT_LE((product.Y - exact).norm(), 1e-5 * exact.norm());
+  const double curvature = X.cwiseProduct(exact).sum();
+  EXPECT_NEAR(product.curvature, curvature, 1e-5 * curvature);
 }
 
 template <class Check>
@@ -94,17 +106,7 @@ void for_every_example(const Check& check) {
 }
 
 TEST(JacobianRows, MultiplyAsTheAssembledMatrixDoes) {
-  for_every_example([](const Example& example) {
-    const Points X = random_directions(example.J.size());
-    Quads p = Quads::Zero(4, X.rows()), q(4, X.rows());
-    p.topRows(3) = X.transpose().cast<float>();
-    const double product = example.rows->apply(p, q);
-    const Points exact = multiply(example.J, X);
-    const Points Y = example.rows->unit() * q.topRows(3).cast<double>().transpose().matrix();
-    EXPECT_LE((Y - exact).norm(), 1e-5 * exact.norm());
-    const double curvature = X.cwiseProduct(exact).sum();
-    EXPECT_NEAR(example.rows->unit() * product, curvature, 1e-5 * curvature);
-  });
+  for_every_example(expect_the_assembled_product);
 }
 
 TEST(JacobianRows, SeeNothingButTheMetricInConstants) {
@@ -123,18 +125,16 @@ TEST(JacobianRows, SeeNothingButTheMetricInConstants) {
 
 TEST(JacobianRows, MayHaveManyColumns) {
   for (const bool hold : {false, true}) {
-    const Example example(State(barrel(300)), "crouzeix-raviart", hold);
-    const Points exact = multiply(example.J, random_directions(example.J.size()));
-    EXPECT_LE((multiply_by_rows(example) - exact).norm(), 1e-5 * exact.norm());
+    expect_the_assembled_product(Example(State(barrel(300)), "crouzeix-raviart", hold));
   }
 }
 
 TEST(JacobianRows, KnowNoScale) {
   for_every_example([](Example& example) {
-    const Points before = multiply_by_rows(example);
+    const Points before = RowProduct(example).Y;
     for (const double scale : {std::exp2(200), std::exp2(-200)}) {
       example.rows->update(example.weights, scale * example.D, scale * example.h);
-      EXPECT_EQ(multiply_by_rows(example), scale * before);
+      EXPECT_EQ(RowProduct(example).Y, scale * before);
     }
   });
 }
