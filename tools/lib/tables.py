@@ -41,11 +41,11 @@ def write_off(path, points, faces):
         file.write("\n".join(faces) + "\n")
 
 
-def add_noise(source, target, amount):
+def add_noise(source, target, amount, seed=1):
     """Normal noise on every coordinate of an OFF file, in mean edge lengths."""
     points, faces = read_off(source)
     deviation = amount * ibmfair("info", source, "--json")["edge_length"]["mean"]
-    generator = random.Random(1)
+    generator = random.Random(seed)
     write_off(target, [[x + generator.gauss(0, deviation) for x in point] for point in points], faces)
 
 
