@@ -46,6 +46,19 @@ TEST(Smooth, ADryRunForecastsEverySolverAndWritesNothing) {
   EXPECT_EQ(directory.entries(), 1U);
 }
 
+TEST(Smooth, OneThreadKeepsOneCoreBusyAtMost) {
+  const TemporaryDirectory directory;
+  const std::string in = mesh_with_a_large_factor(directory);
+  double elapsed = 0, used = 0;
+  {
+    const Stopwatch watch(elapsed);
+    used =
+        run_program({"smooth", in, directory / "out.ply", "--quiet", "--threads", "1"}).cpu_seconds;
+  }
+  EXPECT_GT(used, 0);
+  EXPECT_LE(used, 1.1 * elapsed);
+}
+
 TEST(Smooth, StagesTakeNoMoreThanTheRun) {
   const TemporaryDirectory directory;
   const std::string in = mesh_with_a_large_factor(directory), out = directory / "out.ply";

@@ -10,6 +10,7 @@
 
 #include "commands/signals.h"
 #include "ibmfair/base/process_memory.h"
+#include "ibmfair/base/threads.h"
 
 namespace ibmfair::commands {
 
@@ -42,6 +43,7 @@ void prepare_process() {
   keep_open(STDERR_FILENO, O_RDONLY);
   handle_signals();
   keep_freed_memory();
+  end_blas_threads();
 }
 
 }  // namespace ibmfair::commands
