@@ -105,16 +105,19 @@ TEST(Limits, WhatDoesNotFitIntoTheAddressSpaceIsRefusedWithWhatWould) {
   const std::string in = directory / "in.ply", out = directory / "out.ply";
   ASSERT_EQ(run_program({"make", "torus", in, "--rows", "240", "--columns", "600"}).exit_code, 0);
   const Words smooth{"smooth", in, out, "--quiet", "--threads", "1"};
-  const RunOptions limited{.address_space = std::int64_t{450} << 20U};
-  const RunResult refused = run_program(smooth + Words{"--solver", "cholmod"}, limited);
-  EXPECT_EQ(refused.exit_code, 5);
-  EXPECT_TRUE(contains(refused.err, "the limit is") && contains(refused.err, "--solver cg fits"))
-      << refused.err;
-  const RunResult chosen =
-      run_program(smooth + Words{"--cutoff", "40", "--dry-run", "--json"}, limited);
-  ASSERT_EQ(chosen.exit_code, 0) << chosen.err;
-  EXPECT_EQ(json::parse(chosen.out)["forecast"]["solver"], "cg");
-  EXPECT_FALSE(fs::exists(out));
+  for (const std::string limit : {"--as=470000000", "--data=380000000"}) {
+    SCOPED_TRACE(limit);
+    const RunOptions limited{.limits = {limit}};
+    const RunResult refused = run_program(smooth + Words{"--solver", "cholmod"}, limited);
+    EXPECT_EQ(refused.exit_code, 5);
+    EXPECT_TRUE(contains(refused.err, "the limit is") && contains(refused.err, "--solver cg fits"))
+        << refused.err;
+    const RunResult chosen =
+        run_program(smooth + Words{"--cutoff", "40", "--dry-run", "--json"}, limited);
+    ASSERT_EQ(chosen.exit_code, 0) << chosen.err;
+    EXPECT_EQ(json::parse(chosen.out)["forecast"]["solver"], "cg");
+    EXPECT_FALSE(fs::exists(out));
+  }
 }
 
 TEST(Limits, FillKeepsToTheMemoryItIsGiven) {

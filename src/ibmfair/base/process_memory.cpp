@@ -84,13 +84,29 @@ double left_in_control_groups(const std::string& root) {
   return left;
 }
 
-double left_of_address_space(const std::string& root) {
-  const double limit = address_space_limit();
-  if (std::isinf(limit)) {
-    return limit;
+/// A limit of what the process may map, and the name that the system shows its part in use under.
+struct MappingLimit {
+  decltype(RLIMIT_AS) resource;
+  const char* taken;
+
+  double bytes() const {
+    rlimit limit{};
+    const bool limited = getrlimit(resource, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY;
+    return limited ? static_cast<double>(limit.rlim_cur) : std::numeric_limits<double>::infinity();
   }
-  const double taken = kilobyte * entry(root + "/proc/self/status", "VmSize:").value_or(0);
-  return std::max(0.0, limit - taken);
+};
+
+constexpr MappingLimit mapping_limits[] = {{RLIMIT_AS, "VmSize:"}, {RLIMIT_DATA, "VmData:"}};
+
+double left_of_address_space(const std::string& root) {
+  double left = std::numeric_limits<double>::infinity();
+  for (const MappingLimit& limit : mapping_limits) {
+    if (const double bytes = limit.bytes(); std::isfinite(bytes)) {
+      const double taken = kilobyte * entry(root + "/proc/self/status", limit.taken).value_or(0);
+      left = std::min(left, std::max(0.0, bytes - taken));
+    }
+  }
+  return left;
 }
 
 }  // namespace
@@ -117,9 +133,11 @@ double available_bytes(const std::string& root) {
 }
 
 double address_space_limit() {
-  rlimit limit{};
-  const bool limited = getrlimit(RLIMIT_AS, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY;
-  return limited ? static_cast<double>(limit.rlim_cur) : std::numeric_limits<double>::infinity();
+  double least = std::numeric_limits<double>::infinity();
+  for (const MappingLimit& limit : mapping_limits) {
+    least = std::min(least, limit.bytes());
+  }
+  return least;
 }
 
 bool is_available(double bytes) {

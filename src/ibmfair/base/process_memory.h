@@ -18,12 +18,13 @@ double resident_bytes();
 double peak_resident_bytes();
 
 /// Bytes that the process could still get without swapping: what the system has left, or the
-/// control groups that the process is in (containers, batch systems), or its limit of address space
-/// (ulimit -v), whichever is least; infinite where nothing tells. `root` stands before the names of
-/// the system's files.
+/// control groups that the process is in (containers, batch systems), or its limits of address space
+/// and data (ulimit -v, -d), whichever is least; infinite where nothing tells. `root` stands before
+/// the names of the system's files.
 double available_bytes(const std::string& root = "");
 
-/// The limit of address space in bytes (ulimit -v); infinite where there is none.
+/// The lower of the limits of address space and of data (ulimit -v, -d) in bytes; infinite where
+/// there is none.
 double address_space_limit();
 
 /// Whether so many bytes are available. A few always are: not worth a look at what the system has.
