@@ -3,7 +3,6 @@
 #include "ibmfair/flow/tangential_relaxation.h"
 
 #include <cmath>
-#include <numbers>
 #include <string>
 
 #include <gtest/gtest.h>
@@ -12,6 +11,7 @@
 #include "ibmfair/shapes/shapes.h"
 #include "support/flow_run.h"
 #include "support/states.h"
+#include "support/thin_states.h"
 
 namespace ibmfair::test {
 namespace {
@@ -33,29 +33,6 @@ State made(const std::string& shape) {
   return State(rolled             ? make_shape(shape, {.rows = 24, .columns = 40})
                : shape == "plane" ? make_shape(shape, {.rows = 25, .columns = 40})
                                   : make_shape(shape, {.subdivide = 4}));
-}
-
-constexpr double degree = std::numbers::pi / 180;
-
-/// A sheet folded along its middle row, so that its halves enclose the angle.
-State wedge(double angle) {
-  State state = made("plane");
-  state.X.col(1).array() -= state.X.col(1).mean();
-  for (auto x : state.X.rowwise()) {
-    const double across = x[1];
-    x[1] = std::abs(across) * std::cos(angle / 2);
-    x[2] = across * std::sin(angle / 2);
-  }
-  return state;
-}
-
-/// A disc drawn up to a cone with this angle between its axis and its side.
-State needle(double angle) {
-  State state = made("hexagon");
-  for (auto x : state.X.rowwise()) {
-    x[2] = -x.head<2>().norm() / std::tan(angle);
-  }
-  return state;
 }
 
 TEST(TangentialRelaxation, StaysWithinSurfacesThatAreSmoothOrThin) {

@@ -11,16 +11,20 @@
 namespace ibmfair {
 namespace {
 
-/// Of two triangles with these double area vectors, cos(theta) = -<n0, n1> > cos(fold_angle),
-/// without a square root; `turned` where their orientations disagree.
-bool is_folded(const Vec3& N0, const Vec3& N1, bool turned) {
-  static const double cos_squared = std::pow(std::cos(fold_angle), 2);
+/// Of two triangles with these double area vectors, cos(theta) = -<n0, n1> > cos(angle), without a
+/// square root; `turned` where their orientations disagree.
+bool is_folded(const Vec3& N0, const Vec3& N1, bool turned, double cos_squared) {
   const double dot = turned ? -N0.dot(N1) : N0.dot(N1);
   if (dot > 0) {  // nearly always
     return false;
   }
   const double scale = N0.squaredNorm() * N1.squaredNorm();
   return !(scale > 0) || dot * dot > cos_squared * scale;
+}
+
+double cos_squared(double angle) {
+  const double cosine = std::cos(angle);
+  return cosine * cosine;
 }
 
 bool is_turned(const Topology& topology, Index h) {
@@ -30,15 +34,16 @@ bool is_turned(const Topology& topology, Index h) {
 
 }  // namespace
 
-std::vector<std::uint8_t> folded_hinges(const Points& X, const Topology& topology) {
+std::vector<std::uint8_t> folded_hinges(const Points& X, const Topology& topology, double angle) {
   std::vector<Vec3> normals(static_cast<std::size_t>(topology.F.rows()));
   parallel_for(topology.F.rows(),
                [&](std::int64_t t) { normals[t] = double_area_vector(X, topology.F, t); });
   std::vector<std::uint8_t> folded(static_cast<std::size_t>(topology.H.rows()));
+  const double limit = cos_squared(angle);
   parallel_for(topology.H.rows(), [&](std::int64_t h) {
     const auto t = topology.hinge_triangles.row(h);
     const bool turned = is_turned(topology, static_cast<Index>(h));
-    folded[h] = is_folded(normals[t[0]], normals[t[1]], turned) ? 1 : 0;
+    folded[h] = is_folded(normals[t[0]], normals[t[1]], turned, limit) ? 1 : 0;
   });
   return folded;
 }
@@ -97,8 +102,9 @@ void FoldWatch::find_normals(const Points& X) {
 }
 
 bool FoldWatch::is_folded_now(std::size_t i) const {
+  static const double limit = cos_squared(fold_angle);
   const auto t = topology_.hinge_triangles.row(hinges_[i]);
-  return is_folded(normals_[t[0]], normals_[t[1]], turned_[i] != 0);
+  return is_folded(normals_[t[0]], normals_[t[1]], turned_[i] != 0, limit);
 }
 
 }  // namespace ibmfair

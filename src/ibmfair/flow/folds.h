@@ -12,8 +12,10 @@ namespace ibmfair {
 /// A hinge with a smaller dihedral angle than this (radians; 10 degrees) counts as folded over.
 inline constexpr double fold_angle = 0.17453292519943295;
 
-/// Whether each hinge is folded over, #H; one with a triangle that has no area is.
-std::vector<std::uint8_t> folded_hinges(const Points& X, const Topology& topology);
+/// Whether each hinge has a smaller dihedral angle than this (radians, at most pi / 2), #H; one
+/// with a triangle that has no area has.
+std::vector<std::uint8_t> folded_hinges(const Points& X, const Topology& topology,
+                                        double angle = fold_angle);
 
 /// Whether no hinge can be folded over where this is the largest 1 + cos(theta)
 /// (BendingEnergy::largest_turn).

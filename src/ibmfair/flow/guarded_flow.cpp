@@ -10,6 +10,7 @@
 #include "ibmfair/flow/fold_free_move.h"
 #include "ibmfair/flow/folds.h"
 #include "ibmfair/flow/tangential_relaxation.h"
+#include "ibmfair/flow/unfolding.h"
 #include "ibmfair/mesh/geometry.h"
 
 namespace ibmfair {
@@ -40,8 +41,8 @@ class GuardedFlow {
         observer_(observer),
         rings_(vertex_rings(problem.topology)),
         folds_(problem.X, problem.topology, problem.unknowns),
-        relaxation_(problem.topology, rings_, problem.unknowns, problem.parts,
-                    problem.options.sharp_angle == 0),
+        unfolds_(problem.options.sharp_angle == 0),
+        relaxation_(problem.topology, rings_, problem.unknowns, problem.parts, unfolds_),
         h_target_(problem.options.total_time / problem.options.steps),
         has_limit_(problem.options.energy_is_dimensionless()),
         h_(h_target_),
@@ -53,7 +54,7 @@ class GuardedFlow {
     const int most_solves = 200 + 20 * p_.options.steps;
     relax_needles();
     start_short();
-    while (left_ > 1e-9 * p_.options.total_time) {
+    while (!is_at_the_end()) {
       if (h_ < smallest_time_step * h_target_ || p_.report.solves >= most_solves) {
         p_.report.status = FlowStatus::stalled;
         return;
@@ -65,6 +66,8 @@ class GuardedFlow {
   }
 
  private:
+  bool is_at_the_end() const { return left_ <= 1e-9 * p_.options.total_time; }
+
   /// Where there are needles, most of the Jacobian's digits go to entries that belong to them, and
   /// what rounding leaves of their neighbours' moves them by chance.
   void relax_needles() {
@@ -134,6 +137,9 @@ class GuardedFlow {
     }
     accept(record);
     relax();
+    if (is_at_the_end()) {
+      unfold();
+    }
     adapt(record);
     record.energy = p_.report.energy_after;
     p_.report.steps.push_back(record);
@@ -325,18 +331,33 @@ class GuardedFlow {
     sweep();
   }
 
-  /// Moves by `move_`, shortened until the energy is no more than before the step.
-  void sweep() {
+  void unfold() {
+    if (!unfolds_) {
+      return;
+    }
+    const Stopwatch watch(p_.report.seconds.guard);
+    if (unfolding_moves(p_.X, p_.topology, rings_, p_.unknowns, p_.parts, move_)) {
+      energy_before_step_ = p_.report.energy_after;
+      const bool moved = sweep();
+      const auto rows = (move_.array() != 0).rowwise().any().count();
+      p_.report.unfolded = moved ? count(static_cast<double>(rows)) : 0;
+    }
+  }
+
+  /// Moves by `move_`, shortened until the energy is no more than before the step; false where even
+  /// the shortest move is too much.
+  bool sweep() {
     for (int i = 0; i <= backtracks; ++i, move_ /= 2) {
       const FoldFreeLanding trial = displace_without_folds(
           p_, folds_, move_, Y_, [this](const Points& Y) { return p_.try_state(Y); });
       if (trial.leads_somewhere() && trial.energy <= energy_before_step_) {
         p_.report.energy_after = trial.energy;
         p_.move_to_tried(Y_);
-        return;
+        return true;
       }
       ++p_.report.shortened_relaxations;
     }
+    return false;
   }
 
   /// Chooses the next time step, and whether the Jacobian has to be renewed.
@@ -364,6 +385,7 @@ class GuardedFlow {
   const StepObserver& observer_;
   const Rows rings_;
   FoldWatch folds_;
+  const bool unfolds_;  // what folds over is noise, not a sharp edge
   TangentialRelaxation relaxation_;
   const double h_target_;
   const bool has_limit_;       // of the energy that a step may take
