@@ -13,7 +13,7 @@ namespace ibmfair {
 namespace {
 
 /// Of the seconds forecast for a backend without a factor, to compare: where it takes more, one
-/// with a factor follows before long (Jacobian::reconsider), where less, nobody would know.
+/// with a factor follows before long (Jacobian::solve), where less, nobody would know.
 constexpr double doubt = 0.5;
 
 /// The same for any number of iterations.
@@ -76,18 +76,13 @@ const JacobianBackend& choose_backend(const JacobianShape& shape, const Jacobian
   return *best;
 }
 
-const JacobianBackend* other_backend(const JacobianShape& shape, const JacobianParts& parts,
-                                     bool has_factor, double seconds) {
+const JacobianBackend* other_backend(const JacobianShape& shape, bool has_factor) {
   if (shape.options.solver != "auto" || !shape.options.guarded) {
     return nullptr;
   }
-  const double iterations = forecast_iterations(shape, parts);
   for (const JacobianBackend& backend : jacobian_backends()) {
-    if (backend.has_factor == has_factor) {
-      const SolverForecast forecast = backend.forecast(shape, iterations);
-      if (forecast.seconds < seconds && fits(forecast.bytes, shape.options)) {
-        return &backend;
-      }
+    if (backend.has_factor == has_factor && fits(bytes_of(backend, shape), shape.options)) {
+      return &backend;
     }
   }
   return nullptr;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 #include "ibmfair/base/stopwatch.h"
@@ -63,13 +64,17 @@ void IterativeJacobian::update(const JacobianParts& parts) {
 }
 
 void IterativeJacobian::solve(const Points& B, Points& Y) {
-  const Stopwatch watch(shape_.report.seconds.solve);
-  last_iterations_ = solver_.solve(B, Y, tolerance_, most_iterations(tolerance_));
-  shape_.report.iterations += last_iterations_;
+  solve_within(std::numeric_limits<double>::infinity(), B, Y);
 }
 
-double IterativeJacobian::seconds_of_last_solve() const {
-  return seconds_per_row * shape_.unknowns.size() * last_iterations_;
+bool IterativeJacobian::solve_within(double seconds, const Points& B, Points& Y) {
+  const Stopwatch watch(shape_.report.seconds.solve);
+  const int most = most_iterations(tolerance_);
+  const double paid = std::ceil(seconds / (seconds_per_row * shape_.unknowns.size()));
+  const bool is_short = paid < most;
+  const int iterations = solver_.solve(B, Y, tolerance_, is_short ? static_cast<int>(paid) : most);
+  shape_.report.iterations += iterations;
+  return !is_short || iterations < paid;
 }
 
 void IterativeJacobian::tighten(double tolerance) {

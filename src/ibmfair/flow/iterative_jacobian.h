@@ -14,7 +14,7 @@ class IterativeJacobian final : public JacobianSolver {
 
   void update(const JacobianParts& parts) override;
   void solve(const Points& B, Points& Y) override;
-  double seconds_of_last_solve() const override;
+  bool solve_within(double seconds, const Points& B, Points& Y) override;
   void tighten(double tolerance) override;
 
  private:
@@ -22,7 +22,6 @@ class IterativeJacobian final : public JacobianSolver {
   JacobianRows J_;
   ConjugateGradients solver_;
   double tolerance_;
-  int last_iterations_ = 0;
 };
 
 /// The iterations after which a solve to that residual is given up: every digit takes as many.

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
+#include <utility>
 
 #include "ibmfair/base/errors.h"
 #include "ibmfair/base/parallel.h"
@@ -70,9 +72,8 @@ void Jacobian::refactor(const Points& X, double h) {
     solver_->update(parts);
   } catch (const FactorizationFailed&) {
     // With a shorter time step, which the flow tries next, the matrix may have a factor.
-    const JacobianBackend* other = parts_.is_whole() && ++failures_ > patience
-                                       ? other_backend(shape(), parts, false)
-                                       : nullptr;
+    const JacobianBackend* other =
+        parts_.is_whole() && ++failures_ > patience ? other_backend(shape(), false) : nullptr;
     if (other == nullptr || other->name == report_.solver) {
       throw;
     }
@@ -81,11 +82,17 @@ void Jacobian::refactor(const Points& X, double h) {
     solver_->update(parts);
   }
   h_ = h;
+  rival_ = settled_ ? nullptr : other_backend(shape(), true);
+  if (rival_ != nullptr) {
+    iterations_ = forecast_iterations(shape(), parts);
+  }
 }
 
 void Jacobian::choose_solver(const JacobianParts& parts) {
   if (parts_.is_whole()) {
-    take(choose_backend(shape(), parts));
+    const JacobianBackend& backend = choose_backend(shape(), parts);
+    take(backend);
+    settled_ = backend.has_factor;
   } else {
     solver_ = parts_.make_solver(shape());
     settled_ = true;
@@ -108,34 +115,33 @@ std::vector<BackendForecast> Jacobian::forecasts(const Points& X, double h) {
   return result;
 }
 
+/// How many iterations a solve takes is hardly to be foreseen. Where they come to so many that a
+/// factor for the steps that are left is cheaper, it takes over.
 void Jacobian::solve(const Points& B, Points& Y) {
-  solver_->solve(B, Y);
-  ++report_.solves;
-  if (!settled_) {
-    reconsider();
+  if (rival_ == nullptr) {
+    solver_->solve(B, Y);
+  } else if (!solver_->solve_within(seconds_with_rival(), B, Y)) {
+    factor_instead();
+    solver_->solve(B, Y);
   }
+  ++report_.solves;
 }
 
-/// How many iterations a solve takes is hardly to be foreseen. Where they turn out to be so many
-/// that a factor for the steps that are left is cheaper, it follows.
-void Jacobian::reconsider() {
-  const double seconds = solver_->seconds_of_last_solve();
-  if (seconds <= considered_) {  // a factor did not pay when more steps were left
-    return;
-  }
-  considered_ = seconds;
-  const JacobianParts parts{weights_, D_, h_};
-  const JacobianBackend* other =
-      other_backend(shape(), parts, true, seconds * shape().steps_left());
-  if (other == nullptr) {
-    return;
-  }
+/// In each of the steps that are left; infinite where there are none.
+double Jacobian::seconds_with_rival() const {
+  const int left = shape().steps_left();
+  return left > 0 ? rival_->forecast(shape(), iterations_).seconds / left
+                  : std::numeric_limits<double>::infinity();
+}
+
+void Jacobian::factor_instead() {
+  const JacobianBackend* rival = std::exchange(rival_, nullptr);
   settled_ = true;
   const std::string last_name = report_.solver;
   std::unique_ptr<JacobianSolver> last = std::move(solver_);
   try {
-    take(*other);
-    solver_->update(parts);
+    take(*rival);
+    solver_->update({weights_, D_, h_});
   } catch (const Error&) {  // too thin a triangle, or too little memory
     report_.solver = last_name;
     solver_ = std::move(last);

@@ -56,7 +56,8 @@ class Jacobian {
   JacobianShape shape() const;
   void choose_solver(const JacobianParts& parts);
   void take(const JacobianBackend& backend);
-  void reconsider();
+  double seconds_with_rival() const;
+  void factor_instead();
 
   BendingEnergy& energy_;
   const Topology& topology_;
@@ -70,8 +71,9 @@ class Jacobian {
   Eigen::VectorXd D_, damping_;
   double h_ = 0;
   int failures_ = 0;
-  bool settled_ = false;   // on this backend, whatever it takes
-  double considered_ = 0;  // the most seconds of a solve so far
+  bool settled_ = false;                    // on this backend, whatever it takes
+  const JacobianBackend* rival_ = nullptr;  // with a factor, to take over where solves take long
+  double iterations_ = 0;                   // forecast for a solve without one
 };
 
 }  // namespace ibmfair

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <algorithm>
-#include <limits>
 #include <memory>
 #include <span>
 #include <string_view>
@@ -38,9 +37,12 @@ class JacobianSolver {
   /// of its energy.
   virtual void solve(const Points& B, Points& Y) = 0;
 
-  /// What one more solve like the last one takes on one core, counted, not timed; 0 where it takes
-  /// what was forecast.
-  virtual double seconds_of_last_solve() const { return 0; }
+  /// The same; false, with Y not solved for, where it would take more than `seconds` on one core:
+  /// counted, not timed.
+  virtual bool solve_within(double /*seconds*/, const Points& B, Points& Y) {
+    solve(B, Y);
+    return true;
+  }
 
   /// From now on iterative solvers leave a residual of no more than `tolerance`.
   virtual void tighten(double /*tolerance*/) {}
@@ -82,12 +84,9 @@ const JacobianBackend& jacobian_backend(std::string_view name);
 /// half of it, as they can be left. Throws OutOfMemory where the named one, or none of them, fits.
 const JacobianBackend& choose_backend(const JacobianShape& shape, const JacobianParts& parts);
 
-/// A backend with a factor, or one without, to go on with: where the options leave the choice open,
-/// it fits, and it is predicted to take less than `seconds` for the steps left; else null.
-/// Triangles with angles below 1e-8 are too much for a factor, not for the differences that a
-/// backend without one takes.
-const JacobianBackend* other_backend(const JacobianShape& shape, const JacobianParts& parts,
-                                     bool has_factor,
-                                     double seconds = std::numeric_limits<double>::infinity());
+/// A backend with a factor, or one without, to go on with where the options leave the choice open
+/// and it fits; else null. Triangles with angles below 1e-8 are too much for a factor, not for the
+/// differences that a backend without one takes.
+const JacobianBackend* other_backend(const JacobianShape& shape, bool has_factor);
 
 }  // namespace ibmfair
