@@ -140,7 +140,7 @@ TEST(Smooth, TellsWhereTheDefaultCutoffIsAsLongAsTheMesh) {
 }
 
 TEST(Smooth, TellsHowFarAFlowThatStalledHasSmoothed) {
-  const std::string crumpled = made({"icosphere", "--subdivide", "2", "--noise", "0.7"});
+  const std::string crumpled = made({"icosphere", "--subdivide", "2", "--noise", "4"});
   const RunResult run =
       run_program({"smooth", "-", "-", "--format", "off", "--cutoff", "100"}, {.input = crumpled});
   EXPECT_EQ(run.exit_code, 1) << run.err;

@@ -6,6 +6,7 @@
 #include "ibmfair/base/errors.h"
 #include "ibmfair/base/parallel.h"
 #include "ibmfair/base/stopwatch.h"
+#include "ibmfair/flow/culprits.h"
 #include "ibmfair/flow/distortion.h"
 #include "ibmfair/flow/fold_free_move.h"
 #include "ibmfair/flow/folds.h"
@@ -26,13 +27,13 @@ constexpr double most_taken = 0.25;  // of the energy, off a vertex by one step
 constexpr double growth = 2, fast_growth = 8;  // of the time step; fast below half the distortion
 constexpr double heavier = 16, lighter = 4;    // factors of local damping
 constexpr double standstill = 1e12;            // local damping of a vertex that has gone far enough
-constexpr double culprit_share = 0.05;         // of the largest uphill slope, to be damped
-constexpr double local_share = 0.02;          // of the vertices: more culprits are no local trouble
-constexpr int longest_creep = 8;              // short steps in a row that do little good
-constexpr int backtracks = 2;                 // halvings of a step before it is given up
-constexpr double first_step = 1e-4;           // of the target, at least
-constexpr double smallest_time_step = 1e-12;  // of the target, before giving up
-constexpr double rounding = 1e-14;            // of the energy: a smaller decrease is not seen
+constexpr int slowings = 3;                    // at the culprits before the step is halved
+constexpr double slower = 1.0 / 2;             // at the culprits
+constexpr int backtracks = 2;                  // halvings of a step before it is given up
+constexpr int oldest_when_slowed = 4;          // steps with one Jacobian that culprits slow down
+constexpr double first_step = 1e-4;            // of the target, at least
+constexpr double smallest_time_step = 1e-12;   // of the target, before giving up
+constexpr double rounding = 1e-14;             // of the energy: a smaller decrease is not seen
 
 class GuardedFlow {
  public:
@@ -46,7 +47,8 @@ class GuardedFlow {
         h_target_(problem.options.total_time / problem.options.steps),
         has_limit_(problem.options.energy_is_dimensionless()),
         h_(h_target_),
-        left_(problem.options.total_time) {}
+        left_(problem.options.total_time),
+        culprits_(static_cast<std::size_t>(problem.topology.vertex_count), 0) {}
 
   void run() {
     // Each step either takes time off or makes the next one easier; the bound is for meshes on
@@ -127,12 +129,13 @@ class GuardedFlow {
       return true;
     }
     if (distorts()) {
-      cut_time_step();
+      ++p_.report.rejected;
+      give_up(fresh);
       return true;
     }
     record.held_back += shorten_own_moves();
     if (!search(record)) {
-      recover(fresh);
+      give_up(fresh && !is_local_);
       return true;
     }
     accept(record);
@@ -174,30 +177,43 @@ class GuardedFlow {
       const Stopwatch watch(p_.report.seconds.guard);
       edge_length_ = local_edge_length(p_.X, rings_);
     }
-    if (!keep_damping_) {
-      p_.jacobian().damping() = (p_.jacobian().damping() / lighter).cwiseMax(1.0);
-    }
-    keep_damping_ = false;
-    p_.jacobian().damping()(stopped_).setOnes();
-    stopped_ = p_.stopped();
-    p_.jacobian().damping()(stopped_).setConstant(standstill);
+    renew_damping();
     try {
       p_.jacobian().refactor(p_.X, h_);
     } catch (const FactorizationFailed&) {
       if (p_.report.steps.empty() && h_ * time_step_cut < smallest_time_step * h_target_) {
         throw;
       }
-      cut_time_step();
+      ++p_.report.rejected;
+      give_up(true);
       return false;
     }
     stale_ = false;
+    age_ = 0;
     return true;
   }
 
-  void cut_time_step() {
-    h_ *= time_step_cut;
+  /// Makes the metric heavier around the vertices that have held up the flow since the Jacobian was
+  /// renewed, so that they do not hold up the next steps, too.
+  void renew_damping() {
+    Eigen::VectorXd& damping = p_.jacobian().damping();
+    damping(stopped_).setOnes();
+    damping = (damping / lighter).cwiseMax(1.0);
+    const std::vector<std::uint8_t> near = grow_one_ring(p_.topology, culprits_);
+    for (Index u = 0; u < p_.unknowns.size(); ++u) {
+      damping[u] *= near[p_.unknowns.vertex[u]] ? heavier : 1;
+    }
+    std::ranges::fill(culprits_, std::uint8_t{0});
+    slowed_ = p_.parts.any((damping.array() > 1).any());
+    stopped_ = p_.stopped();
+    damping(stopped_).setConstant(standstill);
+  }
+
+  /// Nothing was moved: the Jacobian is renewed, and the time step cut where that alone would lead
+  /// to the same again.
+  void give_up(bool cut) {
     stale_ = true;
-    ++p_.report.rejected;
+    h_ *= cut ? time_step_cut : 1;
   }
 
   bool distorts() {
@@ -229,23 +245,68 @@ class GuardedFlow {
   /// Looks for a fraction of the step that lowers the energy enough; leaves it in Y_.
   bool search(StepRecord& record) {
     const Stopwatch watch(p_.report.seconds.guard);
+    is_local_ = false;
     for (int i = 0; i <= backtracks; ++i, fraction_ /= 2) {
       move_.resize(step_.rows(), 3);
       parallel_for(step_.rows(), [&](std::int64_t u) { move_.row(u) = fraction_ * step_.row(u); });
-      const FoldFreeLanding trial = displace_without_folds(
-          p_, folds_, move_, Y_, [this](const Points& Y) { return p_.energy_at(Y); });
-      if (trial.leads_somewhere()) {
-        trial_energy_ = trial.energy;
-        const double promised = promised_decrease(trial);
-        record.decrease_ratio = (p_.energy() - trial_energy_) / promised;
-        if (promised > 0 && record.decrease_ratio >= least_decrease) {
-          record.held_back += count(static_cast<double>(trial.withheld));
-          return true;
-        }
+      if (try_move(record)) {
+        return true;
       }
       ++p_.report.rejected;
     }
     return false;
+  }
+
+  /// Tries `move_`, slower and slower where it runs uphill, so that one bad spot does not hold up
+  /// the whole mesh.
+  bool try_move(StepRecord& record) {
+    std::int64_t shortened = 0;
+    for (int times = 0;; ++times) {
+      const FoldFreeLanding trial = displace_without_folds(
+          p_, folds_, move_, Y_, [this](const Points& Y) { return p_.energy_at(Y); });
+      if (!trial.leads_somewhere()) {
+        return false;
+      }
+      shortened += trial.withheld;
+      const bool whole =
+          trial.landing == FlowProblem::Landing::as_asked && !p_.parts.any(shortened > 0);
+      const double promised = whole ? predicted_decrease() : promised_on_the_way();
+      trial_energy_ = trial.energy;
+      record.decrease_ratio = (p_.energy() - trial_energy_) / promised;
+      if (record.decrease_ratio >= least_decrease) {
+        record.held_back += count(static_cast<double>(shortened));
+        return true;
+      }
+      if (times == slowings || !slow_culprits(shortened)) {
+        return false;
+      }
+    }
+  }
+
+  /// Shortens the move near the culprits of the trial in Y_ and of those before it, and counts the
+  /// unknowns; false where that is no way out.
+  bool slow_culprits(std::int64_t& shortened) {
+    const Culprits found = find_culprits(p_, p_.gradient_at(Y_), move_);
+    is_local_ = found.are_local;
+    // For trouble everywhere an old Jacobian, which slows nothing down yet, is to blame.
+    if (is_local_ || age_ == 0 || slowed_) {
+      for (const Index v : found.vertices) {
+        culprits_[v] = 1;
+      }
+      p_.parts.refresh(culprits_);
+    }
+    if (!is_local_) {
+      return false;
+    }
+    const std::vector<std::uint8_t> near = grow_one_ring(p_.topology, culprits_);
+    for (Index u = 0; u < p_.unknowns.size(); ++u) {
+      if (near[p_.unknowns.vertex[u]]) {
+        move_.row(u) *= slower;
+        ++shortened;
+      }
+    }
+    slowed_ = true;
+    return true;
   }
 
   /// What the Gauss-Newton model predicts for the fraction a of the step d, J d = -h g:
@@ -256,59 +317,14 @@ class GuardedFlow {
     return std::min((a - a * a / 2) * slope_ + a * a / 2 * metric_part_, p_.energy());
   }
 
-  /// The same for the trial in Y_, which may have stopped short of the step, or withheld some of
-  /// it: half of what the slope says of the way that it went.
-  double promised_decrease(const FoldFreeLanding& trial) const {
-    const bool as_asked = trial.landing == FlowProblem::Landing::as_asked;
-    if (as_asked && !p_.parts.any(trial.withheld > 0)) {
-      return predicted_decrease();
-    }
-    const double slope = parallel_sum(p_.unknowns.size(), [&](std::int64_t u) {
+  /// The same for a trial in Y_ that went only part of the way: half of what the slope says of it.
+  /// An uphill slope is a needle's, steep but for next to none of the way: then the whole step's.
+  double promised_on_the_way() const {
+    const double slope = p_.parts.sum(parallel_sum(p_.unknowns.size(), [&](std::int64_t u) {
       const Index v = p_.unknowns.vertex[u];
       return -p_.gradient().row(u).dot(Y_.row(v) - p_.X.row(v));
-    });
-    return std::min(p_.parts.sum(slope) / 2, p_.energy());
-  }
-
-  /// A step failed. A stale Jacobian is renewed; with a fresh one, vertices at which the trial runs
-  /// uphill get a heavier metric, so that one bad spot does not hold up the whole mesh.
-  void recover(bool fresh) {
-    stale_ = true;
-    if (!fresh) {
-      return;
-    }
-    p_.displace(move_, Y_);
-    if (!damp_culprits(p_.gradient_at(Y_))) {
-      h_ *= time_step_cut;
-    }
-  }
-
-  /// Makes the metric heavier around the vertices at which the step runs uphill against this
-  /// gradient; false where there are none, or so many that the trouble is not local.
-  bool damp_culprits(const Points& gradient) {
-    const Eigen::VectorXd slope = gradient.cwiseProduct(step_).rowwise().sum();
-    double steepest = 0;
-    for (const double s : slope) {
-      steepest = std::isfinite(s) ? std::max(steepest, s) : steepest;
-    }
-    steepest = p_.parts.max(steepest);
-    std::vector<std::uint8_t> culprits(static_cast<std::size_t>(p_.topology.vertex_count), 0);
-    std::int64_t found = 0;
-    for (Index u = 0; u < p_.unknowns.size(); ++u) {
-      if (!(slope[u] <= culprit_share * steepest)) {  // not a number is a culprit, too
-        culprits[p_.unknowns.vertex[u]] = 1;
-        ++found;
-      }
-    }
-    p_.parts.refresh(culprits);
-    culprits = grow_one_ring(p_.topology, culprits);
-    for (Index u = 0; u < p_.unknowns.size(); ++u) {
-      p_.jacobian().damping()[u] *= culprits[p_.unknowns.vertex[u]] ? heavier : 1;
-    }
-    keep_damping_ = true;
-    found = count(static_cast<double>(found));
-    return found > 0 &&
-           static_cast<double>(found) <= local_share * static_cast<double>(p_.report.unknowns);
+    }));
+    return slope > 0 ? std::min(slope / 2, p_.energy()) : predicted_decrease();
   }
 
   void accept(StepRecord& record) {
@@ -363,6 +379,7 @@ class GuardedFlow {
   /// Chooses the next time step, and whether the Jacobian has to be renewed.
   void adapt(const StepRecord& record) {
     const bool shortened = record.time_step < p_.jacobian().time_step() && left_ > 0;
+    ++age_;
     if (record.decrease_ratio <= stale_decrease || shortened) {
       stale_ = true;
       h_ *= record.refactored ? 0.5 : 1;
@@ -371,14 +388,8 @@ class GuardedFlow {
       h_ = std::min(h_target_, patient_step(growth * h_, longest));
       stale_ = true;
     }
-    creeping_ = h_ < h_target_ && record.decrease_ratio <= good_decrease ? creeping_ + 1 : 0;
-    if (creeping_ > longest_creep) {
-      p_.update_gradient();
-      damp_culprits(p_.gradient());
-      h_ = std::min(h_target_, growth * h_);
-      stale_ = true;
-      creeping_ = 0;
-    }
+    // Nothing is to be slowed down for longer than it has to.
+    stale_ = stale_ || (slowed_ && age_ >= oldest_when_slowed);
   }
 
   FlowProblem& p_;
@@ -388,12 +399,12 @@ class GuardedFlow {
   const bool unfolds_;  // what folds over is noise, not a sharp edge
   TangentialRelaxation relaxation_;
   const double h_target_;
-  const bool has_limit_;       // of the energy that a step may take
-  double h_;                   // the time step to use next
-  double left_;                // of the total time
-  bool stale_ = true;          // the Jacobian is to be renewed before the next step
-  int creeping_ = 0;           // accepted steps in a row that were short and no good
-  bool keep_damping_ = false;  // the next renewal does not lighten the damping
+  const bool has_limit_;  // of the energy that a step may take
+  double h_;              // the time step to use next
+  double left_;           // of the total time
+  bool stale_ = true;     // the Jacobian is to be renewed before the next step
+  int age_ = 0;           // steps made with the Jacobian
+  bool slowed_ = false;   // near culprits, by damping or on the way
   PerVertex edge_length_;
   double fraction_ = 1;                 // of the Newton step that is tried
   double slope_ = 0, metric_part_ = 0;  // of the whole step d: <-g,d> and <d,Dd>/h
@@ -404,6 +415,8 @@ class GuardedFlow {
   std::vector<Index> stopped_;  // unknowns that the Jacobian holds: they went as far as they may
   Points move_;                 // the move that is tried, one row per unknown
   Points Y_;                    // where it leads
+  std::vector<std::uint8_t> culprits_;  // per vertex, since the Jacobian was renewed
+  bool is_local_ = false;               // what is wrong with the last trial
 };
 
 }  // namespace

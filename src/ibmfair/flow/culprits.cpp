@@ -1,0 +1,33 @@
+#include "ibmfair/flow/culprits.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ibmfair {
+namespace {
+
+constexpr double culprit_share = 0.05;  // of the largest uphill slope
+constexpr double local_share = 0.02;    // of the vertices: more culprits are no local trouble
+
+}  // namespace
+
+Culprits find_culprits(const FlowProblem& problem, const Points& gradient, const Points& move) {
+  const Eigen::VectorXd slope = gradient.cwiseProduct(move).rowwise().sum();
+  double steepest = 0;
+  for (const double s : slope) {
+    steepest = std::isfinite(s) ? std::max(steepest, s) : steepest;
+  }
+  steepest = problem.parts.max(steepest);
+  Culprits culprits;
+  for (Index u = 0; u < problem.unknowns.size(); ++u) {
+    if (!(slope[u] <= culprit_share * steepest)) {
+      culprits.vertices.push_back(problem.unknowns.vertex[u]);
+    }
+  }
+  const double found = problem.parts.sum(static_cast<double>(culprits.vertices.size()));
+  culprits.are_local =
+      found > 0 && found <= local_share * static_cast<double>(problem.report.unknowns);
+  return culprits;
+}
+
+}  // namespace ibmfair
