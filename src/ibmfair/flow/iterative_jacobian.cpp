@@ -64,16 +64,19 @@ void IterativeJacobian::update(const JacobianParts& parts) {
 }
 
 void IterativeJacobian::solve(const Points& B, Points& Y) {
-  solve_within(std::numeric_limits<double>::infinity(), B, Y);
+  double seconds = std::numeric_limits<double>::infinity();
+  solve_within(seconds, B, Y);
 }
 
-bool IterativeJacobian::solve_within(double seconds, const Points& B, Points& Y) {
+bool IterativeJacobian::solve_within(double& seconds, const Points& B, Points& Y) {
   const Stopwatch watch(shape_.report.seconds.solve);
   const int most = most_iterations(tolerance_);
-  const double paid = std::ceil(seconds / (seconds_per_row * shape_.unknowns.size()));
+  const double each = seconds_per_row * shape_.unknowns.size();
+  const double paid = std::ceil(seconds / each);
   const bool is_short = paid < most;
   const int iterations = solver_.solve(B, Y, tolerance_, is_short ? static_cast<int>(paid) : most);
   shape_.report.iterations += iterations;
+  seconds -= iterations * each;
   return !is_short || iterations < paid;
 }
 

@@ -14,7 +14,7 @@ class IterativeJacobian final : public JacobianSolver {
 
   void update(const JacobianParts& parts) override;
   void solve(const Points& B, Points& Y) override;
-  bool solve_within(double seconds, const Points& B, Points& Y) override;
+  bool solve_within(double& seconds, const Points& B, Points& Y) override;
   void tighten(double tolerance) override;
 
  private:

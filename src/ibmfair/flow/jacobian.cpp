@@ -120,18 +120,24 @@ std::vector<BackendForecast> Jacobian::forecasts(const Points& X, double h) {
 void Jacobian::solve(const Points& B, Points& Y) {
   if (rival_ == nullptr) {
     solver_->solve(B, Y);
-  } else if (!solver_->solve_within(seconds_with_rival(), B, Y)) {
+  } else if (!solve_before_rival(B, Y)) {
     factor_instead();
     solver_->solve(B, Y);
   }
   ++report_.solves;
 }
 
-/// In each of the steps that are left; infinite where there are none.
-double Jacobian::seconds_with_rival() const {
+/// In what the rival takes for each of the steps that are left, and a grace for all of them
+/// together: with needles, the first solves take the longest.
+bool Jacobian::solve_before_rival(const Points& B, Points& Y) {
+  constexpr double most_grace = 0.05;  // of what the rival takes
+  const double all = rival_->forecast(shape(), iterations_).seconds;
+  grace_ = std::min(grace_, most_grace * all);
   const int left = shape().steps_left();
-  return left > 0 ? rival_->forecast(shape(), iterations_).seconds / left
-                  : std::numeric_limits<double>::infinity();
+  double seconds = left > 0 ? all / left + grace_ : std::numeric_limits<double>::infinity();
+  const bool solved = solver_->solve_within(seconds, B, Y);
+  grace_ = std::min(grace_, seconds);
+  return solved;
 }
 
 void Jacobian::factor_instead() {

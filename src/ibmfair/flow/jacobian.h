@@ -1,6 +1,7 @@
 // The constant Jacobian of the flow, J = D + h S(X_ref): linearised at a state, then solved with.
 #pragma once
 
+#include <limits>
 #include <memory>
 #include <vector>
 
@@ -56,7 +57,7 @@ class Jacobian {
   JacobianShape shape() const;
   void choose_solver(const JacobianParts& parts);
   void take(const JacobianBackend& backend);
-  double seconds_with_rival() const;
+  bool solve_before_rival(const Points& B, Points& Y);
   void factor_instead();
 
   BendingEnergy& energy_;
@@ -74,6 +75,7 @@ class Jacobian {
   bool settled_ = false;                    // on this backend, whatever it takes
   const JacobianBackend* rival_ = nullptr;  // with a factor, to take over where solves take long
   double iterations_ = 0;                   // forecast for a solve without one
+  double grace_ = std::numeric_limits<double>::infinity();  // seconds that solves may take longer
 };
 
 }  // namespace ibmfair

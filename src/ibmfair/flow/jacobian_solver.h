@@ -37,9 +37,9 @@ class JacobianSolver {
   /// of its energy.
   virtual void solve(const Points& B, Points& Y) = 0;
 
-  /// The same; false, with Y not solved for, where it would take more than `seconds` on one core:
-  /// counted, not timed.
-  virtual bool solve_within(double /*seconds*/, const Points& B, Points& Y) {
+  /// The same, and takes the seconds that it needs on one core, counted, not timed, off `seconds`;
+  /// false, with Y not solved for, where these are too few.
+  virtual bool solve_within(double& /*seconds*/, const Points& B, Points& Y) {
     solve(B, Y);
     return true;
   }
