@@ -36,7 +36,7 @@ constexpr double bytes_per_unknown = 1630, bytes_per_entry = 8.5;
 
 // By minimum degree, and from where on round surfaces are dissected, too (solve/cholesky.cpp).
 double ordering_seconds(double n) {
-  constexpr double by_degree = 1.5e-6, dissected = 4.5e-6, least_dissected = 45'000;
+  constexpr double by_degree = 1.5e-6, dissected = 4.5e-6, least_dissected = 60'000;
   return n * (n < least_dissected ? by_degree : dissected);
 }
 

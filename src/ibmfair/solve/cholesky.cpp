@@ -15,10 +15,10 @@ namespace {
 
 /// Operations an entry of the factor, in the order of minimum degree, from which on nested
 /// dissection may pay: it takes three to seven times as long to find, and leaves half the
-/// operations at best, for the few factorizations of a flow. Spheres and tori come to that with
-/// 40,000 unknowns, thin and limbed surfaces with ten times as many: above, it is taken for
-/// granted.
-constexpr double worth_dissecting = 500;
+/// operations at best, for the few factorizations of a flow. Spheres come to that with 60,000
+/// unknowns, tori with twice, thin and limbed surfaces with six times as many: above, it is taken
+/// for granted.
+constexpr double worth_dissecting = 700;
 constexpr std::int64_t dissected_at_once = 400'000;
 
 template <class Value>
