@@ -176,8 +176,8 @@ class GuardedFlow {
     {
       const Stopwatch watch(p_.report.seconds.guard);
       edge_length_ = local_edge_length(p_.X, rings_);
+      renew_damping();
     }
-    renew_damping();
     try {
       p_.jacobian().refactor(p_.X, h_);
     } catch (const FactorizationFailed&) {
@@ -199,10 +199,7 @@ class GuardedFlow {
     Eigen::VectorXd& damping = p_.jacobian().damping();
     damping(stopped_).setOnes();
     damping = (damping / lighter).cwiseMax(1.0);
-    const std::vector<std::uint8_t> near = grow_one_ring(p_.topology, culprits_);
-    for (Index u = 0; u < p_.unknowns.size(); ++u) {
-      damping[u] *= near[p_.unknowns.vertex[u]] ? heavier : 1;
-    }
+    for_each_near_culprits([&](Index u) { damping[u] *= heavier; });
     std::ranges::fill(culprits_, std::uint8_t{0});
     slowed_ = p_.parts.any((damping.array() > 1).any());
     stopped_ = p_.stopped();
@@ -298,15 +295,23 @@ class GuardedFlow {
     if (!is_local_) {
       return false;
     }
+    for_each_near_culprits([&](Index u) {
+      move_.row(u) *= slower;
+      ++shortened;
+    });
+    slowed_ = true;
+    return true;
+  }
+
+  /// Of the unknowns, culprits and their neighbours.
+  template <class Change>
+  void for_each_near_culprits(const Change& change) const {
     const std::vector<std::uint8_t> near = grow_one_ring(p_.topology, culprits_);
     for (Index u = 0; u < p_.unknowns.size(); ++u) {
       if (near[p_.unknowns.vertex[u]]) {
-        move_.row(u) *= slower;
-        ++shortened;
+        change(u);
       }
     }
-    slowed_ = true;
-    return true;
   }
 
   /// What the Gauss-Newton model predicts for the fraction a of the step d, J d = -h g:

@@ -73,11 +73,11 @@ bool IterativeJacobian::solve_within(double& seconds, const Points& B, Points& Y
   const int most = most_iterations(tolerance_);
   const double each = seconds_per_row * shape_.unknowns.size();
   const double paid = std::ceil(seconds / each);
-  const bool is_short = paid < most;
-  const int iterations = solver_.solve(B, Y, tolerance_, is_short ? static_cast<int>(paid) : most);
+  const int iterations =
+      solver_.solve(B, Y, tolerance_, static_cast<int>(std::min<double>(paid, most)));
   shape_.report.iterations += iterations;
   seconds -= iterations * each;
-  return !is_short || iterations < paid;
+  return paid >= most || iterations < paid;
 }
 
 void IterativeJacobian::tighten(double tolerance) {

@@ -127,8 +127,8 @@ void Jacobian::solve(const Points& B, Points& Y) {
   ++report_.solves;
 }
 
-/// In what the rival takes for each of the steps that are left, and a grace for all of them
-/// together: with needles, the first solves take the longest.
+/// Solves within what the rival takes for each of the steps that are left, and a grace for all of
+/// them together, as with needles the first solves take the longest; false where that is too short.
 bool Jacobian::solve_before_rival(const Points& B, Points& Y) {
   constexpr double most_grace = 0.05;  // of what the rival takes
   const double all = rival_->forecast(shape(), iterations_).seconds;
