@@ -119,7 +119,7 @@ class InterruptedBatchTest : public BatchTest {
   InterruptedBatchTest() {
     for (int i = 0; i < 8; ++i) {
       many_.push_back(path(fmt::format("m{}", i)));
-      make(fmt::format("m{}", i), i, 4);
+      make(fmt::format("m{}", i), i, 5);
       whole_["out/" + fs::path(many_.back()).filename().string()] = single(many_.back(), {});
     }
     words_ = Words{"smooth"} + many_ + Words{"--jobs", "2", "--out-dir", "out"};
