@@ -43,20 +43,24 @@ std::vector<Index> inverse(const std::vector<Index>& order) {
   return place;
 }
 
-/// Rows, or entries, in another order; none stay none.
+/// These rows, or entries; none of none.
 template <class List>
-List reordered(const List& list, const std::vector<Index>& order) {
-  List in_order = list;
-  if (list.size() > 0) {
-    parallel_for(static_cast<std::int64_t>(order.size()), [&](std::int64_t i) {
-      if constexpr (requires { in_order.row(i); }) {
-        in_order.row(i) = list.row(order[i]);
-      } else {
-        in_order[i] = list[order[i]];
-      }
-    });
+List picked(const List& list, const std::vector<Index>& order) {
+  const auto count = list.size() > 0 ? static_cast<std::int64_t>(order.size()) : 0;
+  List result;
+  if constexpr (requires { result.row(0); }) {
+    result.resize(count, list.cols());
+  } else {
+    result.resize(static_cast<std::size_t>(count));
   }
-  return in_order;
+  parallel_for(count, [&](std::int64_t i) {
+    if constexpr (requires { result.row(i); }) {
+      result.row(i) = list.row(order[i]);
+    } else {
+      result[i] = list[order[i]];
+    }
+  });
+  return result;
 }
 
 /// The triangles, over vertices at new places, by the first of these.
@@ -68,20 +72,16 @@ std::vector<Index> by_first_vertex(const Triangles& F, const std::vector<Index>&
   return positions_by_value(first, static_cast<Index>(place.size())).value;
 }
 
-/// The same connectivity, its vertices at new places and its triangles in another order.
-Topology with_new_numbers(const Topology& topology, const std::vector<Index>& place,
-                          const std::vector<Index>& triangle) {
-  Triangles F = reordered(topology.F, triangle);
-  for (Index& corner : F.reshaped()) {
-    corner = place[corner];
+/// Those of a sorted list, as numbers of the triangles that were picked.
+std::vector<Index> places_of(const std::vector<Index>& listed,
+                             const std::vector<Index>& triangles) {
+  std::vector<Index> places;
+  for (std::size_t i = 0; !listed.empty() && i < triangles.size(); ++i) {
+    if (std::binary_search(listed.begin(), listed.end(), triangles[i])) {
+      places.push_back(static_cast<Index>(i));
+    }
   }
-  const std::vector<Index> place_of_triangle = inverse(triangle);
-  std::vector<Index> zero_area = topology.defects.zero_area;
-  for (Index& t : zero_area) {
-    t = place_of_triangle[t];
-  }
-  std::sort(zero_area.begin(), zero_area.end());
-  return build_topology(topology.vertex_count, std::move(F), std::move(zero_area));
+  return places;
 }
 
 }  // namespace
@@ -100,14 +100,34 @@ LocalMesh local_mesh(const Points& X, const Topology& topology,
                      const std::vector<std::uint8_t>& held, const FlowOptions& options) {
   std::vector<Index> order = blockwise(topology);
   const std::vector<Index> place = inverse(order);
-  const std::vector<Index> triangle = by_first_vertex(topology.F, place);
-  LocalMesh mesh{std::move(order), {}, with_new_numbers(topology, place, triangle), {}, options};
-  mesh.X = reordered(X, mesh.vertex);
-  mesh.held = reordered(held, mesh.vertex);
-  mesh.options.cutoff_factor = reordered(options.cutoff_factor, mesh.vertex);
-  mesh.options.spontaneous_curvature = reordered(options.spontaneous_curvature, mesh.vertex);
-  mesh.options.material_axes = reordered(options.material_axes, triangle);
+  const std::vector<Index> triangles = by_first_vertex(topology.F, place);
+  LocalMesh mesh = some_of_mesh(X, topology, std::move(order), triangles, place);
+  mesh.held = picked(held, mesh.vertex);
+  mesh.options = options;
+  take_lists(options, mesh.vertex, triangles, mesh.options);
   return mesh;
+}
+
+LocalMesh some_of_mesh(const Points& X, const Topology& topology, std::vector<Index> vertices,
+                       const std::vector<Index>& triangles, const std::vector<Index>& place) {
+  Triangles F = picked(topology.F, triangles);
+  for (Index& corner : F.reshaped()) {
+    corner = place[corner];
+  }
+  LocalMesh mesh;
+  mesh.X = picked(X, vertices);
+  mesh.topology = build_topology(static_cast<Index>(vertices.size()), std::move(F),
+                                 places_of(topology.defects.zero_area, triangles));
+  mesh.held.assign(vertices.size(), 1);
+  mesh.vertex = std::move(vertices);
+  return mesh;
+}
+
+void take_lists(const FlowOptions& options, const std::vector<Index>& vertices,
+                const std::vector<Index>& triangles, FlowOptions& local) {
+  local.cutoff_factor = picked(options.cutoff_factor, vertices);
+  local.spontaneous_curvature = picked(options.spontaneous_curvature, vertices);
+  local.material_axes = picked(options.material_axes, triangles);
 }
 
 }  // namespace ibmfair
