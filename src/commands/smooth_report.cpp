@@ -253,6 +253,7 @@ void add_smooth_figures(const SmoothFigures& figures, const FlowOptions& options
                   {"factorizations", flow.factorizations},
                   {"rejected", flow.rejected},
                   {"shortened_relaxations", flow.shortened_relaxations},
+                  {"caught_up_vertices", flow.caught_up},
                   {"unfolded_vertices", flow.unfolded},
                   {"ordering", flow.forecast.ordering},
                   {"factor_entries", flow.forecast.factor_entries},

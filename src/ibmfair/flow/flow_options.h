@@ -52,6 +52,8 @@ struct FlowOptions {
   Ordering ordering = Ordering::automatic;
   StageObserver on_stage = {};  ///< told when a stage begins that may take long
   int twicing = 0;  ///< times that the residual is smoothed and put back: flow/twicing.h
+  /// At the end of a guarded flow, what it had to leave behind is seen to: flow/mending.h.
+  bool mend = true;
 
   /// Throws BadOption where a value cannot be used.
   void validate() const;
@@ -115,7 +117,8 @@ struct FlowReport {
   int solves = 0, factorizations = 0, rejected = 0, shortened_relaxations = 0;
   int iterations = 0;         ///< of conjugate gradients, in all
   int twicings = 0;           ///< passes that were made
-  std::int64_t unfolded = 0;  ///< vertices that were moved where flaps were: flow/unfolding.h
+  std::int64_t caught_up = 0;  ///< vertices that flowed on where some had to be slowed down
+  std::int64_t unfolded = 0;   ///< vertices that were moved where flaps were
   FactorForecast forecast;
   FlowSeconds seconds;
   std::vector<StepRecord> steps;

@@ -10,8 +10,9 @@
 #include "ibmfair/flow/distortion.h"
 #include "ibmfair/flow/fold_free_move.h"
 #include "ibmfair/flow/folds.h"
+#include "ibmfair/flow/lag.h"
+#include "ibmfair/flow/mending.h"
 #include "ibmfair/flow/tangential_relaxation.h"
-#include "ibmfair/flow/unfolding.h"
 #include "ibmfair/mesh/geometry.h"
 
 namespace ibmfair {
@@ -25,12 +26,13 @@ constexpr double time_step_cut =
     1.0 / 32;                        // of the time step, where a step distorts too much or fails
 constexpr double most_taken = 0.25;  // of the energy, off a vertex by one step
 constexpr double growth = 2, fast_growth = 8;  // of the time step; fast below half the distortion
-constexpr double heavier = 16, lighter = 4;    // factors of local damping
+constexpr double heavier = 256, lighter = 4;   // factors of local damping
 constexpr double standstill = 1e12;            // local damping of a vertex that has gone far enough
 constexpr int slowings = 3;                    // at the culprits before the step is halved
-constexpr double slower = 1.0 / 2;             // at the culprits
+constexpr double slower = 0.1;                 // at the culprits
 constexpr int backtracks = 2;                  // halvings of a step before it is given up
-constexpr int oldest_when_slowed = 4;          // steps with one Jacobian that culprits slow down
+constexpr int oldest_when_slowed = 16;         // steps with one Jacobian that culprits slow down
+constexpr double memory = 1.0 / 4;             // of the total time, for what was held up
 constexpr double first_step = 1e-4;            // of the target, at least
 constexpr double smallest_time_step = 1e-12;   // of the target, before giving up
 constexpr double rounding = 1e-14;             // of the energy: a smaller decrease is not seen
@@ -48,14 +50,26 @@ class GuardedFlow {
         has_limit_(problem.options.energy_is_dimensionless()),
         h_(h_target_),
         left_(problem.options.total_time),
+        lag_(problem.unknowns.size(), memory * problem.options.total_time),
         culprits_(static_cast<std::size_t>(problem.topology.vertex_count), 0) {}
 
   void run() {
-    // Each step either takes time off or makes the next one easier; the bound is for meshes on
-    // which that goes on for longer than anyone would wait.
-    const int most_solves = 200 + 20 * p_.options.steps;
     relax_needles();
     start_short();
+    take_steps();
+    if (p_.options.mend) {
+      mend();
+    }
+  }
+
+ private:
+  bool is_at_the_end() const { return left_ <= 1e-9 * p_.options.total_time; }
+
+  void take_steps() {
+    // Each step either takes time off or makes the next one easier; the bound is for meshes on
+    // which that goes on for longer than anyone would wait, or than a patch is worth.
+    const int most_solves =
+        p_.options.mend ? 200 + 20 * p_.options.steps : 20 + 4 * p_.options.steps;
     while (!is_at_the_end()) {
       if (h_ < smallest_time_step * h_target_ || p_.report.solves >= most_solves) {
         p_.report.status = FlowStatus::stalled;
@@ -66,9 +80,6 @@ class GuardedFlow {
       }
     }
   }
-
- private:
-  bool is_at_the_end() const { return left_ <= 1e-9 * p_.options.total_time; }
 
   /// Where there are needles, most of the Jacobian's digits go to entries that belong to them, and
   /// what rounding leaves of their neighbours' moves them by chance.
@@ -116,6 +127,7 @@ class GuardedFlow {
       return true;
     }
     p_.newton_step(step_);
+    lag_.forget_step();
     take_slope();
     StepRecord record;
     record.refactored = fresh;
@@ -140,9 +152,6 @@ class GuardedFlow {
     }
     accept(record);
     relax();
-    if (is_at_the_end()) {
-      unfold();
-    }
     adapt(record);
     record.energy = p_.report.energy_after;
     p_.report.steps.push_back(record);
@@ -297,6 +306,7 @@ class GuardedFlow {
     }
     for_each_near_culprits([&](Index u) {
       move_.row(u) *= slower;
+      lag_.slow(u, slower);
       ++shortened;
     });
     slowed_ = true;
@@ -338,6 +348,7 @@ class GuardedFlow {
     record.time_step = fraction_ * p_.jacobian().time_step();
     record.largest_move = p_.longest(move_);
     left_ = std::max(0.0, left_ - record.time_step);
+    lag_.end_step(record.time_step, p_.jacobian().damping(), stopped_);
     record.time = p_.report.time_reached = p_.options.total_time - left_;
     p_.report.energy_after = trial_energy_;
     p_.move_to(Y_);
@@ -352,17 +363,27 @@ class GuardedFlow {
     sweep();
   }
 
-  void unfold() {
-    if (!unfolds_) {
-      return;
-    }
+  /// Sees to what the steps have left behind.
+  void mend() {
     const Stopwatch watch(p_.report.seconds.guard);
-    if (unfolding_moves(p_.X, p_.topology, rings_, p_.unknowns, p_.parts, move_)) {
-      energy_before_step_ = p_.report.energy_after;
-      const bool moved = sweep();
-      const auto rows = (move_.array() != 0).rowwise().any().count();
-      p_.report.unfolded = moved ? count(static_cast<double>(rows)) : 0;
+    energy_before_step_ = p_.report.energy_after;
+    if (catch_up_moves(p_, rings_, lag_.missed(), move_)) {
+      p_.report.caught_up = sweep_and_count();
     }
+    if (unfolds_ && unfolding_moves(p_, rings_, move_)) {
+      p_.report.unfolded = sweep_and_count();
+    }
+    if (!p_.report.steps.empty()) {
+      p_.report.steps.back().energy = p_.report.energy_after;
+    }
+  }
+
+  /// How many vertices have moved.
+  std::int64_t sweep_and_count() {
+    const bool moved = sweep();
+    const auto rows = (move_.array() != 0).rowwise().any().count();
+    energy_before_step_ = p_.report.energy_after;
+    return moved ? count(static_cast<double>(rows)) : 0;
   }
 
   /// Moves by `move_`, shortened until the energy is no more than before the step; false where even
@@ -393,7 +414,7 @@ class GuardedFlow {
       h_ = std::min(h_target_, patient_step(growth * h_, longest));
       stale_ = true;
     }
-    // Nothing is to be slowed down for longer than it has to.
+    // Nothing is to be slowed down for much longer than it has to.
     stale_ = stale_ || (slowed_ && age_ >= oldest_when_slowed);
   }
 
@@ -408,8 +429,9 @@ class GuardedFlow {
   double h_;              // the time step to use next
   double left_;           // of the total time
   bool stale_ = true;     // the Jacobian is to be renewed before the next step
-  int age_ = 0;           // steps made with the Jacobian
-  bool slowed_ = false;   // near culprits, by damping or on the way
+  Lag lag_;
+  int age_ = 0;          // steps made with the Jacobian
+  bool slowed_ = false;  // near culprits, by damping or on the way
   PerVertex edge_length_;
   double fraction_ = 1;                 // of the Newton step that is tried
   double slope_ = 0, metric_part_ = 0;  // of the whole step d: <-g,d> and <d,Dd>/h

@@ -1,0 +1,76 @@
+#include "ibmfair/flow/mending.h"
+
+#include <algorithm>
+
+#include "ibmfair/flow/unfolding.h"
+
+namespace ibmfair {
+namespace {
+
+// Chosen on scans with needles and folds, like the settings of the guard.
+constexpr double little_lag = 0.1;  // of the time that has gone by, not worth a patch
+constexpr int rings_around = 2;     // what lags behind has held up its neighbours, too
+
+// What is left of the normals' lengths when they are added: around flaps that noise made 0.9 to 1,
+// around claws of a scan that are inside out 0.6, around folds of 60 degrees a half.
+constexpr double flat_enough = 0.6;
+// Where the energy is no curvature's, less of it is no proof of a better surface.
+constexpr double flat_enough_without_curvature = 0.88;
+
+using Flags = std::vector<std::uint8_t>;  // #V
+
+}  // namespace
+
+bool catch_up_moves(const FlowProblem& problem, const Rows& rings, const Eigen::VectorXd& lag,
+                    Points& move) {
+  const double little = little_lag * problem.report.time_reached;
+  if (!problem.parts.any((lag.array() > little).any())) {
+    return false;
+  }
+  Flags wanted(static_cast<std::size_t>(problem.topology.vertex_count), 0);
+  for (Index u = 0; u < problem.unknowns.size(); ++u) {
+    wanted[problem.unknowns.vertex[u]] = lag[u] > little ? 1 : 0;
+  }
+  for (int i = 0; i < rings_around; ++i) {
+    wanted = grow_one_ring(problem.topology, wanted);
+  }
+  PatchFlow flow(problem, rings);
+  move = Points::Zero(problem.unknowns.size(), 3);
+  bool moves = false;
+  for (const Patch& patch : patches_of(wanted, rings, problem.unknowns, problem.parts)) {
+    double longest = little;  // of a patch whose middle is in another part of the mesh
+    for (const Index v : patch) {
+      longest = std::max(longest, lag[problem.unknowns.unknown[v]]);
+    }
+    moves = flow.run(patch, problem.X, longest, move) || moves;
+  }
+  return problem.parts.any(moves);
+}
+
+bool unfolding_moves(const FlowProblem& problem, const Rows& rings, Points& move) {
+  const bool bends = !bending_model(problem.options.laplacian).evens_edges;
+  const std::vector<Patch> flaps =
+      find_flaps(problem.X, problem.topology, rings, problem.unknowns, problem.parts,
+                 bends ? flat_enough : flat_enough_without_curvature);
+  if (!problem.parts.any(!flaps.empty())) {
+    return false;
+  }
+  Points X = problem.X;
+  Flags wanted(static_cast<std::size_t>(problem.topology.vertex_count), 0);
+  for (const Patch& flap : flaps) {
+    even_out(flap, rings, X);
+    for (const Index v : flap) {
+      wanted[v] = 1;
+    }
+  }
+  wanted = grow_one_ring(problem.topology, wanted);
+  PatchFlow flow(problem, rings);
+  move = Points::Zero(problem.unknowns.size(), 3);
+  bool moves = false;
+  for (const Patch& patch : patches_of(wanted, rings, problem.unknowns, problem.parts)) {
+    moves = flow.run(patch, X, problem.options.total_time, move) || moves;
+  }
+  return problem.parts.any(moves);
+}
+
+}  // namespace ibmfair

@@ -1,0 +1,109 @@
+// What a flow of the whole mesh leaves behind is seen to at its end.
+#include "ibmfair/flow/mending.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "ibmfair/flow/folds.h"
+#include "ibmfair/flow/time_scale.h"
+#include "ibmfair/shapes/noise.h"
+#include "ibmfair/shapes/shapes.h"
+#include "support/flow_run.h"
+#include "support/states.h"
+
+namespace ibmfair::test {
+namespace {
+
+std::int64_t folds_in(const Points& X, const Topology& topology) {
+  const std::vector<std::uint8_t> folded = folded_hinges(X, topology);
+  return std::ranges::count(folded, 1);
+}
+
+State sphere() {
+  return State(make_shape("icosphere", {.subdivide = 4}));
+}
+
+/// A sphere with noise within two rings of a vertex, which lags behind.
+class LaggingSpot : public testing::Test {
+ protected:
+  static constexpr Index middle = 1000;
+
+  LaggingSpot() {
+    near_[middle] = 1;
+    near_ = grow_one_ring(sphere_.topology, grow_one_ring(sphere_.topology, near_));
+    const Points noisy = shaken(sphere_, 0.3);
+    for (Index v = 0; v < sphere_.topology.vertex_count; ++v) {
+      if (near_[v]) {
+        X_.row(v) = noisy.row(v);
+      }
+    }
+  }
+
+  const State sphere_ = sphere();
+  const Rows rings_ = vertex_rings(sphere_.topology);
+  std::vector<std::uint8_t> near_ = std::vector<std::uint8_t>(sphere_.X.rows(), 0);
+  Points X_ = sphere_.X;
+  const FlowOptions options_{
+      .total_time = time_for_cutoff(6 * mean_edge_length(sphere_.X, sphere_.topology.E))};
+};
+
+TEST_F(LaggingSpot, CatchesUpAndMovesNothingElse) {
+  FlowProblem problem(X_, sphere_.topology, std::vector<std::uint8_t>(near_.size(), 0), options_,
+                      MeshParts::one());
+  problem.report.time_reached = options_.total_time;
+  Eigen::VectorXd lag = Eigen::VectorXd::Zero(X_.rows());
+  Points move;
+  EXPECT_FALSE(catch_up_moves(problem, rings_, lag, move)) << "nothing lags behind";
+  lag[middle] = options_.total_time;
+  ASSERT_TRUE(catch_up_moves(problem, rings_, lag, move));
+  for (Index v = 0; v < move.rows(); ++v) {
+    EXPECT_TRUE(near_[v] || move.row(v).isZero(0)) << v;
+  }
+  const double smooth = bending_energy(sphere_.X, sphere_.topology, options_.laplacian);
+  EXPECT_GT(problem.energy(), 1.2 * smooth);
+  EXPECT_LT(problem.energy_at(X_ + move), 1.001 * smooth);
+}
+
+/// Crumpled so much that nearly all steps slow something down.
+TEST(Mending, LeavesMuchLessEnergyAndNoMoreFolds) {
+  std::int64_t caught_up = 0;
+  double mended_energy = 0, left_energy = 0;
+  for (const char* laplacian : {"crouzeix-raviart", "lagrange"}) {
+    for (const int seed : {1, 2, 3, 4}) {
+      SCOPED_TRACE(std::string(laplacian) + ", noise " + std::to_string(seed));
+      State state = sphere();
+      add_noise(state.X, 0.8 * mean_edge_length(state.X, state.topology.E), seed);
+      FlowOptions options;
+      options.laplacian = laplacian;
+      const FlowRun mended = run_flow(state, 6, options);
+      options.mend = false;
+      const FlowRun left = run_flow(state, 6, options);
+      EXPECT_LE(mended.report.energy_after, left.report.energy_after);
+      EXPECT_EQ(mended.report.steps.back().energy, mended.report.energy_after);
+      EXPECT_EQ(left.report.caught_up + left.report.unfolded, 0);
+      EXPECT_LE(folds_in(mended.X, state.topology), folds_in(left.X, state.topology));
+      caught_up += mended.report.caught_up;
+      mended_energy += mended.report.energy_after;
+      left_energy += left.report.energy_after;
+    }
+  }
+  EXPECT_GT(caught_up, 0);
+  EXPECT_LT(mended_energy, 0.6 * left_energy);
+}
+
+/// Long after its last culprit the flow has nothing to catch up with.
+TEST(Mending, HasNothingToDoAfterManySteps) {
+  State state(make_shape("torus", {.ratio = 2.5, .rows = 20, .columns = 50}));
+  add_noise(state.X, 0.5 * mean_edge_length(state.X, state.topology.E), 1);
+  const FlowRun run = run_flow(state, 5, {.steps = 400});
+  EXPECT_TRUE(std::ranges::any_of(run.report.steps,
+                                  [](const StepRecord& step) { return step.held_back > 0; }));
+  EXPECT_EQ(run.report.caught_up, 0);
+}
+
+}  // namespace
+}  // namespace ibmfair::test

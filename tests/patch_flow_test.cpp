@@ -1,0 +1,121 @@
+// A patch of a mesh that flows by itself does what it would do in the mesh.
+#include "ibmfair/flow/patch_flow.h"
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "ibmfair/flow/held_vertices.h"
+#include "ibmfair/flow/time_scale.h"
+#include "ibmfair/flow/willmore_flow.h"
+#include "ibmfair/shapes/shapes.h"
+#include "support/flow_run.h"
+#include "support/states.h"
+
+namespace ibmfair::test {
+namespace {
+
+using Flags = std::vector<std::uint8_t>;
+
+Flags around(const Topology& topology, const std::vector<Index>& vertices, int rings) {
+  Flags flags(static_cast<std::size_t>(topology.vertex_count), 0);
+  for (const Index v : vertices) {
+    flags[v] = 1;
+  }
+  for (int i = 0; i < rings; ++i) {
+    flags = grow_one_ring(topology, flags);
+  }
+  return flags;
+}
+
+TEST(Patches, AreThePiecesOfWhatIsWantedAndMayMove) {
+  const State state(make_shape("plane", {.rows = 25, .columns = 40}));
+  const Unknowns unknowns(held_vertices(state.topology, BoundaryCondition::fixed));
+  const Rows rings = vertex_rings(state.topology);
+  const Flags wanted = around(state.topology, {300, 306, 330, 0}, 2);
+  const std::vector<Patch> patches = patches_of(wanted, rings, unknowns, MeshParts::one());
+  EXPECT_EQ(patches.size(), 3U);
+  std::vector<int> patch_of(wanted.size(), -1);
+  for (std::size_t p = 0; p < patches.size(); ++p) {
+    EXPECT_TRUE(std::ranges::is_sorted(patches[p]));
+    for (const Index v : patches[p]) {
+      EXPECT_EQ(patch_of[v], -1);
+      patch_of[v] = static_cast<int>(p);
+    }
+  }
+  for (Index v = 0; v < unknowns.size(); ++v) {
+    EXPECT_EQ(patch_of[v] >= 0, wanted[v] != 0 && unknowns.unknown[v] >= 0) << v;
+    for (const Index q : rings[v]) {
+      EXPECT_TRUE(patch_of[v] < 0 || patch_of[q] < 0 || patch_of[v] == patch_of[q]);
+    }
+  }
+}
+
+struct Setting {
+  std::string name;
+  FlowOptions options;
+};
+
+std::vector<Setting> settings(const State& state) {
+  std::vector<Setting> all{{"Crouzeix-Raviart", {}},
+                           {"Lagrange", {.laplacian = "lagrange"}},
+                           {"umbrella", {.laplacian = "umbrella"}},
+                           {"identity", {.mass = false, .metric = Metric::identity}},
+                           {"sharp", {.sharp_angle = 0.5}},
+                           {"bounded", {.max_move = 0.05}},
+                           {"bent", {.laplacian = "lagrange"}},
+                           {"uneven", {}},
+                           {"two iterations", {.newton_iterations = 2}}};
+  all[6].options.spontaneous_curvature = state.X.col(0);
+  all[7].options.cutoff_factor = state.X.col(1).array() + 3;
+  return all;
+}
+
+TEST(PatchFlow, GoesWhereTheMeshWouldGoWithTheRestHeld) {
+  State state(make_shape("torus", {.ratio = 2.5, .rows = 24, .columns = 60}));
+  state.X = shaken(state, 0.2);
+  const Rows rings = vertex_rings(state.topology);
+  const double edge = mean_edge_length(state.X, state.topology.E);
+  const Flags wanted = around(state.topology, {700}, 3);
+  for (auto& [name, options] : settings(state)) {
+    SCOPED_TRACE(name);
+    options.solver = "cholmod";
+    options.total_time =
+        time_in_flow_units(time_for_cutoff(6 * edge), state.X, state.topology, options);
+    FlowProblem problem(state.X, state.topology, Flags(wanted.size(), 0), options,
+                        MeshParts::one());
+    problem.report.solver = options.solver;
+    const Patch patch = patches_of(wanted, rings, problem.unknowns, MeshParts::one()).front();
+    Points move = Points::Zero(state.X.rows(), 3);
+    EXPECT_TRUE(PatchFlow(problem, rings).run(patch, state.X, options.total_time, move));
+
+    Flags held(wanted.size());
+    std::ranges::transform(wanted, held.begin(), [](auto flag) { return flag ? 0 : 1; });
+    Points expected = state.X;
+    FlowOptions alone = options;
+    alone.mend = false;
+    willmore_flow(expected, state.topology, held, alone);
+    EXPECT_GT(move.norm(), 0.01 * edge);
+    EXPECT_LT((state.X + move - expected).rowwise().norm().maxCoeff(), 1e-6 * edge);
+  }
+}
+
+TEST(PatchFlow, LeavesAPatchAloneThatWouldHaveMoreEnergy) {
+  const State state(make_shape("icosphere", {.subdivide = 3}));
+  const Rows rings = vertex_rings(state.topology);
+  FlowOptions options;
+  options.total_time = time_for_cutoff(4 * mean_edge_length(state.X, state.topology.E));
+  const FlowProblem problem(state.X, state.topology, Flags(state.X.rows(), 0), options,
+                            MeshParts::one());
+  const Flags wanted = around(state.topology, {100}, 2);
+  const Patch patch = patches_of(wanted, rings, problem.unknowns, MeshParts::one()).front();
+  Points move = Points::Zero(state.X.rows(), 3);
+  const Points rough = shaken(state, 0.3);
+  EXPECT_FALSE(PatchFlow(problem, rings).run(patch, rough, 1e-9 * options.total_time, move));
+  EXPECT_TRUE(move.isZero(0));
+}
+
+}  // namespace
+}  // namespace ibmfair::test
