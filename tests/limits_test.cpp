@@ -120,6 +120,23 @@ TEST(Limits, WhatDoesNotFitIntoTheAddressSpaceIsRefusedWithWhatWould) {
   }
 }
 
+TEST(Limits, MemoryComesInLargePagesWhereTheSystemHasThem) {
+#ifdef __SANITIZE_ADDRESS__
+  GTEST_SKIP() << "AddressSanitizer has a heap of its own";
+#endif
+  const std::string setting = "/sys/kernel/mm/transparent_hugepage/enabled";
+  if (!fs::exists(setting) || contains(read_bytes(setting), "[never]")) {
+    GTEST_SKIP() << "no large pages";
+  }
+  const TemporaryDirectory directory;
+  const std::string in = directory / "in.ply", out = directory / "out.ply";
+  ASSERT_EQ(run_program({"make", "torus", in, "--rows", "240", "--columns", "600"}).exit_code, 0);
+  const RunResult run = run_program({"smooth", in, out, "--quiet", "--solver", "cg"});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const double small_pages = run.peak_megabytes * 256;  // of 4 KiB, if there were no others
+  EXPECT_LT(static_cast<double>(run.page_faults), small_pages / 8);
+}
+
 TEST(Limits, FillKeepsToTheMemoryItIsGiven) {
   const TemporaryDirectory directory;
   const std::string in = directory / "in.off", out = directory / "out.off";

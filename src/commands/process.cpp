@@ -43,6 +43,7 @@ void prepare_process() {
   keep_open(STDERR_FILENO, O_RDONLY);
   handle_signals();
   keep_freed_memory();
+  use_large_pages();
   end_blas_threads();
 }
 

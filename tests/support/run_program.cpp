@@ -250,6 +250,7 @@ RunResult run_program(const std::vector<std::string>& arguments, const RunOption
   }
   result.cpu_seconds = seconds(usage.ru_utime) + seconds(usage.ru_stime);
   result.peak_megabytes = static_cast<double>(usage.ru_maxrss) / 1024;
+  result.page_faults = usage.ru_minflt;
   result.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
   return result;
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <fstream>
 #include <limits>
 #include <optional>
@@ -10,8 +11,10 @@
 #include <fmt/format.h>
 #include <malloc.h>
 #include <sys/resource.h>
+#include <unistd.h>
 
 #include "ibmfair/base/errors.h"
+#include "ibmfair/base/huge_pages.h"
 
 namespace ibmfair {
 namespace {
@@ -115,6 +118,23 @@ void keep_freed_memory() {
 #ifdef __GLIBC__
   mallopt(M_MMAP_MAX, 0);         // what was mapped for one array would go back with it
   mallopt(M_TRIM_THRESHOLD, -1);  // never
+  mallopt(M_ARENA_MAX, 1);        // others are mapped, too
+#endif
+}
+
+void use_large_pages() {
+#if defined(__GLIBC__) && !defined(__SANITIZE_ADDRESS__)
+  constexpr double all_is_counted = 2;  // address space counts as memory before it is touched
+  if (std::isfinite(address_space_limit()) ||
+      number_in("/proc/sys/vm/overcommit_memory") == all_is_counted) {
+    return;
+  }
+  const auto bytes = static_cast<std::size_t>(sysconf(_SC_PHYS_PAGES)) / 2 *
+                     static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
+  if (void* const ahead = std::malloc(bytes)) {
+    advise_huge_pages(ahead, bytes);
+    std::free(ahead);  // the heap goes on from here
+  }
 #endif
 }
 
