@@ -6,11 +6,10 @@
 #include "ibmfair/base/errors.h"
 #include "ibmfair/base/parallel.h"
 #include "ibmfair/base/stopwatch.h"
-#include "ibmfair/flow/culprits.h"
+#include "ibmfair/flow/bad_spots.h"
 #include "ibmfair/flow/distortion.h"
 #include "ibmfair/flow/fold_free_move.h"
 #include "ibmfair/flow/folds.h"
-#include "ibmfair/flow/lag.h"
 #include "ibmfair/flow/mending.h"
 #include "ibmfair/flow/tangential_relaxation.h"
 #include "ibmfair/mesh/geometry.h"
@@ -26,13 +25,9 @@ constexpr double time_step_cut =
     1.0 / 32;                        // of the time step, where a step distorts too much or fails
 constexpr double most_taken = 0.25;  // of the energy, off a vertex by one step
 constexpr double growth = 2, fast_growth = 8;  // of the time step; fast below half the distortion
-constexpr double heavier = 256, lighter = 4;   // factors of local damping
-constexpr double standstill = 1e12;            // local damping of a vertex that has gone far enough
 constexpr int slowings = 3;                    // at the culprits before the step is halved
-constexpr double slower = 0.1;                 // at the culprits
 constexpr int backtracks = 2;                  // halvings of a step before it is given up
 constexpr int oldest_when_slowed = 16;         // steps with one Jacobian that culprits slow down
-constexpr double memory = 1.0 / 4;             // of the total time, for what was held up
 constexpr double first_step = 1e-4;            // of the target, at least
 constexpr double smallest_time_step = 1e-12;   // of the target, before giving up
 constexpr double rounding = 1e-14;             // of the energy: a smaller decrease is not seen
@@ -50,8 +45,7 @@ class GuardedFlow {
         has_limit_(problem.options.energy_is_dimensionless()),
         h_(h_target_),
         left_(problem.options.total_time),
-        lag_(problem.unknowns.size(), memory * problem.options.total_time),
-        culprits_(static_cast<std::size_t>(problem.topology.vertex_count), 0) {}
+        bad_spots_(problem) {}
 
   void run() {
     relax_needles();
@@ -127,7 +121,7 @@ class GuardedFlow {
       return true;
     }
     p_.newton_step(step_);
-    lag_.forget_step();
+    bad_spots_.begin_step();
     take_slope();
     StepRecord record;
     record.refactored = fresh;
@@ -147,7 +141,7 @@ class GuardedFlow {
     }
     record.held_back += shorten_own_moves();
     if (!search(record)) {
-      give_up(fresh && !is_local_);
+      give_up(fresh && !bad_spots_.are_to_blame());
       return true;
     }
     accept(record);
@@ -185,7 +179,7 @@ class GuardedFlow {
     {
       const Stopwatch watch(p_.report.seconds.guard);
       edge_length_ = local_edge_length(p_.X, rings_);
-      renew_damping();
+      bad_spots_.damp();
     }
     try {
       p_.jacobian().refactor(p_.X, h_);
@@ -200,19 +194,6 @@ class GuardedFlow {
     stale_ = false;
     age_ = 0;
     return true;
-  }
-
-  /// Makes the metric heavier around the vertices that have held up the flow since the Jacobian was
-  /// renewed, so that they do not hold up the next steps, too.
-  void renew_damping() {
-    Eigen::VectorXd& damping = p_.jacobian().damping();
-    damping(stopped_).setOnes();
-    damping = (damping / lighter).cwiseMax(1.0);
-    for_each_near_culprits([&](Index u) { damping[u] *= heavier; });
-    std::ranges::fill(culprits_, std::uint8_t{0});
-    slowed_ = p_.parts.any((damping.array() > 1).any());
-    stopped_ = p_.stopped();
-    damping(stopped_).setConstant(standstill);
   }
 
   /// Nothing was moved: the Jacobian is renewed, and the time step cut where that alone would lead
@@ -251,7 +232,7 @@ class GuardedFlow {
   /// Looks for a fraction of the step that lowers the energy enough; leaves it in Y_.
   bool search(StepRecord& record) {
     const Stopwatch watch(p_.report.seconds.guard);
-    is_local_ = false;
+    bad_spots_.absolve();
     for (int i = 0; i <= backtracks; ++i, fraction_ /= 2) {
       move_.resize(step_.rows(), 3);
       parallel_for(step_.rows(), [&](std::int64_t u) { move_.row(u) = fraction_ * step_.row(u); });
@@ -283,43 +264,8 @@ class GuardedFlow {
         record.held_back += count(static_cast<double>(shortened));
         return true;
       }
-      if (times == slowings || !slow_culprits(shortened)) {
+      if (times == slowings || !bad_spots_.slow(Y_, age_ == 0, move_, shortened)) {
         return false;
-      }
-    }
-  }
-
-  /// Shortens the move near the culprits of the trial in Y_ and of those before it, and counts the
-  /// unknowns; false where that is no way out.
-  bool slow_culprits(std::int64_t& shortened) {
-    const Culprits found = find_culprits(p_, p_.gradient_at(Y_), move_);
-    is_local_ = found.are_local;
-    // For trouble everywhere an old Jacobian, which slows nothing down yet, is to blame.
-    if (is_local_ || age_ == 0 || slowed_) {
-      for (const Index v : found.vertices) {
-        culprits_[v] = 1;
-      }
-      p_.parts.refresh(culprits_);
-    }
-    if (!is_local_) {
-      return false;
-    }
-    for_each_near_culprits([&](Index u) {
-      move_.row(u) *= slower;
-      lag_.slow(u, slower);
-      ++shortened;
-    });
-    slowed_ = true;
-    return true;
-  }
-
-  /// Of the unknowns, culprits and their neighbours.
-  template <class Change>
-  void for_each_near_culprits(const Change& change) const {
-    const std::vector<std::uint8_t> near = grow_one_ring(p_.topology, culprits_);
-    for (Index u = 0; u < p_.unknowns.size(); ++u) {
-      if (near[p_.unknowns.vertex[u]]) {
-        change(u);
       }
     }
   }
@@ -348,7 +294,7 @@ class GuardedFlow {
     record.time_step = fraction_ * p_.jacobian().time_step();
     record.largest_move = p_.longest(move_);
     left_ = std::max(0.0, left_ - record.time_step);
-    lag_.end_step(record.time_step, p_.jacobian().damping(), stopped_);
+    bad_spots_.end_step(record.time_step);
     record.time = p_.report.time_reached = p_.options.total_time - left_;
     p_.report.energy_after = trial_energy_;
     p_.move_to(Y_);
@@ -367,7 +313,7 @@ class GuardedFlow {
   void mend() {
     const Stopwatch watch(p_.report.seconds.guard);
     energy_before_step_ = p_.report.energy_after;
-    if (catch_up_moves(p_, rings_, lag_.missed(), move_)) {
+    if (catch_up_moves(p_, rings_, bad_spots_.missed(), move_)) {
       p_.report.caught_up = sweep_and_count();
     }
     if (unfolds_ && unfolding_moves(p_, rings_, move_)) {
@@ -415,7 +361,7 @@ class GuardedFlow {
       stale_ = true;
     }
     // Nothing is to be slowed down for much longer than it has to.
-    stale_ = stale_ || (slowed_ && age_ >= oldest_when_slowed);
+    stale_ = stale_ || (bad_spots_.are_slowed() && age_ >= oldest_when_slowed);
   }
 
   FlowProblem& p_;
@@ -429,21 +375,17 @@ class GuardedFlow {
   double h_;              // the time step to use next
   double left_;           // of the total time
   bool stale_ = true;     // the Jacobian is to be renewed before the next step
-  Lag lag_;
-  int age_ = 0;          // steps made with the Jacobian
-  bool slowed_ = false;  // near culprits, by damping or on the way
+  BadSpots bad_spots_;
+  int age_ = 0;  // steps made with the Jacobian
   PerVertex edge_length_;
   double fraction_ = 1;                 // of the Newton step that is tried
   double slope_ = 0, metric_part_ = 0;  // of the whole step d: <-g,d> and <d,Dd>/h
   double distortion_ = 0;
   double trial_energy_ = 0, energy_before_step_ = 0;
-  Points step_;                 // the Newton step, one row per unknown
-  Points own_;                  // the part of it that neighbours do not share
-  std::vector<Index> stopped_;  // unknowns that the Jacobian holds: they went as far as they may
-  Points move_;                 // the move that is tried, one row per unknown
-  Points Y_;                    // where it leads
-  std::vector<std::uint8_t> culprits_;  // per vertex, since the Jacobian was renewed
-  bool is_local_ = false;               // what is wrong with the last trial
+  Points step_;  // the Newton step, one row per unknown
+  Points own_;   // the part of it that neighbours do not share
+  Points move_;  // the move that is tried, one row per unknown
+  Points Y_;     // where it leads
 };
 
 }  // namespace
