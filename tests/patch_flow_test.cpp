@@ -35,7 +35,7 @@ TEST(Patches, AreThePiecesOfWhatIsWantedAndMayMove) {
   const Unknowns unknowns(held_vertices(state.topology, BoundaryCondition::fixed));
   const Rows rings = vertex_rings(state.topology);
   const Flags wanted = around(state.topology, {300, 306, 330, 0}, 2);
-  const std::vector<Patch> patches = patches_of(wanted, rings, unknowns, MeshParts::one());
+  const std::vector<VertexPatch> patches = patches_of(wanted, rings, unknowns, MeshParts::one());
   EXPECT_EQ(patches.size(), 3U);
   std::vector<int> patch_of(wanted.size(), -1);
   for (std::size_t p = 0; p < patches.size(); ++p) {
@@ -87,7 +87,7 @@ TEST(PatchFlow, GoesWhereTheMeshWouldGoWithTheRestHeld) {
     FlowProblem problem(state.X, state.topology, Flags(wanted.size(), 0), options,
                         MeshParts::one());
     problem.report.solver = options.solver;
-    const Patch patch = patches_of(wanted, rings, problem.unknowns, MeshParts::one()).front();
+    const VertexPatch patch = patches_of(wanted, rings, problem.unknowns, MeshParts::one()).front();
     Points move = Points::Zero(state.X.rows(), 3);
     EXPECT_TRUE(PatchFlow(problem, rings).run(patch, state.X, options.total_time, move));
 
@@ -110,7 +110,7 @@ TEST(PatchFlow, LeavesAPatchAloneThatWouldHaveMoreEnergy) {
   const FlowProblem problem(state.X, state.topology, Flags(state.X.rows(), 0), options,
                             MeshParts::one());
   const Flags wanted = around(state.topology, {100}, 2);
-  const Patch patch = patches_of(wanted, rings, problem.unknowns, MeshParts::one()).front();
+  const VertexPatch patch = patches_of(wanted, rings, problem.unknowns, MeshParts::one()).front();
   Points move = Points::Zero(state.X.rows(), 3);
   const Points rough = shaken(state, 0.3);
   EXPECT_FALSE(PatchFlow(problem, rings).run(patch, rough, 1e-9 * options.total_time, move));

@@ -26,7 +26,7 @@ constexpr double flat = 0.6;
 Points unfolded_by(const State& state, const std::vector<std::uint8_t>& held) {
   const Rows rings = vertex_rings(state.topology);
   Points X = state.X;
-  for (const Patch& flap :
+  for (const VertexPatch& flap :
        find_flaps(state.X, state.topology, rings, Unknowns(held), MeshParts::one(), flat)) {
     even_out(flap, rings, X);
   }

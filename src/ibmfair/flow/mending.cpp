@@ -37,7 +37,7 @@ bool catch_up_moves(const FlowProblem& problem, const Rows& rings, const Eigen::
   PatchFlow flow(problem, rings);
   move = Points::Zero(problem.unknowns.size(), 3);
   bool moves = false;
-  for (const Patch& patch : patches_of(wanted, rings, problem.unknowns, problem.parts)) {
+  for (const VertexPatch& patch : patches_of(wanted, rings, problem.unknowns, problem.parts)) {
     double longest = little;  // of a patch whose middle is in another part of the mesh
     for (const Index v : patch) {
       longest = std::max(longest, lag[problem.unknowns.unknown[v]]);
@@ -49,7 +49,7 @@ bool catch_up_moves(const FlowProblem& problem, const Rows& rings, const Eigen::
 
 bool unfolding_moves(const FlowProblem& problem, const Rows& rings, Points& move) {
   const bool bends = !bending_model(problem.options.laplacian).evens_edges;
-  const std::vector<Patch> flaps =
+  const std::vector<VertexPatch> flaps =
       find_flaps(problem.X, problem.topology, rings, problem.unknowns, problem.parts,
                  bends ? flat_enough : flat_enough_without_curvature);
   if (!problem.parts.any(!flaps.empty())) {
@@ -57,7 +57,7 @@ bool unfolding_moves(const FlowProblem& problem, const Rows& rings, Points& move
   }
   Points X = problem.X;
   Flags wanted(static_cast<std::size_t>(problem.topology.vertex_count), 0);
-  for (const Patch& flap : flaps) {
+  for (const VertexPatch& flap : flaps) {
     even_out(flap, rings, X);
     for (const Index v : flap) {
       wanted[v] = 1;
@@ -67,7 +67,7 @@ bool unfolding_moves(const FlowProblem& problem, const Rows& rings, Points& move
   PatchFlow flow(problem, rings);
   move = Points::Zero(problem.unknowns.size(), 3);
   bool moves = false;
-  for (const Patch& patch : patches_of(wanted, rings, problem.unknowns, problem.parts)) {
+  for (const VertexPatch& patch : patches_of(wanted, rings, problem.unknowns, problem.parts)) {
     moves = flow.run(patch, X, problem.options.total_time, move) || moves;
   }
   return problem.parts.any(moves);

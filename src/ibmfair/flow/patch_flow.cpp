@@ -36,21 +36,21 @@ FlowOptions options_for_patches(const FlowProblem& problem) {
 
 }  // namespace
 
-std::vector<Patch> patches_of(const std::vector<std::uint8_t>& wanted, const Rows& rings,
-                              const Unknowns& unknowns, const MeshParts& parts) {
+std::vector<VertexPatch> patches_of(const std::vector<std::uint8_t>& wanted, const Rows& rings,
+                                    const Unknowns& unknowns, const MeshParts& parts) {
   std::vector<std::uint8_t> left(wanted.size());
   for (const Index v : unknowns.vertex) {
     const auto ring = rings[v];
     left[v] =
         wanted[v] != 0 && std::ranges::all_of(ring, [&](Index q) { return parts.owns_vertex(q); });
   }
-  std::vector<Patch> patches;
+  std::vector<VertexPatch> patches;
   for (const Index seed : unknowns.vertex) {
     if (left[seed] == 0) {
       continue;
     }
     left[seed] = 0;
-    Patch patch{seed};
+    VertexPatch patch{seed};
     for (std::size_t i = 0; i < patch.size(); ++i) {
       for (const Index q : rings[patch[i]]) {
         if (left[q] != 0) {
@@ -72,7 +72,7 @@ PatchFlow::PatchFlow(const FlowProblem& problem, const Rows& rings)
       is_near_(static_cast<std::size_t>(problem.topology.vertex_count), 0),
       place_(is_near_.size()) {}
 
-bool PatchFlow::run(const Patch& patch, const Points& X, double time, Points& move) {
+bool PatchFlow::run(const VertexPatch& patch, const Points& X, double time, Points& move) {
   const FlowOptions& whole = problem_.options;
   LocalMesh local = cut_out(patch);
   local.options.total_time = time;
@@ -104,7 +104,7 @@ bool PatchFlow::run(const Patch& patch, const Points& X, double time, Points& mo
 
 /// With all triangles at the patch and at its neighbours: nothing farther away is in a stencil
 /// that the patch moves, or in the mass of such a stencil.
-LocalMesh PatchFlow::cut_out(const Patch& patch) {
+LocalMesh PatchFlow::cut_out(const VertexPatch& patch) {
   const Topology& topology = problem_.topology;
   std::vector<Index> vertices, triangles;
   const auto take = [&](Index v) {

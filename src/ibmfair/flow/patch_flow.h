@@ -12,12 +12,12 @@
 namespace ibmfair {
 
 /// Unknown vertices, each once.
-using Patch = std::vector<Index>;
+using VertexPatch = std::vector<Index>;
 
 /// Those with a flag in `wanted` (#V), in pieces that hang together. A vertex is left out that is
 /// held, or that touches one that belongs to another part of the mesh: not all around it is here.
-std::vector<Patch> patches_of(const std::vector<std::uint8_t>& wanted, const Rows& rings,
-                              const Unknowns& unknowns, const MeshParts& parts);
+std::vector<VertexPatch> patches_of(const std::vector<std::uint8_t>& wanted, const Rows& rings,
+                                    const Unknowns& unknowns, const MeshParts& parts);
 
 class PatchFlow {
  public:
@@ -28,10 +28,10 @@ class PatchFlow {
   /// Lets a patch flow for `time` from where it is at `X` (#V x 3). Where it then has less energy
   /// than at the problem's state, writes its rows of the move that leads there from that state to
   /// `move` (one row per unknown, length), and returns true.
-  bool run(const Patch& patch, const Points& X, double time, Points& move);
+  bool run(const VertexPatch& patch, const Points& X, double time, Points& move);
 
  private:
-  LocalMesh cut_out(const Patch& patch);
+  LocalMesh cut_out(const VertexPatch& patch);
 
   const FlowProblem& problem_;
   const Rows& rings_;

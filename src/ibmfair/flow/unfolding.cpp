@@ -28,10 +28,10 @@ class FlapFinder {
         flat_(flat),
         wanted_(static_cast<std::size_t>(topology.vertex_count), 0) {}
 
-  std::vector<Patch> flaps() {
+  std::vector<VertexPatch> flaps() {
     want_vertices_at_folds();
-    std::vector<Patch> found = patches_of(wanted_, rings_, unknowns_, parts_);
-    std::erase_if(found, [&](const Patch& patch) {
+    std::vector<VertexPatch> found = patches_of(wanted_, rings_, unknowns_, parts_);
+    std::erase_if(found, [&](const VertexPatch& patch) {
       return patch.size() > most_vertices || !is_flat_around(patch);
     });
     return found;
@@ -63,7 +63,7 @@ class FlapFinder {
   }
 
   /// Of the triangles at the rim that the patch does not move.
-  bool is_flat_around(const Patch& patch) const {
+  bool is_flat_around(const VertexPatch& patch) const {
     const auto inside = [&](Index v) { return std::binary_search(patch.begin(), patch.end(), v); };
     std::vector<Index> around;
     for (const Index v : patch) {
@@ -100,12 +100,12 @@ class FlapFinder {
 
 }  // namespace
 
-std::vector<Patch> find_flaps(const Points& X, const Topology& topology, const Rows& rings,
-                              const Unknowns& unknowns, const MeshParts& parts, double flat) {
+std::vector<VertexPatch> find_flaps(const Points& X, const Topology& topology, const Rows& rings,
+                                    const Unknowns& unknowns, const MeshParts& parts, double flat) {
   return FlapFinder(X, topology, rings, unknowns, parts, flat).flaps();
 }
 
-void even_out(const Patch& patch, const Rows& rings, Points& X) {
+void even_out(const VertexPatch& patch, const Rows& rings, Points& X) {
   for (int i = 0; i < sweeps; ++i) {
     for (const Index v : patch) {
       Vec3 mean = Vec3::Zero();

@@ -12,11 +12,11 @@ namespace ibmfair {
 /// them, as what is around them is not flat; nor is what is at a boundary or on several parts.
 /// `flat`: what the normals around keep of their lengths when they are added, at least, up to 1.
 /// `rings` are those of vertex_rings.
-std::vector<Patch> find_flaps(const Points& X, const Topology& topology, const Rows& rings,
-                              const Unknowns& unknowns, const MeshParts& parts, double flat);
+std::vector<VertexPatch> find_flaps(const Points& X, const Topology& topology, const Rows& rings,
+                                    const Unknowns& unknowns, const MeshParts& parts, double flat);
 
 /// Brings each vertex of a patch to the mean of its neighbours: a map that folds nothing over where
 /// the rim is convex (Tutte 1963).
-void even_out(const Patch& patch, const Rows& rings, Points& X);
+void even_out(const VertexPatch& patch, const Rows& rings, Points& X);
 
 }  // namespace ibmfair
