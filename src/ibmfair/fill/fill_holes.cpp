@@ -3,15 +3,13 @@
 #include <algorithm>
 #include <exception>
 #include <mutex>
-#include <optional>
 
-#include "ibmfair/base/errors.h"
 #include "ibmfair/base/parallel.h"
 #include "ibmfair/base/stopwatch.h"
 #include "ibmfair/fill/harmonic_extension.h"
+#include "ibmfair/fill/hole_filler.h"
 #include "ibmfair/fill/hole_groups.h"
 #include "ibmfair/fill/intersections.h"
-#include "ibmfair/fill/refine.h"
 
 namespace ibmfair {
 namespace {
@@ -19,170 +17,6 @@ namespace {
 constexpr Index least_limit = 100'000;         // of new vertices, where none is given
 constexpr double most_per_squared_edge = 0.5;  // the same for one hole
 constexpr double least_per_hole = 64;
-
-/// Holes that are filled together, and what becomes of them.
-struct GroupResult {
-  std::vector<Index> holes;  // those that `patch` fills
-  std::optional<Patch> patch;
-  std::vector<Index> hole_of_rim;   // per rim edge of the patch
-  Index most_vertices = 0;          // that the patch may have
-  std::vector<HoleReport> reports;  // one per hole of the group
-};
-
-HoleReport report_of(Index hole, HoleStatus status, std::string reason = {}) {
-  HoleReport report;
-  report.hole = hole;
-  report.status = status;
-  report.reason = std::move(reason);
-  return report;
-}
-
-class HoleFiller {
- public:
-  HoleFiller(const Points& X, const Topology& topology, const std::vector<Hole>& holes,
-             const FillOptions& options)
-      : X_(X), topology_(topology), holes_(holes), options_(options) {}
-
-  /// Triangulates the holes of a group together, or each alone where one of them cannot be.
-  std::vector<GroupResult> cut(const std::vector<Index>& group, Index most_vertices) const {
-    std::vector<GroupResult> results;
-    try {
-      results.push_back(cut_together(group, most_vertices));
-      return results;
-    } catch (const BadMesh& error) {
-      if (group.size() == 1) {
-        results.emplace_back();
-        results.back().reports.push_back(
-            report_of(group.front(), HoleStatus::failed, error.what()));
-        return results;
-      }
-    }
-    for (const Index hole : group) {
-      for (GroupResult& part : cut({hole}, most_vertices / static_cast<Index>(group.size()))) {
-        results.push_back(std::move(part));
-      }
-    }
-    return results;
-  }
-
-  /// Refines, fairs and judges what was triangulated.
-  void finish(GroupResult& group) const {
-    if (!group.patch) {
-      return;
-    }
-    HoleReport report = refined_and_faired(*group.patch, group.most_vertices);
-    if (!group.patch->X.allFinite()) {  // no predicate is defined there
-      group.patch.reset();
-      for (const Index hole : group.holes) {
-        group.reports.push_back(
-            report_of(hole, HoleStatus::failed, "its coordinates are too large to compute with"));
-      }
-      return;
-    }
-    const std::vector<Index> nearest = nearest_rim_edges(*group.patch);
-    for (const Index hole : group.holes) {
-      report.hole = hole;
-      report.seam = audit_seam(*group.patch, nearest, rim_of(group, hole));
-      group.reports.push_back(report);
-    }
-  }
-
- private:
-  GroupResult cut_together(const std::vector<Index>& group, Index most_vertices) const {
-    GroupResult result;
-    result.holes = group;
-    result.most_vertices = most_vertices;
-    std::vector<std::vector<Index>> loops;
-    for (const Index hole : group) {
-      if (!holes_[hole].closed) {
-        throw BadMesh("its boundary ends at an edge of three or more triangles");
-      }
-      for (auto& loop : simple_loops(holes_[hole].loop)) {
-        result.hole_of_rim.insert(result.hole_of_rim.end(), loop.size(), hole);
-        loops.push_back(std::move(loop));
-      }
-    }
-    result.patch = cut_patch(X_, topology_, loops, options_.rim_smooth);
-    return result;
-  }
-
-  static std::vector<std::uint8_t> rim_of(const GroupResult& result, Index hole) {
-    std::vector<std::uint8_t> chosen(result.hole_of_rim.size());
-    std::transform(result.hole_of_rim.begin(), result.hole_of_rim.end(), chosen.begin(),
-                   [hole](Index h) { return h == hole ? 1 : 0; });
-    return chosen;
-  }
-
-  HoleReport refined_and_faired(Patch& patch, Index most_vertices) const {
-    if (options_.fair) {
-      return options_.refine ? refined_while_faired(patch, most_vertices) : faired(patch);
-    }
-    bool refined = true;
-    if (options_.refine) {
-      refined = refine(patch, {1, false, most_vertices});
-    } else {
-      split_taken_edges(patch);
-    }
-    return concluded({}, true, refined);
-  }
-
-  HoleReport faired(Patch& patch) const {
-    split_taken_edges(patch);
-    try {
-      const FairingReport fairing = fair(patch, options_.fairing);
-      return concluded(fairing, fairing.converged, true);
-    } catch (const FactorizationFailed& error) {
-      return report_of(0, HoleStatus::not_converged, error.what());
-    }
-  }
-
-  /// Where the way from coarse to fine does not end at a stationary surface, as at a rim with a
-  /// sharp tip that few triangles cannot follow, the fine level alone may.
-  HoleReport refined_while_faired(Patch& patch, Index most_vertices) const {
-    Patch second = patch;
-    HoleReport report = refined_while_faired(patch, most_vertices, options_.fairing);
-    if (report.status != HoleStatus::not_converged || report.fairing.levels == 1) {
-      return report;
-    }
-    FairingOptions options = options_.fairing;
-    options.most_levels = 1;
-    HoleReport again = refined_while_faired(second, most_vertices, options);
-    if (again.status == HoleStatus::not_converged) {
-      return report;
-    }
-    patch = std::move(second);
-    return again;
-  }
-
-  static HoleReport refined_while_faired(Patch& patch, Index most_vertices,
-                                         const FairingOptions& options) {
-    bool refined = true;
-    try {
-      const FairingReport fairing = refine_and_fair(patch, options, most_vertices, refined);
-      return concluded(fairing, fairing.converged, refined);
-    } catch (const FactorizationFailed& error) {
-      return report_of(0, HoleStatus::not_converged, error.what());
-    }
-  }
-
-  static HoleReport concluded(const FairingReport& fairing, bool converged, bool refined) {
-    HoleReport report = report_of(0, HoleStatus::filled);
-    report.fairing = fairing;
-    if (!refined) {
-      report.status = HoleStatus::coarse;
-      report.reason = "the limit of new vertices ended its refinement";
-    } else if (!converged) {
-      report.status = HoleStatus::not_converged;
-      report.reason = "the fairing did not reach its tolerance";
-    }
-    return report;
-  }
-
-  const Points& X_;
-  const Topology& topology_;
-  const std::vector<Hole>& holes_;
-  const FillOptions& options_;
-};
 
 /// The most vertices that each group may get. A hole of n edges asks for about n^2 / 10; a hostile
 /// one must not take what others need.
@@ -218,7 +52,7 @@ class Assembly {
     filling.X = X;
   }
 
-  void add(GroupResult& group) {
+  void add(FilledGroup& group) {
     for (HoleReport& report : group.reports) {
       filling_.holes[report.hole] = std::move(report);
     }
@@ -260,7 +94,7 @@ class Assembly {
   }
 
  private:
-  void count_vertices(const GroupResult& group, const std::vector<Index>& nearest) {
+  void count_vertices(const FilledGroup& group, const std::vector<Index>& nearest) {
     const Patch& patch = *group.patch;
     std::vector<Index> hole(static_cast<std::size_t>(patch.own_size()), -1);
     for (Index t = 0; t < patch.net.size(); ++t) {
@@ -304,16 +138,16 @@ class HoleCounter {
   std::int64_t finished_ = 0, all_ = 0;
 };
 
-std::vector<GroupResult> fill_groups(const HoleFiller& filler,
+std::vector<FilledGroup> fill_groups(const HoleFiller& filler,
                                      const std::vector<std::vector<Index>>& groups,
                                      const std::vector<Index>& limits,
                                      const HoleObserver& observer) {
   HoleCounter counter(groups, observer);
   // CGAL breaks ties between triangulations by addresses in memory, which depend on what other
   // threads allocate: one after the other, before anything runs in parallel.
-  std::vector<GroupResult> results;
+  std::vector<FilledGroup> results;
   for (std::size_t i = 0; i < groups.size(); ++i) {
-    for (GroupResult& result : filler.cut(groups[i], limits[i])) {
+    for (FilledGroup& result : filler.cut(groups[i], limits[i])) {
       results.push_back(std::move(result));
     }
   }
@@ -390,7 +224,7 @@ Filling fill_holes(const Points& X, const Topology& topology, const HoleChoice& 
       fill_groups(HoleFiller(X, topology, holes, options), groups,
                   shares(groups, holes, options, static_cast<Index>(X.rows())), options.on_hole);
   Assembly assembly(X, filling);
-  for (GroupResult& group : results) {
+  for (FilledGroup& group : results) {
     assembly.add(group);
   }
   assembly.finish();
