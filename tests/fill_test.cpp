@@ -1,7 +1,9 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <random>
 #include <set>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -123,6 +125,48 @@ TEST(Fill, SameBytesForAnyNumberOfThreadsAndEveryTime) {
     const Filling again = fill_all(state);
     EXPECT_EQ(again.new_X, one.new_X);
     EXPECT_EQ(again.new_F, one.new_F);
+  }
+}
+
+/// Takes memory of many sizes and gives half of it back, so that what comes next lies here or
+/// there.
+std::vector<std::vector<char>> scattered_heap(unsigned seed) {
+  std::mt19937 random(seed);
+  std::vector<std::vector<char>> blocks;
+  for (int i = 0; i < 400; ++i) {
+    blocks.emplace_back(random() % 8000);
+  }
+  std::shuffle(blocks.begin(), blocks.end(), random);
+  blocks.resize(200);
+  return blocks;
+}
+
+/// On a surface as regular as this, some triangulations of a hole are equally good to the last bit.
+TEST(Fill, SameTrianglesWhereverMemoryLies) {
+  const State torus(make_shape("torus", {.ratio = 2.5, .rows = 48, .columns = 120}));
+  std::vector<std::uint8_t> near(torus.X.rows(), 0);
+  for (std::size_t v = 0; v < near.size(); v += 501) {
+    near[v] = 1;
+  }
+  for (int ring = 0; ring < 4; ++ring) {
+    near = grow_one_ring(torus.topology, near);
+  }
+  std::vector<Index> cut;
+  for (Index t = 0; t < torus.topology.F.rows(); ++t) {
+    const auto corners = torus.topology.F.row(t);
+    if (std::ranges::any_of(corners, [&](Index v) { return near[v] != 0; })) {
+      cut.push_back(t);
+    }
+  }
+  const State holed(without_triangles(mesh_from_triangles(torus.X, torus.topology.F), cut));
+  ASSERT_GE(holed.topology.boundary_loops.size(), 8u);
+  FillOptions options;
+  options.refine = options.fair = false;
+  const Filling expected = fill_all(holed, options);
+  for (unsigned seed = 1; seed <= 30; ++seed) {
+    const auto blocks = scattered_heap(seed);
+    const Filling again = fill_all(holed, options);
+    ASSERT_EQ(again.new_F, expected.new_F) << blocks.size() << " blocks, seed " << seed;
   }
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <exception>
+#include <iterator>
 #include <mutex>
 
 #include "ibmfair/base/parallel.h"
@@ -143,19 +144,15 @@ std::vector<FilledGroup> fill_groups(const HoleFiller& filler,
                                      const std::vector<Index>& limits,
                                      const HoleObserver& observer) {
   HoleCounter counter(groups, observer);
-  // CGAL breaks ties between triangulations by addresses in memory, which depend on what other
-  // threads allocate: one after the other, before anything runs in parallel.
-  std::vector<FilledGroup> results;
-  for (std::size_t i = 0; i < groups.size(); ++i) {
-    for (FilledGroup& result : filler.cut(groups[i], limits[i])) {
-      results.push_back(std::move(result));
-    }
-  }
-  std::vector<std::exception_ptr> errors(results.size());
-  parallel_tasks(static_cast<std::int64_t>(results.size()), [&](std::int64_t i) {
+  std::vector<std::vector<FilledGroup>> results(groups.size());
+  std::vector<std::exception_ptr> errors(groups.size());
+  parallel_tasks(static_cast<std::int64_t>(groups.size()), [&](std::int64_t i) {
     try {
-      filler.finish(results[i]);
-      counter.add(results[i].reports.size());
+      results[i] = filler.cut(groups[i], limits[i]);
+      for (FilledGroup& result : results[i]) {
+        filler.finish(result);
+        counter.add(result.reports.size());
+      }
     } catch (...) {
       errors[i] = std::current_exception();
     }
@@ -165,7 +162,11 @@ std::vector<FilledGroup> fill_groups(const HoleFiller& filler,
       std::rethrow_exception(error);
     }
   }
-  return results;
+  std::vector<FilledGroup> all;
+  for (std::vector<FilledGroup>& some : results) {
+    std::ranges::move(some, std::back_inserter(all));
+  }
+  return all;
 }
 
 void count_intersections(const Topology& topology, Filling& filling) {

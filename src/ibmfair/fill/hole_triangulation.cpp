@@ -1,15 +1,53 @@
 #include "ibmfair/fill/hole_triangulation.h"
 
+#include <cstddef>
 #include <vector>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Has_timestamp.h>
 #include <CGAL/Polygon_mesh_processing/triangulate_hole.h>
 #include <CGAL/Random.h>
 
 namespace ibmfair {
+
+/// As Exact_predicates_inexact_constructions_kernel, under a name of its own.
+class HoleKernel
+    : public CGAL::Filtered_kernel_adaptor<
+          CGAL::Type_equality_wrapper<CGAL::Simple_cartesian<double>::Base<HoleKernel>::Type,
+                                      HoleKernel>,
+          true> {};
+
+}  // namespace ibmfair
+
+namespace CGAL {
+
+/// CGAL goes around an edge from the least of its cells, and of two triangulations of a hole that
+/// are equally good takes the one that it comes upon first. Cells without a time stamp are compared
+/// by their addresses, which depend on all that was allocated before.
+template <class Cell>
+class Delaunay_triangulation_cell_base_3<ibmfair::HoleKernel, Cell> : public Cell {
+ public:
+  using Has_timestamp = Tag_true;
+  template <class Triangulation>
+  struct Rebind_TDS {
+    using Other = Delaunay_triangulation_cell_base_3<
+        ibmfair::HoleKernel, typename Cell::template Rebind_TDS<Triangulation>::Other>;
+  };
+
+  using Cell::Cell;
+  std::size_t time_stamp() const { return time_stamp_; }
+  void set_time_stamp(std::size_t stamp) { time_stamp_ = stamp; }
+
+ private:
+  std::size_t time_stamp_ = static_cast<std::size_t>(-1);
+};
+
+}  // namespace CGAL
+
+namespace ibmfair {
 namespace {
 
-using Point = CGAL::Exact_predicates_inexact_constructions_kernel::Point_3;
+using Point = HoleKernel::Point_3;
 
 /// Corner numbers of a triangle, as CGAL makes them.
 struct Corners {
