@@ -27,7 +27,7 @@ constexpr double most_taken = 0.25;  // of the energy, off a vertex by one step
 constexpr double growth = 2, fast_growth = 8;  // of the time step; fast below half the distortion
 constexpr int slowings = 3;                    // at the culprits before the step is halved
 constexpr int backtracks = 2;                  // halvings of a step before it is given up
-constexpr int oldest_when_slowed = 16;         // steps with one Jacobian that culprits slow down
+constexpr int oldest_when_slowed = 4;          // steps with one Jacobian that culprits slow down
 constexpr double first_step = 1e-4;            // of the target, at least
 constexpr double smallest_time_step = 1e-12;   // of the target, before giving up
 constexpr double rounding = 1e-14;             // of the energy: a smaller decrease is not seen
