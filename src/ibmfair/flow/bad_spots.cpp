@@ -51,6 +51,13 @@ bool BadSpots::slow(const Points& Y, bool fresh, Points& move, std::int64_t& sho
   return true;
 }
 
+void BadSpots::end_step(double time) {
+  lags_ = lags_ || slowed_;
+  if (lags_) {
+    lag_.end_step(time, problem_.jacobian().damping(), stopped_);
+  }
+}
+
 /// Of the unknowns, culprits and their neighbours.
 template <class Change>
 void BadSpots::for_each_near_culprits(const Change& change) const {

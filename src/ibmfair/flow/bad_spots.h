@@ -39,10 +39,10 @@ class BadSpots {
   void begin_step() { lag_.forget_step(); }
 
   /// It was made, and took `time`.
-  void end_step(double time) { lag_.end_step(time, problem_.jacobian().damping(), stopped_); }
+  void end_step(double time);
 
   /// What each unknown has missed, as far as it still shows: time.
-  const Eigen::VectorXd& missed() const { return lag_.missed(); }
+  const Eigen::VectorXd& missed() { return lag_.missed(); }
 
  private:
   template <class Change>
@@ -53,6 +53,7 @@ class BadSpots {
   std::vector<std::uint8_t> culprits_;  // #V, since the Jacobian was renewed
   std::vector<Index> stopped_;  // unknowns that the Jacobian holds: they went as far as they may
   bool slowed_ = false, to_blame_ = false;
+  bool lags_ = false;  // or might: something has been slowed
 };
 
 }  // namespace ibmfair

@@ -105,9 +105,9 @@ double FlowProblem::evaluate(const Points& Y, Points& gradient) {
 void FlowProblem::newton_step(Points& step) {
   const double h = jacobian_->time_step();
   const auto solve = [&](const Points& B, Points& Y) { jacobian_->solve(B, Y); };
-  force_.resize(g_.rows(), 3);
-  parallel_for(g_.rows(), [&](std::int64_t u) { force_.row(u) = -h * g_.row(u); });
-  solve(force_, step);  // [W07] (12) at X_k, where the residual is h grad E_b
+  scratch_.resize(g_.rows(), 3);
+  parallel_for(g_.rows(), [&](std::int64_t u) { scratch_.row(u) = -h * g_.row(u); });
+  solve(scratch_, step);  // [W07] (12) at X_k, where the residual is h grad E_b
   conserved_.linearise(X, solve);
   conserved_.constrain(step);
   Points Y, correction;
@@ -177,16 +177,16 @@ double FlowProblem::longest(const Points& move) const {
 
 double FlowProblem::gradient_norm() {
   const Eigen::VectorXd& D = jacobian_->metric();
-  conserved_.speed(g_, D, speed_);
+  conserved_.speed(g_, D, scratch_);
   return std::sqrt(parts.sum(parallel_sum(
-      unknowns.size(), [&](std::int64_t u) { return D[u] * speed_.row(u).squaredNorm(); })));
+      unknowns.size(), [&](std::int64_t u) { return D[u] * scratch_.row(u).squaredNorm(); })));
 }
 
 double FlowProblem::power() {
   const Eigen::VectorXd &D = jacobian_->metric(), &damping = jacobian_->damping();
-  conserved_.speed(g_, D, speed_);
+  conserved_.speed(g_, D, scratch_);
   const auto share = [&](std::int64_t u) -> Eigen::Array2d {
-    return D[u] / damping[u] * Eigen::Array2d(1, std::sqrt(speed_.row(u).norm()));
+    return D[u] / damping[u] * Eigen::Array2d(1, std::sqrt(scratch_.row(u).norm()));
   };
   const Eigen::Array2d sums =
       parallel_sum(unknowns.size(), Eigen::Array2d(Eigen::Array2d::Zero()), share);

@@ -19,7 +19,7 @@ namespace ibmfair {
 
 class FlowProblem {
  public:
-  /// Everything referred to must outlive the problem. The flow starts at `X`.
+  /// Everything referred to must outlive the problem, and stay as it is. The flow starts at `X`.
   FlowProblem(const Points& X, const Topology& topology, const std::vector<std::uint8_t>& held,
               const FlowOptions& options, const MeshParts& parts);
 
@@ -100,7 +100,7 @@ class FlowProblem {
  private:
   double evaluate(const Points& Y, Points& gradient);
 
-  Points start_;
+  const Points& start_;
   MoveBound bound_;
   ConservedQuantities conserved_;
   std::unique_ptr<BendingEnergy> bending_;
@@ -108,7 +108,7 @@ class FlowProblem {
   double energy_ = 0, next_energy_ = 0;
   Points G_;  // #V x 3, reused
   Points g_, next_g_;
-  Points force_, speed_;            // reused
+  Points scratch_;                  // one row per unknown: forces or speeds, reused
   Points by_vertex_, with_others_;  // reused
   bool gradient_is_known_ = false;
 };

@@ -312,6 +312,7 @@ class GuardedFlow {
   /// Sees to what the steps have left behind.
   void mend() {
     const Stopwatch watch(p_.report.seconds.guard);
+    step_ = own_ = Points();  // of large meshes, to find folds takes as much memory as steps do
     energy_before_step_ = p_.report.energy_after;
     if (catch_up_moves(p_, rings_, bad_spots_.missed(), move_)) {
       p_.report.caught_up = sweep_and_count();

@@ -6,12 +6,8 @@
 
 namespace ibmfair {
 
-Lag::Lag(Index unknowns, double memory)
-    : memory_(memory),
-      part_(Eigen::VectorXd::Ones(unknowns)),
-      missed_(Eigen::VectorXd::Zero(unknowns)) {}
-
 void Lag::end_step(double time, const Eigen::VectorXd& damping, const std::vector<Index>& stopped) {
+  make_room();
   for (const Index u : stopped) {
     part_[u] = damping[u];
   }
@@ -22,6 +18,18 @@ void Lag::end_step(double time, const Eigen::VectorXd& damping, const std::vecto
     }
     part_[u] = 1;
   });
+}
+
+void Lag::slow(Index unknown, double part) {
+  make_room();
+  part_[unknown] *= part;
+}
+
+void Lag::make_room() {
+  if (part_.size() != unknowns_) {
+    part_.setOnes(unknowns_);
+    missed_.setZero(unknowns_);
+  }
 }
 
 }  // namespace ibmfair
