@@ -52,8 +52,8 @@ void Jacobian::update_metric(const Points& X) {
 
 JacobianParts Jacobian::linearise(const Points& X, double h) {
   const Stopwatch watch(report_.seconds.assemble);
-  energy_.linearise(X, weights_);
   update_metric(X);
+  energy_.linearise(X, weights_);
   return {weights_, D_, h};
 }
 
@@ -85,6 +85,8 @@ void Jacobian::refactor(const Points& X, double h) {
   rival_ = settled_ ? nullptr : other_backend(shape(), true);
   if (rival_ != nullptr) {
     iterations_ = forecast_iterations(shape(), parts);
+  } else {
+    weights_ = StencilWeights();  // the solver has taken what it needs of all these numbers
   }
 }
 
