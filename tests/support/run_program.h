@@ -43,8 +43,8 @@ struct RunResult {
   int exit_code = -1;  ///< negative: ended by that signal
   std::string out;
   std::string err;
-  double cpu_seconds = 0;     ///< of all its threads, and of the processes that it waited for
-  double peak_megabytes = 0;  ///< the most memory that it, or one of those, held at a time
+  double cpu_seconds = 0;        ///< of all its threads, and of the processes that it waited for
+  double peak_megabytes = 0;     ///< the most memory that it, or one of those, held at a time
   std::int64_t page_faults = 0;  ///< new pages of memory that it, and those, got from the system
 };
 

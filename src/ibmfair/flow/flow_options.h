@@ -115,8 +115,8 @@ struct FlowReport {
   std::int64_t unknowns = 0;
   std::string solver;  ///< the backend that was used last
   int solves = 0, factorizations = 0, rejected = 0, shortened_relaxations = 0;
-  int iterations = 0;         ///< of conjugate gradients, in all
-  int twicings = 0;           ///< passes that were made
+  int iterations = 0;          ///< of conjugate gradients, in all
+  int twicings = 0;            ///< passes that were made
   std::int64_t caught_up = 0;  ///< vertices that flowed on where some had to be slowed down
   std::int64_t unfolded = 0;   ///< vertices that were moved where flaps were
   FactorForecast forecast;
