@@ -52,8 +52,7 @@ bool BadSpots::slow(const Points& Y, bool fresh, Points& move, std::int64_t& sho
 }
 
 void BadSpots::end_step(double time) {
-  lags_ = lags_ || slowed_;
-  if (lags_) {
+  if (slowed_ || !lag_.is_empty()) {
     lag_.end_step(time, problem_.jacobian().damping(), stopped_);
   }
 }

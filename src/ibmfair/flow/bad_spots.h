@@ -53,7 +53,6 @@ class BadSpots {
   std::vector<std::uint8_t> culprits_;  // #V, since the Jacobian was renewed
   std::vector<Index> stopped_;  // unknowns that the Jacobian holds: they went as far as they may
   bool slowed_ = false, to_blame_ = false;
-  bool lags_ = false;  // or might: something has been slowed
 };
 
 }  // namespace ibmfair

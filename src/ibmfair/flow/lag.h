@@ -24,6 +24,9 @@ class Lag {
   /// The step is not made after all.
   void forget_step() { part_.setOnes(); }
 
+  /// Whether nothing has been slowed or damped yet, so that there is nothing to keep.
+  bool is_empty() const { return part_.size() == 0; }
+
   /// What each unknown has missed, as far as it still shows: time.
   const Eigen::VectorXd& missed() {
     make_room();

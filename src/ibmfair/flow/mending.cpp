@@ -19,6 +19,20 @@ constexpr double flat_enough_without_curvature = 0.88;
 
 using Flags = std::vector<std::uint8_t>;  // #V
 
+/// Lets the patches with a flag flow from where they are at X, each for the time that is asked for
+/// it; what the functions of this file return.
+template <class TimeOf>
+bool flow_in_patches(const FlowProblem& problem, const Rows& rings, const Flags& wanted,
+                     const Points& X, const TimeOf& time_of, Points& move) {
+  PatchFlow flow(problem, rings);
+  move = Points::Zero(problem.unknowns.size(), 3);
+  bool moves = false;
+  for (const VertexPatch& patch : patches_of(wanted, rings, problem.unknowns, problem.parts)) {
+    moves = flow.run(patch, X, time_of(patch), move) || moves;
+  }
+  return problem.parts.any(moves);
+}
+
 }  // namespace
 
 bool catch_up_moves(const FlowProblem& problem, const Rows& rings, const Eigen::VectorXd& lag,
@@ -34,17 +48,14 @@ bool catch_up_moves(const FlowProblem& problem, const Rows& rings, const Eigen::
   for (int i = 0; i < rings_around; ++i) {
     wanted = grow_one_ring(problem.topology, wanted);
   }
-  PatchFlow flow(problem, rings);
-  move = Points::Zero(problem.unknowns.size(), 3);
-  bool moves = false;
-  for (const VertexPatch& patch : patches_of(wanted, rings, problem.unknowns, problem.parts)) {
+  const auto longest_lag = [&](const VertexPatch& patch) {
     double longest = little;  // of a patch whose middle is in another part of the mesh
     for (const Index v : patch) {
       longest = std::max(longest, lag[problem.unknowns.unknown[v]]);
     }
-    moves = flow.run(patch, problem.X, longest, move) || moves;
-  }
-  return problem.parts.any(moves);
+    return longest;
+  };
+  return flow_in_patches(problem, rings, wanted, problem.X, longest_lag, move);
 }
 
 bool unfolding_moves(const FlowProblem& problem, const Rows& rings, Points& move) {
@@ -64,13 +75,8 @@ bool unfolding_moves(const FlowProblem& problem, const Rows& rings, Points& move
     }
   }
   wanted = grow_one_ring(problem.topology, wanted);
-  PatchFlow flow(problem, rings);
-  move = Points::Zero(problem.unknowns.size(), 3);
-  bool moves = false;
-  for (const VertexPatch& patch : patches_of(wanted, rings, problem.unknowns, problem.parts)) {
-    moves = flow.run(patch, X, problem.options.total_time, move) || moves;
-  }
-  return problem.parts.any(moves);
+  const auto all_of_it = [&](const VertexPatch&) { return problem.options.total_time; };
+  return flow_in_patches(problem, rings, wanted, X, all_of_it, move);
 }
 
 }  // namespace ibmfair
