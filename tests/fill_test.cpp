@@ -144,13 +144,11 @@ std::vector<std::vector<char>> scattered_heap(unsigned seed) {
 /// On a surface as regular as this, some triangulations of a hole are equally good to the last bit.
 TEST(Fill, SameTrianglesWhereverMemoryLies) {
   const State torus(make_shape("torus", {.ratio = 2.5, .rows = 48, .columns = 120}));
-  std::vector<std::uint8_t> near(torus.X.rows(), 0);
-  for (std::size_t v = 0; v < near.size(); v += 501) {
-    near[v] = 1;
+  std::vector<Index> middles;
+  for (Index v = 0; v < torus.topology.vertex_count; v += 501) {
+    middles.push_back(v);
   }
-  for (int ring = 0; ring < 4; ++ring) {
-    near = grow_one_ring(torus.topology, near);
-  }
+  const std::vector<std::uint8_t> near = around(torus.topology, middles, 4);
   std::vector<Index> cut;
   for (Index t = 0; t < torus.topology.F.rows(); ++t) {
     const auto corners = torus.topology.F.row(t);

@@ -19,17 +19,6 @@ namespace {
 
 using Flags = std::vector<std::uint8_t>;
 
-Flags around(const Topology& topology, const std::vector<Index>& vertices, int rings) {
-  Flags flags(static_cast<std::size_t>(topology.vertex_count), 0);
-  for (const Index v : vertices) {
-    flags[v] = 1;
-  }
-  for (int i = 0; i < rings; ++i) {
-    flags = grow_one_ring(topology, flags);
-  }
-  return flags;
-}
-
 TEST(Patches, AreThePiecesOfWhatIsWantedAndMayMove) {
   const State state(make_shape("plane", {.rows = 25, .columns = 40}));
   const Unknowns unknowns(held_vertices(state.topology, BoundaryCondition::fixed));

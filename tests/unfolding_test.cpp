@@ -100,13 +100,7 @@ TEST(Unfolding, UnfoldsFlapsOnSmoothSurfacesAndMovesNothingElse) {
     EXPECT_EQ(folds_in(X, state.topology), 0);
     EXPECT_LT((X - smooth).rowwise().norm().maxCoeff(), edge);
 
-    std::vector<std::uint8_t> near = none_of(state);
-    for (const Index v : vertices) {
-      near[v] = 1;
-    }
-    for (int i = 0; i < 3; ++i) {
-      near = grow_one_ring(state.topology, near);
-    }
+    const std::vector<std::uint8_t> near = around(state.topology, vertices, 3);
     for (Index v = 0; v < X.rows(); ++v) {
       EXPECT_TRUE(near[v] != 0 || X.row(v) == state.X.row(v)) << v;
     }
@@ -118,9 +112,7 @@ TEST(Unfolding, KeepsWhatIsHeldAndPatchesToThemselves) {
     const std::vector<Index> vertices = far_apart(state.topology);
     state.X = with_flaps(state, vertices);
     const Points all = unfolded_by(state, none_of(state));
-    std::vector<std::uint8_t> held = none_of(state);
-    held[vertices[0]] = 1;
-    held = grow_one_ring(state.topology, grow_one_ring(state.topology, held));
+    const std::vector<std::uint8_t> held = around(state.topology, {vertices[0]}, 2);
     const Points rest = unfolded_by(state, held);
     for (Index v = 0; v < all.rows(); ++v) {
       if (held[v] != 0) {

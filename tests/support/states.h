@@ -1,7 +1,9 @@
 // Meshes as the numerics see them.
 #pragma once
 
+#include <cstdint>
 #include <random>
+#include <vector>
 
 #include "ibmfair/mesh/geometry.h"
 #include "ibmfair/mesh/mesh.h"
@@ -20,6 +22,19 @@ struct State {
 /// The mesh with its faces cut: where a square may be cut either way, its corners' order decides.
 inline Mesh in_triangles(const Mesh& mesh) {
   return mesh_from_triangles(mesh.X, triangulate(mesh).F);
+}
+
+/// A flag for each vertex within so many rings of these (#V).
+inline std::vector<std::uint8_t> around(const Topology& topology,
+                                        const std::vector<Index>& vertices, int rings) {
+  std::vector<std::uint8_t> flags(static_cast<std::size_t>(topology.vertex_count), 0);
+  for (const Index v : vertices) {
+    flags[v] = 1;
+  }
+  for (int i = 0; i < rings; ++i) {
+    flags = grow_one_ring(topology, flags);
+  }
+  return flags;
 }
 
 /// A fixed random direction for every vertex, #V x 3, entries in [-1, 1].
