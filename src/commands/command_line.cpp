@@ -1,6 +1,8 @@
 #include "commands/command_line.h"
 
 #include <algorithm>
+#include <deque>
+#include <functional>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -27,10 +29,12 @@ struct FrameOptions {
   int threads = 0;
 };
 
-/// A command of the table with its options.
-struct DeclaredCommand {
+/// A command of the table. Its options are declared when they are asked for: most runs name one
+/// command, and to declare those of all takes longer than to parse.
+struct NamedCommand {
+  const Command& row;
   CLI::App* app;
-  Runner run;
+  Runner run = {};  ///< empty: its options are not declared
 };
 
 namespace {
@@ -42,11 +46,11 @@ constexpr const char* help_command = "help";
   throw CLI::CallForVersion(text, 0);
 }
 
-/// Options that ask about the program (`app`), or about a command of it, in place of running one.
-void add_questions(CLI::App& app, const CLI::App& program) {
-  const auto usage = [&app, &program](auto of_program, auto of_command) {
-    return &app == &program ? of_program(usage_of_program(program))
-                            : of_command(usage_of_program(program), usage_of_command(app));
+/// Options that ask about the program, or about the command `app` of it, in place of running one.
+void add_questions(CLI::App& app, const std::function<ProgramUsage()>& program) {
+  const bool is_program = app.get_parent() == nullptr;
+  const auto usage = [&app, program, is_program](auto of_program, auto of_command) {
+    return is_program ? of_program(program()) : of_command(program(), usage_of_command(app));
   };
   app.set_help_flag("-h,--help", "print this help");
   app.add_flag_callback(
@@ -72,7 +76,7 @@ void add_questions(CLI::App& app, const CLI::App& program) {
       },
       "print a man page, completions for a shell, or all options as tables");
   generate->check(CLI::IsMember(generator_names()))->configurable(false);
-  if (&app != &program) {
+  if (!is_program) {
     generate->group("");  // it says the same of any command, but for the man page
   }
 }
@@ -182,29 +186,42 @@ Console::Level level_of(const FrameOptions& options) {
 struct CommandLine::Parts {
   CLI::App app{"Fairs triangle meshes: removes noise and ripples without shrinking the shape."};
   FrameOptions options;
-  std::vector<DeclaredCommand> declared;
+  bool many_files;
+  std::deque<NamedCommand> commands;  // where they are does not change
 
-  Parts() {
+  explicit Parts(bool many_files) : many_files(many_files) {
     app.name("ibmfair");
     app.option_defaults()->group("Instead of a command");
     app.set_version_flag("--version", version_text,
                          "print the versions of the program and its parts");
-    add_questions(app, app);
+    add_questions(app, [this] { return usage(); });
     app.require_subcommand(1);
   }
 
-  void declare(const Command& command, bool many_files) {
+  NamedCommand& name(const Command& row) {
     CLI::App* sub = app.add_subcommand(
-        std::make_shared<DocumentedApp>(std::string(command.summary), std::string(command.name)));
-    Runner run = command.declare(*sub);
-    declared.push_back({sub, take_many_files(*sub, std::move(run), many_files)});
-    add_frame_options(*sub, options);
-    add_questions(*sub, app);
+        std::make_shared<DocumentedApp>(std::string(row.summary), std::string(row.name)));
+    NamedCommand& command = commands.emplace_back(NamedCommand{row, sub});
+    sub->preparse_callback([this, &command](std::size_t) { declare(command); });
+    return command;
+  }
+
+  void declare(NamedCommand& command) {
+    if (!command.run) {
+      command.run = take_many_files(*command.app, command.row.declare(*command.app), many_files);
+      add_frame_options(*command.app, options);
+      add_questions(*command.app, [this] { return usage(); });
+    }
+  }
+
+  ProgramUsage usage() {
+    std::for_each(commands.begin(), commands.end(), [this](auto& command) { declare(command); });
+    return usage_of_program(app);
   }
 
   /// Of the command that was named, or else of the program. Throws Misuse where what was named is
   /// no command.
-  std::string help() const {
+  std::string help() {
     const auto named = app.get_subcommands();
     if (!named.empty()) {
       return help_text(usage_of_command(*named.front()), help_width());
@@ -213,34 +230,34 @@ struct CommandLine::Parts {
     if (!words.empty() && !words.front().starts_with('-')) {
       throw Misuse(unknown_command(words.front()));
     }
-    return help_text(usage_of_program(app), help_width());
+    return help_text(usage(), help_width());
   }
 
-  const DeclaredCommand& chosen() const {
-    return declared.size() == 1 ? declared.front()
-                                : *std::find_if(declared.begin(), declared.end(),
-                                                [](const auto& d) { return d.app->parsed(); });
+  const NamedCommand& chosen() const {
+    return commands.size() == 1 ? commands.front()
+                                : *std::find_if(commands.begin(), commands.end(),
+                                                [](const auto& c) { return c.app->parsed(); });
   }
 };
 
-CommandLine::CommandLine(bool many_files) : parts_(std::make_unique<Parts>()) {
-  for (const Command& command : command_table()) {
-    parts_->declare(command, many_files);
+CommandLine::CommandLine(bool many_files) : parts_(std::make_unique<Parts>(many_files)) {
+  for (const Command& row : command_table()) {
+    parts_->name(row);
   }
 }
 
-CommandLine::CommandLine(std::string_view command) : parts_(std::make_unique<Parts>()) {
+CommandLine::CommandLine(std::string_view command) : parts_(std::make_unique<Parts>(false)) {
   const auto table = command_table();
   const auto row = std::find_if(table.begin(), table.end(),
                                 [&](const Command& known) { return known.name == command; });
   if (row == table.end()) {
     throw BadOption(unknown_command(std::string(command)));
   }
-  parts_->declare(*row, false);
+  parts_->declare(parts_->name(*row));
 }
 
-CommandLine::CommandLine(const Command& command) : parts_(std::make_unique<Parts>()) {
-  parts_->declare(command, false);
+CommandLine::CommandLine(const Command& command) : parts_(std::make_unique<Parts>(false)) {
+  parts_->declare(parts_->name(command));
 }
 
 CommandLine::~CommandLine() = default;
@@ -273,7 +290,7 @@ std::string CommandLine::help_hint() const {
 }
 
 ExitCode CommandLine::run(Console& console) {
-  const DeclaredCommand& chosen = parts_->chosen();
+  const NamedCommand& chosen = parts_->chosen();
   const FrameOptions& options = parts_->options;
   if (options.dump_config) {
     write_standard_output(job_file_text({effective_job(*chosen.app)}));

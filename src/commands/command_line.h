@@ -20,15 +20,15 @@ class Misuse : public BadOption {
 
 class CommandLine {
  public:
-  /// Declares every command. With `many_files`, those that map one mesh to one mesh take any number
-  /// of them and --out-dir (commands/many_files.h).
+  /// Of every command, each declared when it is named or asked about. With `many_files`, those that
+  /// map one mesh to one mesh take any number of them and --out-dir (commands/many_files.h).
   explicit CommandLine(bool many_files = false);
 
   /// Declares the command of this name alone. Throws BadOption with a suggestion where there is
   /// none.
   explicit CommandLine(std::string_view command);
 
-  /// Declares this command alone.
+  /// Declares this command alone, which has to outlive the line.
   explicit CommandLine(const Command& command);
 
   ~CommandLine();
