@@ -1,4 +1,9 @@
 # Finds SuiteSparse's CHOLMOD with its supernodal part. Defines the target CHOLMOD::CHOLMOD.
+#
+# A program that asks CHOLMOD for orderings and the analysis alone can leave out the BLAS, which
+# takes as long to load as the rest of a small program: with its property CHOLMOD_ARCHIVES on, it
+# takes what it needs out of SuiteSparse's archives, where they and METIS are installed. Debian's
+# are not position-independent code, so that shared libraries cannot do so.
 include(FindPackageHandleStandardArgs)
 
 find_path(CHOLMOD_INCLUDE_DIR cholmod.h PATH_SUFFIXES suitesparse)
@@ -9,8 +14,24 @@ find_package_handle_standard_args(CHOLMOD REQUIRED_VARS CHOLMOD_LIBRARY CHOLMOD_
                                   SUITESPARSE_CONFIG_LIBRARY)
 mark_as_advanced(CHOLMOD_INCLUDE_DIR CHOLMOD_LIBRARY SUITESPARSE_CONFIG_LIBRARY)
 
+# In the order in which a linker needs them.
+set(CHOLMOD_ARCHIVES)
+foreach(name cholmod colamd ccolamd camd amd suitesparseconfig)
+  find_library(CHOLMOD_${name}_ARCHIVE ${CMAKE_STATIC_LIBRARY_PREFIX}${name}${CMAKE_STATIC_LIBRARY_SUFFIX})
+  mark_as_advanced(CHOLMOD_${name}_ARCHIVE)
+  list(APPEND CHOLMOD_ARCHIVES ${CHOLMOD_${name}_ARCHIVE})
+endforeach()
+find_library(METIS_LIBRARY metis)
+mark_as_advanced(METIS_LIBRARY)
+list(APPEND CHOLMOD_ARCHIVES ${METIS_LIBRARY})
+
 if(CHOLMOD_FOUND AND NOT TARGET CHOLMOD::CHOLMOD)
+  set(CHOLMOD_LIBRARIES ${CHOLMOD_LIBRARY} ${SUITESPARSE_CONFIG_LIBRARY})
+  if(NOT CHOLMOD_ARCHIVES MATCHES NOTFOUND)
+    set(CHOLMOD_LIBRARIES
+        "$<IF:$<BOOL:$<TARGET_PROPERTY:CHOLMOD_ARCHIVES>>,${CHOLMOD_ARCHIVES},${CHOLMOD_LIBRARIES}>")
+  endif()
   add_library(CHOLMOD::CHOLMOD INTERFACE IMPORTED)
   target_include_directories(CHOLMOD::CHOLMOD SYSTEM INTERFACE ${CHOLMOD_INCLUDE_DIR})
-  target_link_libraries(CHOLMOD::CHOLMOD INTERFACE ${CHOLMOD_LIBRARY} ${SUITESPARSE_CONFIG_LIBRARY})
+  target_link_libraries(CHOLMOD::CHOLMOD INTERFACE "${CHOLMOD_LIBRARIES}")
 endif()
