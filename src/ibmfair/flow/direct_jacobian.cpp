@@ -21,8 +21,8 @@ constexpr double widest_float32 = 1e6;
 
 // Seconds on one core of a machine of 2023; only their ratios matter. tools/solver_table prints
 // what they were chosen by, here and in iterative_jacobian.cpp.
-constexpr double per_flop = 1 / 52e9;  // of the factorization, float32
-constexpr double per_entry = 8 / 9e9;  // of the factor, read twice in each solve
+constexpr double per_flop = 1 / 52e9;   // of the factorization, float32
+constexpr double per_entry = 8 / 13e9;  // of the factor, read twice in each solve
 
 // Factorizations by all steps of the guarded flow. The farther smoothing reaches, the more of the
 // noise it takes away, which the Jacobian was made with.
