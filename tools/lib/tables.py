@@ -31,7 +31,7 @@ def read_off(path):
     with open(path) as file:
         lines = [line for line in file.read().splitlines() if line.split("#")[0].strip()]
     count = int(lines[1].split()[0])
-    return [tuple(map(float, line.split())) for line in lines[2:2 + count]], lines[2 + count:]
+    return [tuple(map(float, line.split()[:3])) for line in lines[2:2 + count]], lines[2 + count:]
 
 
 def write_off(path, points, faces):
