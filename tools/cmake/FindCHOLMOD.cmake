@@ -1,10 +1,12 @@
 # Finds SuiteSparse's CHOLMOD with its supernodal part. Defines the target CHOLMOD::CHOLMOD.
 #
-# A program that asks CHOLMOD for orderings and the analysis alone can leave out the BLAS, which
-# takes as long to load as the rest of a small program: with its property CHOLMOD_ARCHIVES on, it
-# takes what it needs out of SuiteSparse's archives, where they and METIS are installed. Debian's
-# are not position-independent code, so that shared libraries cannot do so.
+# A program that asks CHOLMOD for orderings and the symbolic analysis alone can leave out the BLAS,
+# which takes as long to load as the rest of a small program: with its property CHOLMOD_ARCHIVES on,
+# it takes what it needs out of SuiteSparse's archives, where they and METIS are installed and go
+# without a BLAS. Debian's are not position-independent code, so that shared libraries cannot do so.
 include(FindPackageHandleStandardArgs)
+include(CheckCXXSourceCompiles)
+include(CMakePushCheckState)
 
 find_path(CHOLMOD_INCLUDE_DIR cholmod.h PATH_SUFFIXES suitesparse)
 find_library(CHOLMOD_LIBRARY cholmod)
@@ -17,7 +19,8 @@ mark_as_advanced(CHOLMOD_INCLUDE_DIR CHOLMOD_LIBRARY SUITESPARSE_CONFIG_LIBRARY)
 # In the order in which a linker needs them.
 set(CHOLMOD_ARCHIVES)
 foreach(name cholmod colamd ccolamd camd amd suitesparseconfig)
-  find_library(CHOLMOD_${name}_ARCHIVE ${CMAKE_STATIC_LIBRARY_PREFIX}${name}${CMAKE_STATIC_LIBRARY_SUFFIX})
+  find_library(CHOLMOD_${name}_ARCHIVE
+               ${CMAKE_STATIC_LIBRARY_PREFIX}${name}${CMAKE_STATIC_LIBRARY_SUFFIX})
   mark_as_advanced(CHOLMOD_${name}_ARCHIVE)
   list(APPEND CHOLMOD_ARCHIVES ${CHOLMOD_${name}_ARCHIVE})
 endforeach()
@@ -25,9 +28,22 @@ find_library(METIS_LIBRARY metis)
 mark_as_advanced(METIS_LIBRARY)
 list(APPEND CHOLMOD_ARCHIVES ${METIS_LIBRARY})
 
+if(CHOLMOD_FOUND AND NOT CHOLMOD_ARCHIVES MATCHES NOTFOUND)
+  cmake_push_check_state()
+  set(CMAKE_REQUIRED_INCLUDES ${CHOLMOD_INCLUDE_DIR})
+  set(CMAKE_REQUIRED_LIBRARIES ${CHOLMOD_ARCHIVES})
+  check_cxx_source_compiles("
+    #include <cholmod.h>
+    int main() {
+      return cholmod_l_metis(nullptr, nullptr, 0, 1, nullptr, nullptr) +
+             (cholmod_l_analyze_p(nullptr, nullptr, nullptr, 0, nullptr) != nullptr);
+    }" CHOLMOD_ARCHIVES_NEED_NO_BLAS)
+  cmake_pop_check_state()
+endif()
+
 if(CHOLMOD_FOUND AND NOT TARGET CHOLMOD::CHOLMOD)
   set(CHOLMOD_LIBRARIES ${CHOLMOD_LIBRARY} ${SUITESPARSE_CONFIG_LIBRARY})
-  if(NOT CHOLMOD_ARCHIVES MATCHES NOTFOUND)
+  if(CHOLMOD_ARCHIVES_NEED_NO_BLAS)
     set(CHOLMOD_LIBRARIES
         "$<IF:$<BOOL:$<TARGET_PROPERTY:CHOLMOD_ARCHIVES>>,${CHOLMOD_ARCHIVES},${CHOLMOD_LIBRARIES}>")
   endif()
