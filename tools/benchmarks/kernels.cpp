@@ -14,6 +14,7 @@
 
 #include <benchmark/benchmark.h>
 
+#include "ibmfair/base/process_memory.h"
 #include "ibmfair/base/threads.h"
 #include "ibmfair/io/source_bytes.h"
 #include "machine_limits.h"
@@ -116,6 +117,9 @@ int run(int argc, char** argv) {
 }  // namespace ibmfair::benchmarks
 
 int main(int argc, char** argv) {
+  // As the program does.
+  ibmfair::keep_freed_memory();
+  ibmfair::use_large_pages();
   try {
     return ibmfair::benchmarks::run(argc, argv);
   } catch (const std::exception& error) {
