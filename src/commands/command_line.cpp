@@ -215,7 +215,9 @@ struct CommandLine::Parts {
   }
 
   ProgramUsage usage() {
-    std::for_each(commands.begin(), commands.end(), [this](auto& command) { declare(command); });
+    for (NamedCommand& command : commands) {
+      declare(command);
+    }
     return usage_of_program(app);
   }
 
