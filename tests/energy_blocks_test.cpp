@@ -133,5 +133,33 @@ TEST(EnergyBlocks, EveryTriangleIsOwnedOnceAndFewAreRepeated) {
   }
 }
 
+TEST(EnergyBlocks, WholeStarsMissNoTriangleOfACorner) {
+  const TriangleMesh mesh = rough_torus();
+  const Topology topology = build_topology(mesh.X, mesh.F);
+  std::vector<std::uint8_t> kept(topology.usable.size(), 1);
+  std::fill(kept.begin() + 5000, kept.begin() + 7000, 0);
+  const MeshBlocks blocks = mesh_blocks(topology, kept, {.whole_stars = true});
+  ASSERT_GT(blocks.block.size(), 1);
+  for (const MeshBlock& b : blocks.block) {
+    std::vector<Index> vertex(blocks.owned_of(b).begin(), blocks.owned_of(b).end());
+    for (const Index position : b.halo) {
+      vertex.push_back(blocks.owned[position]);
+    }
+    std::vector<int> triangles(filler_vertices + vertex.size(), 0);
+    for (const Index corner : b.corners) {
+      ++triangles[corner / vertex_size];
+    }
+    const auto corners_end = b.corners.begin() + 3 * lanes_per_group * b.groups;
+    for (auto corner = b.corners.begin(); corner != corners_end; ++corner) {
+      EXPECT_LT(*corner / vertex_size, filler_vertices + b.owned + b.rim);
+    }
+    for (Index i = 0; i < b.owned + b.rim; ++i) {
+      const auto star = topology.stars[vertex[i]];
+      EXPECT_EQ(triangles[filler_vertices + i],
+                std::count_if(star.begin(), star.end(), [&](Index t) { return kept[t] != 0; }));
+    }
+  }
+}
+
 }  // namespace
 }  // namespace ibmfair::test

@@ -15,11 +15,9 @@
 namespace ibmfair {
 
 /// What is fetched while a block is computed: positions (#V x 3) for the block after it and, where
-/// given, the y of that block's other corners (like MeshBlocks::owned) and the places of the
-/// block's own vertices in the gradient (#V x 3).
+/// given, the places of the block's own vertices in the gradient (#V x 3).
 struct BlockPrefetch {
   const Points& X;
-  const std::vector<BlockRow>* y = nullptr;
   const Points* G = nullptr;
 };
 
@@ -65,9 +63,6 @@ void compute_and_prefetch(const MeshBlocks& blocks, const MeshBlock& b, std::int
     });                                                                   // cache, which is small
     halo.advance(end, all_groups, [&](Index position) {
       __builtin_prefetch(wanted.X.data() + 3 * std::ptrdiff_t{blocks.owned[position]}, 0, 2);
-      if (wanted.y != nullptr) {
-        __builtin_prefetch(&(*wanted.y)[position], 0, 2);
-      }
     });
   }
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "ibmfair/base/parallel.h"
 #include "ibmfair/energy/block_prefetch.h"
@@ -56,7 +57,7 @@ MeshBlocks hinge_blocks(const Topology& topology, const std::vector<Index>& hing
     const Index* beside = &neighbours[3 * t];
     kept[t] = std::any_of(beside, beside + 3, [](Index other) { return other != no_triangle; });
   });
-  return mesh_blocks(topology, kept, neighbours, counted);
+  return mesh_blocks(topology, kept, {.neighbours = std::move(neighbours)}, counted);
 }
 
 /// Of the energy 3 |e|^2 / A (1 + cos theta) of a hinge of equilateral triangles; 0 for no bound.
@@ -78,7 +79,7 @@ CrouzeixRaviart::CrouzeixRaviart(const Topology& topology, const EnergyOptions& 
 double CrouzeixRaviart::block_energy(const MeshBlock& b, const Points& X, const Points* G,
                                      BlockScratch& scratch) {
   blocks_.load(b, X, scratch.vertices);
-  const auto triangles = static_cast<std::size_t>(lanes_per_group * b.framed_groups) +
+  const auto triangles = static_cast<std::size_t>(lanes_per_group * b.outer_groups) +
                          1;  // gather() reads behind the last
   if (scratch.triangles.size() < triangles) {
     scratch.triangles.resize(triangles);
@@ -88,7 +89,7 @@ double CrouzeixRaviart::block_energy(const MeshBlock& b, const Points& X, const 
     crouzeix_raviart_frames(corners + first * 3 * lanes_per_group, groups, scratch.vertices.data(),
                             scratch.triangles.data() + lanes_per_group * first);
   };
-  compute_and_prefetch(blocks_, b, b.framed_groups, {X, nullptr, G}, find_frames);
+  compute_and_prefetch(blocks_, b, b.outer_groups, {X, G}, find_frames);
   const HingeSums sums =
       crouzeix_raviart_hinges(b, corners, b.neighbours.data(), terms_, G != nullptr,
                               scratch.vertices.data(), scratch.triangles.data());

@@ -26,12 +26,26 @@ std::vector<std::uint8_t> triangles_around(const Topology& topology,
   return around;
 }
 
+struct VertexEnergy {
+  double energy, inverse_mass;
+};
+
+/// 1/2 |h_v|^2 / m_v, h_v with the area around v as fourth number.
+VertexEnergy vertex_energy(const BlockRow& h, bool mass) {
+  const double inverse_mass = mass ? 3 / h.w : 1;
+  return {inverse_mass * (h.x * h.x + h.y * h.y + h.z * h.z) / 2, inverse_mass};
+}
+
+const Index* corners_of(const MeshBlock& b, std::int64_t first_group) {
+  return b.corners.data() + first_group * 3 * lanes_per_group;
+}
+
 }  // namespace
 
 Lagrange::Lagrange(const Topology& topology, const EnergyOptions& options)
     : mass_(options.mass), stencils_(complete_stars(topology, options.active)) {
   const std::vector<std::uint8_t> centre = is_centre(stencils_, topology.vertex_count);
-  blocks_ = mesh_blocks(topology, triangles_around(topology, centre));
+  blocks_ = mesh_blocks(topology, triangles_around(topology, centre), {.whole_stars = true});
   carries_.reserve(blocks_.owned.size());
   counts_.reserve(blocks_.owned.size());
   for (const Index v : blocks_.owned) {
@@ -53,56 +67,65 @@ void Lagrange::load(const MeshBlock& b, const Points& X, BlockVertices& vertices
   }
 }
 
-/// The energy of the block's own vertices; y, if given, has the place of the first.
-double Lagrange::block_curvature(const MeshBlock& b, const Points& X, BlockScratch& scratch,
-                                 BlockRow* y) {
-  load(b, X, scratch.vertices);
-  const Index* corners = b.corners.data();
-  compute_and_prefetch(blocks_, b, b.groups, {X}, [&](std::int64_t first, std::int64_t groups) {
-    lagrange_curvature(corners + first * 3 * lanes_per_group, groups, !spontaneous_.empty(),
-                       scratch.vertices.data());
-  });
+/// Of a block's own vertices, whose sums are h_v.
+double Lagrange::own_energy(const MeshBlock& b, const BlockVertices& vertices) const {
   double E = 0;
   for (Index i = 0; i < b.owned; ++i) {
-    const BlockRow& h = scratch.vertices[filler_vertices + i].sum;
-    const bool carries = carries_[b.first_owned + i] != 0;
-    const double inverse = mass_ ? 3 / h.w : 1;
-    const BlockRow row{h.x * inverse, h.y * inverse, h.z * inverse, 0};
-    const double energy = (h.x * row.x + h.y * row.y + h.z * row.z) / 2;
+    const double energy = vertex_energy(vertices[filler_vertices + i].sum, mass_).energy;
     E += counts_[b.first_owned + i] != 0 ? energy : 0;
-    if (y != nullptr) {
-      const double q = mass_ ? (row.x * row.x + row.y * row.y + row.z * row.z) / 6 : 0;
-      y[i] = carries ? BlockRow{row.x, row.y, row.z, q} : BlockRow{};
-    }
+  }
+  return E;
+}
+
+/// The same, and gives y_v to all vertices of whose triangles the block misses none, and clears
+/// their sums.
+double Lagrange::own_energy_and_y(const MeshBlock& b, BlockVertices& vertices) const {
+  const double q_share = mass_ ? 1.0 / 6.0 : 0;
+  const auto find_y = [&](BlockVertex& vertex, bool carries) {
+    const BlockRow h = vertex.sum;
+    const auto [energy, inverse_mass] = vertex_energy(h, mass_);
+    const double share = carries ? inverse_mass : 0;
+    vertex.y = {share * h.x, share * h.y, share * h.z, q_share * share * 2 * energy};
+    vertex.sum = {};
+    return energy;
+  };
+  BlockVertex* vertex = &vertices[filler_vertices];
+  double E = 0;
+  for (std::int64_t position = b.first_owned; position < b.first_owned + b.owned; ++position) {
+    const double energy = find_y(*vertex++, carries_[position] != 0);
+    E += counts_[position] != 0 ? energy : 0;
+  }
+  for (Index i = 0; i < b.rim; ++i) {
+    find_y(*vertex++, carries_[b.halo[i]] != 0);
   }
   return E;
 }
 
 double Lagrange::energy(const Points& X) {
   return loop_.sum(blocks_, [&](const MeshBlock& b, BlockScratch& scratch) {
-    return block_curvature(b, X, scratch, nullptr);
+    BlockVertices& vertices = scratch.vertices;
+    load(b, X, vertices);
+    compute_and_prefetch(blocks_, b, b.groups, {X}, [&](std::int64_t first, std::int64_t groups) {
+      lagrange_curvature(corners_of(b, first), groups, !spontaneous_.empty(), vertices.data());
+    });
+    return own_energy(b, vertices);
   });
 }
 
 double Lagrange::energy_and_gradient(const Points& X, Points& G) {
-  y_.resize(blocks_.owned.size());
-  const double E = loop_.sum(blocks_, [&](const MeshBlock& b, BlockScratch& scratch) {
-    return block_curvature(b, X, scratch, &y_[b.first_owned]);
-  });
   blocks_.prepare(G);
-  loop_.sum(blocks_, [&](const MeshBlock& b, BlockScratch& scratch) {
-    load(b, X, scratch.vertices);
-    blocks_.load(b, y_, scratch.vertices);
-    const Index* corners = b.corners.data();
+  return loop_.sum(blocks_, [&](const MeshBlock& b, BlockScratch& scratch) {
+    BlockVertices& vertices = scratch.vertices;
+    load(b, X, vertices);
+    lagrange_curvature(b.corners.data(), b.outer_groups, !spontaneous_.empty(), vertices.data());
+    const double E = own_energy_and_y(b, vertices);
     const auto add_forces = [&](std::int64_t first, std::int64_t groups) {
-      lagrange_forces(corners + first * 3 * lanes_per_group, groups, !spontaneous_.empty(),
-                      scratch.vertices.data());
+      lagrange_forces(corners_of(b, first), groups, !spontaneous_.empty(), vertices.data());
     };
-    compute_and_prefetch(blocks_, b, b.groups, {X, &y_, &G}, add_forces);
-    blocks_.store(b, scratch.vertices, G);
-    return 0.0;
+    compute_and_prefetch(blocks_, b, b.groups, {X, &G}, add_forces);
+    blocks_.store(b, vertices, G);
+    return E;
   });
-  return E;
 }
 
 void Lagrange::linearise(const Points& X, StencilWeights& weights) {

@@ -34,9 +34,11 @@ class Lagrange final : public BendingEnergy {
   void linearise(const Points& X, StencilWeights& weights) override;
 
  private:
-  double block_curvature(const MeshBlock& b, const Points& X, BlockScratch& scratch, BlockRow* y);
-
   void load(const MeshBlock& b, const Points& X, BlockVertices& vertices) const;
+
+  double own_energy(const MeshBlock& b, const BlockVertices& vertices) const;
+
+  double own_energy_and_y(const MeshBlock& b, BlockVertices& vertices) const;
 
   bool mass_;
   Rows stencils_;                      // #U: the centre, then its ring in the order it is walked
@@ -44,7 +46,6 @@ class Lagrange final : public BendingEnergy {
   std::vector<std::uint8_t> carries_;  // like blocks_.owned, whether the vertex is in U
   std::vector<std::uint8_t> counts_;   // and, too, whether it belongs to this part of the mesh
   std::vector<double> spontaneous_;    // like blocks_.owned: H0, or empty for none
-  std::vector<BlockRow> y_;            // like blocks_.owned
   BlockLoop loop_;
 };
 

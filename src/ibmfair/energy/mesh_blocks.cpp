@@ -23,7 +23,7 @@ std::size_t place_of_corner(std::size_t slot, int i) {
 struct WholeMesh {
   const Topology& topology;
   const std::vector<std::uint8_t>& kept;
-  const Neighbours& neighbours;
+  const BlockSurroundings& surroundings;
   const std::vector<std::uint8_t>& counted;
   const std::vector<Index>& owned;
   std::vector<Index> position;  // #V, in `owned`, or -1
@@ -101,11 +101,17 @@ class Builder {
     block_.own_groups = groups();
     place(shared_);
     block_.groups = groups();
-    if (!mesh_.neighbours.empty()) {
+    write_corners(0);
+    block_.rim = static_cast<Index>(block_.halo.size());
+    const std::size_t count = slots_.size();
+    if (!mesh_.surroundings.neighbours.empty()) {
       find_neighbours();
     }
-    block_.framed_groups = groups();
-    write_corners();
+    if (mesh_.surroundings.whole_stars) {
+      find_stars();
+    }
+    block_.outer_groups = groups();
+    write_corners(count);
     return std::move(block_);
   }
 
@@ -122,16 +128,10 @@ class Builder {
     shared_.clear();
     for (Index i = 0; i < block_.owned; ++i) {
       for (const Index t : mesh_.topology.stars[mesh_.owned[block_.first_owned + i]]) {
-        if (!mesh_.kept[t]) {
-          continue;
+        if (mesh_.kept[t] && is_new(t)) {
+          const bool counts = mesh_.counted.empty() || mesh_.counted[t] != 0;
+          (counts && is_own(mesh_.topology.F(t, 0)) ? own_ : shared_).push_back(t);
         }
-        Index& slot = triangle_[t];
-        if (slot >= 0) {
-          continue;
-        }
-        slot = 0;
-        const bool counts = mesh_.counted.empty() || mesh_.counted[t] != 0;
-        (counts && is_own(mesh_.topology.F(t, 0)) ? own_ : shared_).push_back(t);
       }
     }
   }
@@ -156,7 +156,7 @@ class Builder {
       for (int i = 0; i < 3; ++i) {
         const Index t = slots_[slot];
         const Index other =
-            t == no_triangle ? no_triangle : mesh_.neighbours[3 * std::size_t(t) + i];
+            t == no_triangle ? no_triangle : mesh_.surroundings.neighbours[3 * std::size_t(t) + i];
         block_.neighbours[place_of_corner(slot, i)] =
             row_size * (other == no_triangle ? static_cast<Index>(slot) : slot_of(other));
       }
@@ -179,6 +179,28 @@ class Builder {
     return slot;
   }
 
+  void find_stars() {
+    shared_.clear();
+    for (const Index position : block_.halo) {
+      for (const Index t : mesh_.topology.stars[mesh_.owned[position]]) {
+        if (mesh_.kept[t] && is_new(t)) {
+          shared_.push_back(t);
+        }
+      }
+    }
+    place(shared_);
+  }
+
+  /// Whether the block has not had this triangle before.
+  bool is_new(Index t) {
+    Index& slot = triangle_[t];
+    if (slot >= 0) {
+      return false;
+    }
+    slot = 0;
+    return true;
+  }
+
   Index place_of_vertex(Index v) {
     const Index position = mesh_.position[v];
     if (is_own(v)) {
@@ -192,9 +214,9 @@ class Builder {
     return vertex_size * number;
   }
 
-  void write_corners() {
+  void write_corners(std::size_t first_slot) {
     block_.corners.resize(3 * slots_.size());
-    for (std::size_t slot = 0; slot < slots_.size(); ++slot) {
+    for (std::size_t slot = first_slot; slot < slots_.size(); ++slot) {
       std::array<Index, 3> x{0, vertex_size, 2 * vertex_size};
       if (const Index t = slots_[slot]; t != no_triangle) {
         const auto corners = mesh_.topology.F.row(t >= 0 ? t : ~t);
@@ -215,18 +237,6 @@ class Builder {
   std::vector<Index> own_, shared_, slots_;
   MeshBlock block_;
 };
-
-/// Calls take(vertex of the block, its position in `owned`) for all of a block's vertices.
-template <class Take>
-void for_vertices_of(const MeshBlock& b, BlockVertices& vertices, const Take& take) {
-  BlockVertex* to = &vertices[filler_vertices];
-  for (Index i = 0; i < b.owned; ++i) {
-    take(*to++, b.first_owned + i);
-  }
-  for (const Index position : b.halo) {
-    take(*to++, position);
-  }
-}
 
 }  // namespace
 
@@ -252,14 +262,15 @@ void MeshBlocks::load(const MeshBlock& b, const Points& X, BlockVertices& vertic
   }
 }
 
-void MeshBlocks::load(const MeshBlock& b, const std::vector<BlockRow>& y,
-                      BlockVertices& vertices) const {
-  for_vertices_of(b, vertices, [&](BlockVertex& vertex, std::int64_t at) { vertex.y = y[at]; });
-}
-
 void MeshBlocks::load(const MeshBlock& b, const std::vector<double>& w,
                       BlockVertices& vertices) const {
-  for_vertices_of(b, vertices, [&](BlockVertex& vertex, std::int64_t at) { vertex.x.w = w[at]; });
+  BlockVertex* to = &vertices[filler_vertices];
+  for (Index i = 0; i < b.owned; ++i) {
+    (to++)->x.w = w[b.first_owned + i];
+  }
+  for (const Index position : b.halo) {
+    (to++)->x.w = w[position];
+  }
 }
 
 void MeshBlocks::store(const MeshBlock& b, const BlockVertices& vertices, Points& G) const {
@@ -277,11 +288,12 @@ void MeshBlocks::prepare(Points& G) const {
 }
 
 MeshBlocks mesh_blocks(const Topology& topology, const std::vector<std::uint8_t>& kept,
-                       const Neighbours& neighbours, const std::vector<std::uint8_t>& counted) {
+                       const BlockSurroundings& surroundings,
+                       const std::vector<std::uint8_t>& counted) {
   MeshBlocks blocks;
   Rows vertices = vertex_blocks(topology, kept);
   blocks.owned = std::move(vertices.value);
-  WholeMesh mesh{topology, kept, neighbours, counted, blocks.owned, {}};
+  WholeMesh mesh{topology, kept, surroundings, counted, blocks.owned, {}};
   mesh.position.resize(static_cast<std::size_t>(topology.vertex_count), -1);
   parallel_for(static_cast<std::int64_t>(blocks.owned.size()),
                [&](std::int64_t i) { mesh.position[blocks.owned[i]] = static_cast<Index>(i); });

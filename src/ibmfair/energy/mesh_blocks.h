@@ -40,15 +40,16 @@ inline constexpr Index filler_vertices = 3;
 /// One block. Its vertices are the filler's, then those it owns, then the other corners of its
 /// triangles. Triangles are numbered as they stand in the groups.
 struct MeshBlock {
-  std::int64_t first_owned = 0;    ///< in MeshBlocks::owned
-  Index owned = 0;                 ///< vertices
-  std::vector<Index> halo;         ///< the others, as positions in MeshBlocks::owned
-  std::vector<Index> corners;      ///< 3 x 8 for each group: `vertex_size` times the vertex
-  std::vector<Index> neighbours;   ///< 3 x 8 for each group at its own vertices: `row_size` times
-                                   ///< the triangle, itself where it has no neighbour
-  std::int64_t own_groups = 0;     ///< of triangles: each that counts is in these of one block
-  std::int64_t groups = 0;         ///< and of all others at its own vertices
-  std::int64_t framed_groups = 0;  ///< and of the neighbours of both
+  std::int64_t first_owned = 0;   ///< in MeshBlocks::owned
+  Index owned = 0;                ///< vertices
+  std::vector<Index> halo;        ///< the others, as positions in MeshBlocks::owned
+  Index rim = 0;                  ///< the first of these are corners of the first `groups`
+  std::vector<Index> corners;     ///< 3 x 8 for each group: `vertex_size` times the vertex
+  std::vector<Index> neighbours;  ///< 3 x 8 for each group at its own vertices: `row_size` times
+                                  ///< the triangle, itself where it has no neighbour
+  std::int64_t own_groups = 0;    ///< of triangles: each that counts is in these of one block
+  std::int64_t groups = 0;        ///< and of all others at its own vertices
+  std::int64_t outer_groups = 0;  ///< and of what is wanted around both
 };
 
 /// Triangles in a group: those that a kernel takes at a time, or twice as many.
@@ -76,8 +77,6 @@ struct MeshBlocks {
   /// The positions of a block's vertices, x out of X (#V x 3), and sums of zero. The list may grow,
   /// but never shrinks.
   void load(const MeshBlock& b, const Points& X, BlockVertices& vertices) const;
-  /// Their y, out of rows that stand like `owned`.
-  void load(const MeshBlock& b, const std::vector<BlockRow>& y, BlockVertices& vertices) const;
   /// The fourth number of their x, out of numbers that stand like `owned`.
   void load(const MeshBlock& b, const std::vector<double>& w, BlockVertices& vertices) const;
   /// A block's sums to its own vertices in G (#V x 3).
@@ -86,11 +85,16 @@ struct MeshBlocks {
   void prepare(Points& G) const;
 };
 
-/// Blocks of the triangles that are `kept` (#F). With `neighbours`, they have the triangles next to
-/// their own as well; these must be kept. Those that are not `counted` (#F, or empty for all) are
-/// in no block's `own_groups`.
+/// What blocks have besides the triangles at their own vertices.
+struct BlockSurroundings {
+  Neighbours neighbours = {};  ///< where given, the triangles next to those; these must be kept
+  bool whole_stars = false;    ///< all that are kept around the corners of those
+};
+
+/// Blocks of the triangles that are `kept` (#F). Those that are not `counted` (#F, or empty for
+/// all) are in no block's `own_groups`.
 MeshBlocks mesh_blocks(const Topology& topology, const std::vector<std::uint8_t>& kept,
-                       const Neighbours& neighbours = {},
+                       const BlockSurroundings& surroundings = {},
                        const std::vector<std::uint8_t>& counted = {});
 
 }  // namespace ibmfair
