@@ -6,22 +6,19 @@
 namespace ibmfair {
 namespace {
 
-/// A workspace of more bytes leaves the first cache too little room for the panels beside it, and
-/// the processor no longer fetches these ahead.
-constexpr std::int64_t small_workspace = 12288;
-
-/// Numbers that are fetched ahead then: 8 kB.
-template <class Real>
-constexpr std::ptrdiff_t ahead = 8192 / sizeof(Real);
+/// Numbers of the factor are fetched so many bytes ahead of their use. They are read once in a
+/// substitution and are many: what is fetched so takes no room in the larger caches from the
+/// vectors that they are applied to, and small fronts end before the processor fetches by itself.
+constexpr std::ptrdiff_t ahead = 8192;
 
 constexpr std::ptrdiff_t cache_line = 64;
 
-/// Fetches the numbers that are to be read `distance` after these.
+/// Fetches the `count` numbers `distance` bytes after these.
 template <std::ptrdiff_t count, class Real>
 IBMFAIR_INLINE void fetch(const Real* numbers, std::ptrdiff_t distance) {
-  const char* const bytes = reinterpret_cast<const char*>(numbers + distance);
+  const char* const bytes = reinterpret_cast<const char*>(numbers) + distance;
   for (std::ptrdiff_t i = 0; i < count * std::ptrdiff_t{sizeof(Real)}; i += cache_line) {
-    __builtin_prefetch(bytes + i, 0, 2);  // 2: not to the first cache
+    __builtin_prefetch(bytes + i, 0, 0);  // 0: to be read, 0: once
   }
 }
 
@@ -45,7 +42,7 @@ IBMFAIR_INLINE void store_three(Real* W, const Pack3<Real>& three) {
 }
 
 /// One panel: `L` has its packs below the chunk, and W the rows beside them.
-template <class Real, int width, bool fetching>
+template <class Real, int width>
 struct Panel {
   static constexpr Index pack = pack_rows<Real>;
 
@@ -58,7 +55,7 @@ struct Panel {
       }
     }
     for (; packs > 0; --packs, L += width * pack, W += 3 * pack) {
-      if (fetching) fetch<width * pack>(L, ahead<Real>);
+      fetch<width * pack>(L, ahead);
       for (int c = 0; c < 3; ++c) {
         Pack<Real> sum = factor[c][0] * load<Pack<Real>>(L);
         for (int k = 1; k < width; ++k) {
@@ -78,7 +75,7 @@ struct Panel {
     for (; packs > 0; --packs) {
       L -= width * pack;
       W -= 3 * pack;
-      if (fetching) fetch<width * pack>(L, -ahead<Real>);
+      fetch<width * pack>(L, -ahead);
       for (int k = 0; k < width; ++k) {
         for (int c = 0; c < 3; ++c) {
           of_column[c][k] += load<Pack<Real>>(L + k * pack) * load<Pack<Real>>(W + c * pack);
@@ -101,7 +98,7 @@ IBMFAIR_INLINE Pack<double> beside(const Row4<double> (&of_panel)[1][3], int c) 
 }
 
 /// One chunk, and W from its own pack on.
-template <class Real, int columns, bool fetching>
+template <class Real, int columns>
 struct Chunk {
   static constexpr Index pack = pack_rows<Real>;
   static constexpr int first_width = std::min<int>(columns, panel_width);
@@ -119,9 +116,9 @@ struct Chunk {
     }
     store_three(W, own);
     L += columns * pack;
-    L = Panel<Real, first_width, fetching>::forward(L, packs - 1, W, W + 3 * pack);
+    L = Panel<Real, first_width>::forward(L, packs - 1, W, W + 3 * pack);
     if constexpr (second_width > 0) {
-      L = Panel<Real, second_width, fetching>::forward(L, packs - 1, W + panel_width, W + 3 * pack);
+      L = Panel<Real, second_width>::forward(L, packs - 1, W + panel_width, W + 3 * pack);
     }
     return L;
   }
@@ -130,9 +127,9 @@ struct Chunk {
     const Real* const end = from_pack(W, packs);
     Panels sum = {};
     if constexpr (second_width > 0) {
-      L = Panel<Real, second_width, fetching>::backward(L, packs - 1, end, sum[1]);
+      L = Panel<Real, second_width>::backward(L, packs - 1, end, sum[1]);
     }
-    L = Panel<Real, first_width, fetching>::backward(L, packs - 1, end, sum[0]);
+    L = Panel<Real, first_width>::backward(L, packs - 1, end, sum[0]);
     Pack3<Real> own = load_three(W);
     for (int c = 0; c < 3; ++c) {
       own.c[c] -= beside(sum, c);
@@ -197,7 +194,7 @@ IBMFAIR_INLINE void scatter(const Real* W, Index first, Index last, Real* to) {
   }
 }
 
-template <class Real, bool fetching>
+template <class Real>
 struct Forward {
   IBMFAIR_INLINE static void run(const Real* L, Index rows, Index columns, const Real* front,
                                  Real* own, Real* below, Real* W) {
@@ -205,7 +202,7 @@ struct Forward {
     gather(RowsInTurn<Real>{front, rows}, rows, W);
     const Index packs = packs_of<Real>(rows), whole = columns / pack;
     for (Index p = 0; p < whole; ++p) {
-      L = Chunk<Real, pack, fetching>::forward(L, packs - p, from_pack(W, p));
+      L = Chunk<Real, pack>::forward(L, packs - p, from_pack(W, p));
     }
     last_chunk(columns - pack * whole, L, packs - whole, from_pack(W, whole), Widths<Real>{});
     scatter(W, 0, columns, own);
@@ -216,13 +213,12 @@ struct Forward {
   template <int... less_one>
   IBMFAIR_INLINE static void last_chunk(Index columns, const Real* L, Index packs, Real* W,
                                         std::integer_sequence<int, less_one...> /*widths*/) {
-    ((columns == less_one + 1 ? void(Chunk<Real, less_one + 1, fetching>::forward(L, packs, W))
-                              : void()),
+    ((columns == less_one + 1 ? void(Chunk<Real, less_one + 1>::forward(L, packs, W)) : void()),
      ...);
   }
 };
 
-template <class Real, bool fetching>
+template <class Real>
 struct Backward {
   IBMFAIR_INLINE static void run(const Real* L, Index rows, Index columns, const Index* row,
                                  Real* x, Real* W) {
@@ -234,7 +230,7 @@ struct Backward {
     L = last_chunk(columns - pack * p, L, packs - p, from_pack(W, p), Widths<Real>{});
     while (p > 0) {
       --p;
-      L = Chunk<Real, pack, fetching>::backward(L, packs - p, from_pack(W, p));
+      L = Chunk<Real, pack>::backward(L, packs - p, from_pack(W, p));
     }
     scatter(W, 0, columns, x + 4 * std::ptrdiff_t{row[0]});
   }
@@ -243,34 +239,23 @@ struct Backward {
   template <int... less_one>
   IBMFAIR_INLINE static const Real* last_chunk(Index columns, const Real* L, Index packs, Real* W,
                                                std::integer_sequence<int, less_one...> /*widths*/) {
-    ((L = columns == less_one + 1 ? Chunk<Real, less_one + 1, fetching>::backward(L, packs, W) : L),
-     ...);
+    ((L = columns == less_one + 1 ? Chunk<Real, less_one + 1>::backward(L, packs, W) : L), ...);
     return L;
   }
 };
-
-/// Forward or backward.
-template <template <class, bool> class Direction, class Real, class... Rest>
-void substitute(const Real* packed, Index rows, Rest... rest) {
-  if (workspace_size<Real>(rows) * std::int64_t{sizeof(Real)} > small_workspace) {
-    run<Direction<Real, true>>(packed, rows, rest...);
-  } else {
-    run<Direction<Real, false>>(packed, rows, rest...);
-  }
-}
 
 }  // namespace
 
 template <class Real>
 void substitute_forward(const Real* packed, Index rows, Index columns, const Real* front, Real* own,
                         Real* below, Real* workspace) {
-  substitute<Forward>(packed, rows, columns, front, own, below, workspace);
+  run<Forward<Real>>(packed, rows, columns, front, own, below, workspace);
 }
 
 template <class Real>
 void substitute_backward(const Real* packed, Index rows, Index columns, const Index* row, Real* x,
                          Real* workspace) {
-  substitute<Backward>(packed, rows, columns, row, x, workspace);
+  run<Backward<Real>>(packed, rows, columns, row, x, workspace);
 }
 
 template void substitute_forward(const float*, Index, Index, const float*, float*, float*, float*);

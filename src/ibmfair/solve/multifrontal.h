@@ -59,6 +59,7 @@ class FrontalSolver {
 
   template <class List>
   void forward(const List& list, Real* stack, Scratch& scratch);
+  void fetch_rows_before(Index s) const;
   void backward(Index s, Scratch& scratch);
 
   const FrontalFactor<Real>& factor_;
