@@ -214,6 +214,35 @@ TEST_F(SmoothFeatures, TwicingPutsBackHeight) {
   EXPECT_EQ(smooth(input, {"--twicing", "-1"}).exit_code, 2);
 }
 
+TEST_F(SmoothFeatures, CutoffAutoIsTheCutoffThatItNames) {
+  const std::string input = noisy("torus", {"--rows", "24", "--columns", "60", "--noise", "0.2"});
+  const Smoothed chosen = smooth(input, {"--cutoff", "auto"});
+  ASSERT_EQ(chosen.exit_code, 0) << chosen.err;
+  const json& choice = chosen.report["cutoff_choice"];
+  const double edge = chosen.report["mesh"]["mean_edge_length"];
+  EXPECT_NEAR(choice["noise"].get<double>(), 0.2 * edge, 0.04 * edge);
+  EXPECT_GE(choice["trials"].size(), 3);
+  const std::string cutoff = fmt::format("{}u", choice["cutoff"].get<double>());
+  const Smoothed named = smooth(input, {"--cutoff", cutoff});
+  EXPECT_EQ(named.X, chosen.X);
+  EXPECT_FALSE(named.report.contains("cutoff_choice"));
+  EXPECT_EQ(smooth(input, {"--cutoff", "auto", "--dry-run"}).report["cutoff_choice"], choice);
+  EXPECT_TRUE(contains(smooth(input, {"--cutoff", "auto", "--verbose"}).err, "distance left"));
+}
+
+TEST_F(SmoothFeatures, CutoffAutoWhereThereIsNothingToChoose) {
+  const std::string input = noisy("icosahedron", {"--noise", "0.1"});
+  write_bytes(files_ / "all.txt", "0 1 2 3 4 5 6 7 8 9 10 11\n");
+  const Smoothed held = smooth(input, {"--cutoff", "auto", "--fix", files_ / "all.txt"});
+  EXPECT_EQ(held.exit_code, 0);
+  EXPECT_TRUE(contains(held.err, "no vertex is free to move")) << held.err;
+  EXPECT_FALSE(held.report.contains("cutoff_choice"));
+  EXPECT_EQ(smooth(input, {"--cutoff", "auto", "--steps", "0"}).exit_code, 0);
+  EXPECT_EQ(smooth(input, {"--cutoff", "auto"}).exit_code, 0);
+  EXPECT_EQ(smooth(input, {"--cutoff", "auto", "--time-step", "1"}).exit_code, 2);
+  EXPECT_EQ(smooth(input, {"--cutoff", "automatic"}).exit_code, 2);
+}
+
 TEST_F(SmoothFeatures, ABoundOnMovesIsHeldAndNoFailure) {
   const std::string input = noisy("torus", {"--rows", "24", "--columns", "60", "--noise", "0.3"});
   const Smoothed bounded = smooth(input, {"--max-move", "0.05e", "--cutoff", "12"});

@@ -84,20 +84,21 @@ Smoothing read_smoothing(const SmoothArguments& arguments, const Console& consol
   return s;
 }
 
-ExitCode forecast(const SmoothArguments& arguments, FlowOptions options, Smoothing& s,
-                  Report& report, Console& console) {
+ExitCode forecast(const SmoothArguments& arguments, Smoothing& s, Report& report,
+                  Console& console) {
+  FlowOptions options = arguments.flow;
   FlowForecast forecast;
   if (options.steps > 0) {
     set_scale(arguments, s.before(), s.topology, MeshParts::one(), options, s.figures);
-    forecast = forecast_flow(s.X, s.topology,
-                             held(arguments, s.file, s.topology, options.cutoff_factor), options);
+    forecast = forecast_flow(s.X, s.topology, s.held, options);
   }
   report.figures["input"] = arguments.input;
+  add_cutoff_choice(s.figures, report);
   report.figures["forecast"] = forecast_json(forecast);
   deliver_report(arguments.report, arguments.output.write.overwrite, report);
   console.note(fmt::format("{}: {} of {} vertices would move in {} steps", arguments.input,
                            forecast.unknowns, s.topology.vertex_count, options.steps),
-               forecast_table(forecast));
+               (s.figures.choice ? cutoff_lines(s.figures, true) : "") + forecast_table(forecast));
   return ExitCode::done;
 }
 
@@ -167,13 +168,16 @@ ExitCode run_smooth(SmoothArguments arguments, const CLI::App& app, Console& con
   report.warnings = defect_list(s.before(), s.topology);
   arguments.flow = flow_options(arguments, s.file, s.topology, console);
   const FlowOptions& options = arguments.flow;
-  if (arguments.dry_run) {
-    progress.end();
-    return forecast(arguments, options, s, report, console);
-  }
   s.figures.mean_edge_length = mean_edge_length(s.before(), s.topology.E);
   if (options.steps > 0) {
     s.held = held(arguments, s.file, s.topology, options.cutoff_factor);
+    resolve_cutoff(arguments, s.before(), s.topology, s.held, s.figures, progress);
+  }
+  if (arguments.dry_run) {
+    progress.end();
+    return forecast(arguments, s, report, console);
+  }
+  if (options.steps > 0) {
     run_flow(arguments, s.X, s.topology, s.held, MeshParts::one(), s.figures, progress);
   }
   progress.begin("measure");

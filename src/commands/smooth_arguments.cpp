@@ -25,9 +25,18 @@ std::vector<std::string> solver_names() {
 void add_amount_options(CLI::App& app, SmoothArguments& a) {
   constexpr int most = 1'000'000;
   begin_group(app, "How much to smooth");
-  CLI::Option* cutoff =
-      add_length(app, "--cutoff", a.cutoff, Length::Unit::edges,
-                 "smooth ripples up to about this wavelength, in all steps together");
+  CLI::Option* cutoff = add_parsed_option(
+      app, "--cutoff", "LENGTH|auto",
+      "smooth ripples up to about this wavelength, in all steps together; auto tries several and "
+      "takes that which by the noise of the mesh leaves least error",
+      [&a](const std::string& text) {
+        a.cutoff_auto = text == "auto";
+        a.cutoff.reset();
+        if (!a.cutoff_auto) {
+          a.cutoff = parse_length_option("--cutoff", text, Length::Unit::edges);
+        }
+      });
+  note_units_of_length(app, *cutoff, Length::Unit::edges);
   note_of(app, *cutoff).default_text = "8e for 16 steps, more with more steps";
   CLI::Option* steps =
       add_integer(app, "--steps", a.flow.steps, 0, most,
@@ -187,6 +196,8 @@ void add_smooth_arguments(CLI::App& app, SmoothArguments& a) {
   documentation_of(app).examples = {
       {"ibmfair smooth scan.ply fair.ply --cutoff 2% --picture fair.png",
        "removes ripples up to a fiftieth of the mesh's size, and draws it before and after"},
+      {"ibmfair smooth scan.ply fair.ply --cutoff auto --twicing 1",
+       "removes noise of a strength that nobody knows"},
       {"ibmfair smooth part.obj fair.obj --mask blend --max-move 0.5e",
        "moves only the group `blend`, no vertex by more than half a mean edge length"},
   };

@@ -28,6 +28,7 @@ struct SmoothArguments {
   FlowOptions flow;
   std::optional<double> time_step;
   std::optional<Length> cutoff;
+  bool cutoff_auto = false;  // chosen by the noise of the mesh
   std::optional<Length> max_move;
   std::vector<double> anisotropy;    // X, Y, Z, FACTOR, or none
   std::optional<double> keep_sharp;  // degrees

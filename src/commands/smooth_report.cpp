@@ -67,18 +67,21 @@ ordered_json step_json(const StepRecord& step) {
 
 ordered_json seconds_json(const SmoothFigures& figures) {
   const FlowSeconds& s = figures.flow.seconds;
-  return {{"read", figures.seconds_read},
-          {"topology", figures.seconds_topology},
-          {"assemble", s.assemble},
-          {"analyse", s.analyse},
-          {"factor", s.factor},
-          {"gradient", s.gradient},
-          {"solve", s.solve},
-          {"guard", s.guard},
-          {"relax", s.relax},
-          {"other", s.other},
-          {"measure", figures.seconds_measure},
-          {"write", figures.seconds_write}};
+  ordered_json seconds{{"read", figures.seconds_read}, {"topology", figures.seconds_topology}};
+  if (figures.choice) {
+    seconds["choose"] = figures.seconds_choice;
+  }
+  seconds.update({{"assemble", s.assemble},
+                  {"analyse", s.analyse},
+                  {"factor", s.factor},
+                  {"gradient", s.gradient},
+                  {"solve", s.solve},
+                  {"guard", s.guard},
+                  {"relax", s.relax},
+                  {"other", s.other},
+                  {"measure", figures.seconds_measure},
+                  {"write", figures.seconds_write}});
+  return seconds;
 }
 
 StageTimes stage_times(const SmoothFigures& figures) {
@@ -104,6 +107,11 @@ std::string curve(const FlowReport& flow) {
              : fmt::format("  {:<16}{} {:.4g} to {:.4g}{}\n", "energy by step",
                            sparkline(energies, columns, locale_is_utf8()), energies.front(),
                            energies.back(), drawn_logarithmically(energies) ? ", logarithmic" : "");
+}
+
+/// The distance to the surface without noise that a trial of a cut-off is expected to leave.
+double expected_distance(const CutoffTrial& trial) {
+  return std::sqrt(std::max(trial.risk, 0.0));
 }
 
 /// What the linear systems took.
@@ -166,6 +174,23 @@ ordered_json mesh_state_json(const Points& X, const Topology& topology,
   return json;
 }
 
+std::string cutoff_lines(const SmoothFigures& figures, bool detailed) {
+  const double edge = figures.mean_edge_length;
+  std::string text = fmt::format("  {:<16}{}\n", "cut-off", length_text(figures.cutoff, edge));
+  if (figures.choice) {
+    text += fmt::format("  {:<16}{}\n", "noise", length_text(figures.choice->noise, edge));
+    if (detailed) {
+      text += fmt::format("  {:<16}{:>7}{:>17}  mean edge lengths\n", "tried", "cut-off",
+                          "distance left");
+      for (const CutoffTrial& trial : figures.choice->trials) {
+        text += fmt::format("  {:<16}{:>7.3g}{:>17.3g}\n", "", trial.cutoff / edge,
+                            expected_distance(trial) / edge);
+      }
+    }
+  }
+  return text;
+}
+
 std::string smooth_table(const SmoothFigures& figures, bool detailed) {
   const FlowReport& flow = figures.flow;
   const MeshFigures &before = figures.before, &after = figures.after;
@@ -182,7 +207,7 @@ std::string smooth_table(const SmoothFigures& figures, bool detailed) {
     text +=
         fmt::format("  {:<16}{}; rms {}\n", "largest move", length_text(figures.largest_move, edge),
                     length_text(figures.rms_move, edge));
-    text += fmt::format("  {:<16}{}\n", "cut-off", length_text(figures.cutoff, edge));
+    text += cutoff_lines(figures, detailed);
   }
   if (detailed) {
     text += curve(flow);
@@ -217,6 +242,18 @@ ordered_json forecast_json(const FlowForecast& forecast) {
   return {{"unknowns", forecast.unknowns}, {"solver", forecast.solver}, {"solvers", backends}};
 }
 
+void add_cutoff_choice(const SmoothFigures& figures, Report& report) {
+  if (!figures.choice) {
+    return;
+  }
+  ordered_json trials = ordered_json::array();
+  for (const CutoffTrial& trial : figures.choice->trials) {
+    trials.push_back({{"cutoff", trial.cutoff}, {"distance_expected", expected_distance(trial)}});
+  }
+  report.figures["cutoff_choice"] = {
+      {"cutoff", figures.choice->cutoff}, {"noise", figures.choice->noise}, {"trials", trials}};
+}
+
 void add_smooth_figures(const SmoothFigures& figures, const FlowOptions& options, Report& report) {
   const FlowReport& flow = figures.flow;
   ordered_json& json = report.figures;
@@ -235,6 +272,7 @@ void add_smooth_figures(const SmoothFigures& figures, const FlowOptions& options
       {"solver_tolerance", options.solver_tolerance},
       {"guarded", options.guarded},
       {"tangential", options.guarded && options.relax ? "relax" : "none"}};
+  add_cutoff_choice(figures, report);
   json["mesh"] = {{"vertices", figures.vertices},
                   {"triangles", figures.triangles},
                   {"unknowns", flow.unknowns},

@@ -1,6 +1,7 @@
 // What `smooth` tells of a run: as a table for people, as JSON for programs.
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include <nlohmann/json.hpp>
@@ -8,6 +9,7 @@
 #include "commands/exit_code.h"
 #include "commands/report/report.h"
 #include "commands/smooth_arguments.h"
+#include "ibmfair/flow/cutoff_choice.h"
 #include "ibmfair/flow/willmore_flow.h"
 #include "ibmfair/mesh/topology.h"
 
@@ -26,11 +28,13 @@ struct SmoothFigures {
   double largest_move = 0, rms_move = 0;  ///< of all vertices, length
   double mean_edge_length = 0;            ///< before
   double cutoff = 0;                      ///< length that the total time corresponds to
+  std::optional<CutoffChoice> choice;     ///< of this length, with --cutoff auto
   double diagonal = 0;                    ///< of the bounding box, before
   double total_time = 0;                  ///< that the flow was to run for, in its unit
   std::int64_t vertices = 0, triangles = 0;
   bool closed = true;
-  double seconds_read = 0, seconds_topology = 0, seconds_measure = 0, seconds_write = 0;
+  double seconds_read = 0, seconds_topology = 0, seconds_choice = 0;
+  double seconds_measure = 0, seconds_write = 0;
   FlowReport flow;
 };
 
@@ -48,6 +52,9 @@ nlohmann::ordered_json mesh_state_json(const Points& X, const Topology& topology
 /// `detailed`, the energy after each step as a curve, too, and all stages.
 std::string smooth_table(const SmoothFigures& figures, bool detailed);
 
+/// The cut-off, and where it was chosen the noise by which; with `detailed`, all that was tried.
+std::string cutoff_lines(const SmoothFigures& figures, bool detailed);
+
 /// What is to be said about the end of the flow, whose state is in the file `output`; empty: it
 /// went as it should.
 std::string remark_on(const SmoothFigures& figures, const std::string& output,
@@ -58,6 +65,9 @@ ExitCode exit_code_of(FlowStatus status);
 /// What a run would take, as aligned lines and as JSON.
 std::string forecast_table(const FlowForecast& forecast);
 nlohmann::ordered_json forecast_json(const FlowForecast& forecast);
+
+/// What the choice of the cut-off was by, if there was one.
+void add_cutoff_choice(const SmoothFigures& figures, Report& report);
 
 /// The fields of the report that the run fills, and its steps as a table.
 void add_smooth_figures(const SmoothFigures& figures, const FlowOptions& options, Report& report);

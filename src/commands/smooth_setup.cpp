@@ -1,5 +1,6 @@
 #include "commands/smooth_setup.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <optional>
@@ -9,6 +10,7 @@
 #include "commands/report/report_formats.h"
 #include "commands/signals.h"
 #include "ibmfair/base/errors.h"
+#include "ibmfair/base/stopwatch.h"
 #include "ibmfair/flow/held_vertices.h"
 #include "ibmfair/flow/part_measures.h"
 #include "ibmfair/flow/time_scale.h"
@@ -95,6 +97,23 @@ void set_scale(const SmoothArguments& arguments, const Points& X, const Topology
   if (arguments.max_move) {
     options.max_move = arguments.max_move->on(X, topology, parts);
   }
+}
+
+void resolve_cutoff(SmoothArguments& arguments, const Points& X, const Topology& topology,
+                    const std::vector<std::uint8_t>& held, SmoothFigures& figures,
+                    Progress& progress) {
+  if (!arguments.cutoff_auto || std::find(held.begin(), held.end(), 0) == held.end()) {
+    return;  // or where nothing moves, whatever the cut-off is
+  }
+  const Stopwatch watch(figures.seconds_choice);
+  FlowOptions options = arguments.flow;
+  set_scale(arguments, X, topology, MeshParts::one(), options, figures);
+  const double edge = mean_edge_length(X, topology.E);
+  const auto tell = [&](double cutoff) {
+    progress.begin(fmt::format("try a cut-off of {:.1f} edges", cutoff / edge));
+  };
+  figures.choice = choose_cutoff(X, topology, held, options, figures.diagonal / 2, tell);
+  arguments.cutoff = Length{figures.choice->cutoff, Length::Unit::absolute};
 }
 
 std::vector<std::uint8_t> held_by(const SmoothArguments& arguments, const Topology& topology,

@@ -33,6 +33,12 @@ void set_flow_options(const SmoothArguments& arguments, const Points& X, const T
 void set_scale(const SmoothArguments& arguments, const Points& X, const Topology& topology,
                const MeshParts& parts, FlowOptions& options, SmoothFigures& figures);
 
+/// With --cutoff auto, chooses the cut-off where vertices move, which becomes that of the arguments, and notes why
+/// among the figures. Throws as set_scale and choose_cutoff.
+void resolve_cutoff(SmoothArguments& arguments, const Points& X, const Topology& topology,
+                    const std::vector<std::uint8_t>& held, SmoothFigures& figures,
+                    Progress& progress);
+
 /// #V, 1 for the vertices that do not move: those that --boundary holds, those of the list, and
 /// those that `mask` or `weights` (#V, or empty) leave out.
 std::vector<std::uint8_t> held_by(const SmoothArguments& arguments, const Topology& topology,

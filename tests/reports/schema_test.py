@@ -55,6 +55,7 @@ class SchemaTest(ProgramTest):
         if pathlib.Path(program).with_name("ibmfair-petsc").exists():
             os.environ.update(OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1")
             yield self.json("smooth", "ball.off", "out.off", "--engine", "petsc", *quick)
+        yield self.json("smooth", "ball.off", "out.off", "--cutoff", "auto", "--overwrite")
         yield self.json("smooth", "ball.off", "dry.off", "--dry-run")
         yield self.json("fill", "open.off", "out.off", "--all", "--overwrite")
         yield self.json("fill", "open.off", "out.off", "--overwrite")

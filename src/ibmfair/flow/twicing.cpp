@@ -9,7 +9,6 @@
 namespace ibmfair {
 namespace {
 
-constexpr int linear_steps = 4;     // of backward Euler; more change little
 constexpr double tolerance = 1e-3;  // of solves: no later step takes what these leave
 constexpr int most_halvings = 2;    // of what is put back, until the energy is low enough
 
@@ -23,7 +22,7 @@ class Twicing {
   /// False where nothing could be put back.
   bool pass() {
     try {
-      p_.jacobian().refactor(p_.X, p_.options.total_time / linear_steps);
+      p_.jacobian().refactor(p_.X, p_.options.total_time / twicing_steps);
     } catch (const FactorizationFailed&) {
       return false;
     }
@@ -49,7 +48,7 @@ class Twicing {
         normals_.cwiseProduct(p_.start()(vertex, Eigen::all) - p_.X(vertex, Eigen::all))
             .rowwise()
             .sum();
-    for (int i = 0; i < linear_steps; ++i) {
+    for (int i = 0; i < twicing_steps; ++i) {
       height = p_.jacobian().solve(p_.jacobian().metric().cwiseProduct(height));
     }
     return height;

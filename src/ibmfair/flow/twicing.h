@@ -12,6 +12,9 @@
 
 namespace ibmfair {
 
+/// Steps of backward Euler in which a pass smooths the residual; more change little.
+inline constexpr int twicing_steps = 4;
+
 /// Does that `options.twicing` times to the state of a flow that is complete. The residual is taken
 /// as a height over the surface, so that no vertex slides back. What the guarded flow promises
 /// holds: no hinge folds over that was not folded at the flow's end, the energy stays below that

@@ -1,0 +1,168 @@
+#include "ibmfair/flow/cutoff_choice.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "ibmfair/base/errors.h"
+#include "ibmfair/base/random_numbers.h"
+#include "ibmfair/flow/flow_problem.h"
+#include "ibmfair/flow/local_mesh.h"
+#include "ibmfair/flow/time_scale.h"
+#include "ibmfair/flow/twicing.h"
+#include "ibmfair/flow/unknown_normals.h"
+#include "ibmfair/flow/willmore_flow.h"
+#include "ibmfair/mesh/geometry.h"
+
+namespace ibmfair {
+namespace {
+
+constexpr double first_edges = 2;       // the shortest cut-off, in mean edge lengths
+constexpr std::size_t noise_trial = 1;  // by which noise is told: shapes have little in it yet
+constexpr double clear_rise = 0.1;      // of the risk over the least, in variances of the noise
+constexpr double tolerance = 1e-3;      // of solves, as of those of twicing
+
+double median(Eigen::VectorXd values) {
+  double* const middle = values.data() + values.size() / 2;
+  std::nth_element(values.data(), middle, values.data() + values.size());
+  return *middle;
+}
+
+/// White noise, #unknowns x 3: three at once take little longer to smooth than one.
+Points white_noise(Index count) {
+  RandomNumbers random(1);
+  Points z(count, 3);
+  for (double& number : z.reshaped()) {
+    number = random.normal();
+  }
+  return z;
+}
+
+/// Three heights at each unknown after the problem's time in the linearised flow at its state.
+void flow_linearly(FlowProblem& p, int steps, Points& heights) {
+  p.jacobian().refactor(p.X, p.options.total_time / steps);
+  p.jacobian().tighten(tolerance);
+  Points weighted;
+  for (int step = 0; step < steps; ++step) {
+    weighted = p.jacobian().metric().asDiagonal() * heights;
+    p.jacobian().solve(weighted, heights);
+  }
+}
+
+/// The same with twicing.
+Points smooth_linearly(FlowProblem& p, const Points& heights) {
+  Points smooth = heights, rest;
+  flow_linearly(p, p.options.steps, smooth);
+  for (int pass = 0; pass < p.options.twicing; ++pass) {
+    rest = heights - smooth;
+    flow_linearly(p, twicing_steps, rest);
+    smooth += rest;
+  }
+  return smooth;
+}
+
+/// What a flow with one cut-off did.
+struct Outcome {
+  double cutoff;
+  double squared_move;   // along the normals, mean
+  double trace;          // tr F / n
+  double relative_move;  // median over that of white noise of unit deviation
+};
+
+class Trials {
+ public:
+  Trials(const Points& X, const Topology& topology, const std::vector<std::uint8_t>& held,
+         const FlowOptions& options)
+      : X_(X), topology_(topology), held_(held), options_(options) {}
+
+  Outcome run(double cutoff) {
+    options_.total_time = time_in_flow_units(time_for_cutoff(cutoff), X_, topology_, options_);
+    Points Y = X_;
+    willmore_flow(Y, topology_, held_, options_);
+    FlowProblem problem(Y, topology_, held_, options_, MeshParts::one());
+    const Unknowns& unknowns = problem.unknowns;
+    if (unknowns.size() == 0) {
+      throw BadMesh("no vertex moves, so that no cut-off can be chosen");
+    }
+    const Points move = (Y - X_)(unknowns.vertex, Eigen::all);
+    const Eigen::VectorXd height =
+        move.cwiseProduct(unknown_normals(Y, topology_, unknowns)).rowwise().sum();
+    if (noise_.rows() == 0) {
+      noise_ = white_noise(unknowns.size());
+    }
+    const Points smooth = smooth_linearly(problem, noise_);
+    const Eigen::VectorXd taken = (noise_ - smooth).reshaped().cwiseAbs();
+    return {cutoff, height.squaredNorm() / static_cast<double>(height.size()),
+            noise_.cwiseProduct(smooth).mean(), median(height.cwiseAbs()) / median(taken)};
+  }
+
+ private:
+  const Points& X_;
+  const Topology& topology_;
+  const std::vector<std::uint8_t>& held_;
+  FlowOptions options_;
+  Points noise_;
+};
+
+CutoffTrial at_risk(const Outcome& outcome, double noise) {
+  const double variance = noise * noise;
+  return {outcome.cutoff, outcome.squared_move + variance * (2 * outcome.trace - 1)};
+}
+
+std::size_t least(const std::vector<CutoffTrial>& trials) {
+  const auto less = [](const CutoffTrial& a, const CutoffTrial& b) { return a.risk < b.risk; };
+  return static_cast<std::size_t>(std::min_element(trials.begin(), trials.end(), less) -
+                                  trials.begin());
+}
+
+/// Where the parabola through the least risk and those beside it, over the logarithm of the
+/// cut-off, is least.
+double between(const std::vector<CutoffTrial>& trials, std::size_t i) {
+  if (i == 0 || i + 1 == trials.size()) {
+    return trials[i].cutoff;
+  }
+  const double left = trials[i - 1].risk - trials[i].risk;
+  const double right = trials[i + 1].risk - trials[i].risk;
+  const double steps = left + right > 0 ? (left - right) / (2 * (left + right)) : 0;
+  return trials[i].cutoff * std::pow(trials[i + 1].cutoff / trials[i].cutoff, steps);
+}
+
+CutoffChoice choose(Trials trials, double first, double largest, const TrialObserver& observer) {
+  std::vector<Outcome> outcomes;
+  CutoffChoice choice;
+  for (double cutoff = first;; cutoff *= std::sqrt(2.0)) {
+    if (observer) {
+      observer(cutoff);
+    }
+    outcomes.push_back(trials.run(cutoff));
+    if (outcomes.size() <= noise_trial) {
+      continue;
+    }
+    choice.noise = outcomes[noise_trial].relative_move;
+    choice.trials.clear();
+    for (const Outcome& outcome : outcomes) {
+      choice.trials.push_back(at_risk(outcome, choice.noise));
+    }
+    const std::size_t best = least(choice.trials);
+    const double rise = choice.trials.back().risk - choice.trials[best].risk;
+    if (rise > clear_rise * choice.noise * choice.noise || cutoff * std::sqrt(2.0) > largest) {
+      choice.cutoff = between(choice.trials, best);
+      return choice;
+    }
+  }
+}
+
+}  // namespace
+
+CutoffChoice choose_cutoff(const Points& X, const Topology& topology,
+                           const std::vector<std::uint8_t>& held, const FlowOptions& options,
+                           double largest, const TrialObserver& observer) {
+  const double first = first_edges * mean_edge_length(X, topology.E);
+  if (!is_scattered(topology)) {
+    return choose(Trials(X, topology, held, options), first, largest, observer);
+  }
+  const LocalMesh local = local_mesh(X, topology, held, options);
+  return choose(Trials(local.X, local.topology, local.held, local.options), first, largest,
+                observer);
+}
+
+}  // namespace ibmfair
