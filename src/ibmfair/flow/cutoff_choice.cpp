@@ -19,6 +19,7 @@ namespace {
 constexpr double first_edges = 2;       // the shortest cut-off, in mean edge lengths
 constexpr std::size_t noise_trial = 1;  // by which noise is told: shapes have little in it yet
 constexpr double clear_rise = 0.1;      // of the risk over the least, in variances of the noise
+constexpr double small_gain = 0.002;    // of it by twice the cut-off, in these
 constexpr double tolerance = 1e-3;      // of solves, as of those of twicing
 
 double median(Eigen::VectorXd values) {
@@ -122,14 +123,23 @@ double between(const std::vector<CutoffTrial>& trials, std::size_t i) {
   }
   const double left = trials[i - 1].risk - trials[i].risk;
   const double right = trials[i + 1].risk - trials[i].risk;
-  const double steps = left + right > 0 ? (left - right) / (2 * (left + right)) : 0;
-  return trials[i].cutoff * std::pow(trials[i + 1].cutoff / trials[i].cutoff, steps);
+  const double shift = left + right > 0 ? (left - right) / (2 * (left + right)) : 0;
+  return trials[i].cutoff * std::pow(trials[i + 1].cutoff / trials[i].cutoff, shift);
+}
+
+/// Whether longer cut-offs have nothing to gain.
+bool is_enough(const std::vector<CutoffTrial>& trials, double noise) {
+  const double variance = noise * noise, last = trials.back().risk;
+  return last - trials[least(trials)].risk > clear_rise * variance ||
+         (trials.size() > 2 &&
+          std::abs(trials[trials.size() - 3].risk - last) <= small_gain * variance);
 }
 
 CutoffChoice choose(Trials trials, double first, double largest, const TrialObserver& observer) {
+  const double factor = std::sqrt(2.0);
   std::vector<Outcome> outcomes;
   CutoffChoice choice;
-  for (double cutoff = first;; cutoff *= std::sqrt(2.0)) {
+  for (double cutoff = first;; cutoff *= factor) {
     if (observer) {
       observer(cutoff);
     }
@@ -142,10 +152,8 @@ CutoffChoice choose(Trials trials, double first, double largest, const TrialObse
     for (const Outcome& outcome : outcomes) {
       choice.trials.push_back(at_risk(outcome, choice.noise));
     }
-    const std::size_t best = least(choice.trials);
-    const double rise = choice.trials.back().risk - choice.trials[best].risk;
-    if (rise > clear_rise * choice.noise * choice.noise || cutoff * std::sqrt(2.0) > largest) {
-      choice.cutoff = between(choice.trials, best);
+    if (is_enough(choice.trials, choice.noise) || factor * cutoff > largest) {
+      choice.cutoff = between(choice.trials, least(choice.trials));
       return choice;
     }
   }
