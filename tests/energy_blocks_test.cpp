@@ -149,7 +149,7 @@ TEST(EnergyBlocks, WholeStarsMissNoTriangleOfACorner) {
     for (const Index corner : b.corners) {
       ++triangles[corner / vertex_size];
     }
-    const auto corners_end = b.corners.begin() + 3 * lanes_per_group * b.groups;
+    const auto corners_end = b.corners.begin() + b.groups * 3 * lanes_per_group;
     for (auto corner = b.corners.begin(); corner != corners_end; ++corner) {
       EXPECT_LT(*corner / vertex_size, filler_vertices + b.owned + b.rim);
     }

@@ -41,7 +41,7 @@ class SmoothFeatures : public testing::Test {
   }
 
   std::string noisy(const std::string& shape, const Words& options) {
-    const std::string path = files_ / (shape + ".ply");
+    std::string path = files_ / (shape + ".ply");
     const RunResult run = run_program(Words{"make", shape, path, "--overwrite"} + options);
     EXPECT_EQ(run.exit_code, 0) << run.err;
     return path;

@@ -108,7 +108,7 @@ void resolve_cutoff(SmoothArguments& arguments, const Points& X, const Topology&
   const Stopwatch watch(figures.seconds_choice);
   FlowOptions options = arguments.flow;
   set_scale(arguments, X, topology, MeshParts::one(), options, figures);
-  const double edge = mean_edge_length(X, topology.E);
+  const double edge = mean_edge_length(X, topology, MeshParts::one());
   const auto tell = [&](double cutoff) {
     progress.begin(fmt::format("try a cut-off of {:.1f} edges", cutoff / edge));
   };

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "ibmfair/base/errors.h"
 #include "ibmfair/base/random_numbers.h"
@@ -72,8 +73,8 @@ struct Outcome {
 class Trials {
  public:
   Trials(const Points& X, const Topology& topology, const std::vector<std::uint8_t>& held,
-         const FlowOptions& options)
-      : X_(X), topology_(topology), held_(held), options_(options) {}
+         FlowOptions options)
+      : X_(X), topology_(topology), held_(held), options_(std::move(options)) {}
 
   Outcome run(double cutoff) {
     options_.total_time = time_in_flow_units(time_for_cutoff(cutoff), X_, topology_, options_);
