@@ -108,9 +108,8 @@ void resolve_cutoff(SmoothArguments& arguments, const Points& X, const Topology&
   const Stopwatch watch(figures.seconds_choice);
   FlowOptions options = arguments.flow;
   set_scale(arguments, X, topology, MeshParts::one(), options, figures);
-  const double edge = mean_edge_length(X, topology, MeshParts::one());
   const auto tell = [&](double cutoff) {
-    progress.begin(fmt::format("try a cut-off of {:.1f} edges", cutoff / edge));
+    progress.begin(fmt::format("try a cut-off of {:.1f} edges", cutoff / figures.mean_edge_length));
   };
   figures.choice = choose_cutoff(X, topology, held, options, figures.diagonal / 2, tell);
   arguments.cutoff = Length{figures.choice->cutoff, Length::Unit::absolute};

@@ -84,14 +84,13 @@ double CrouzeixRaviart::block_energy(const MeshBlock& b, const Points& X, const 
   if (scratch.triangles.size() < triangles) {
     scratch.triangles.resize(triangles);
   }
-  const Index* corners = b.corners.data();
   const auto find_frames = [&](std::int64_t first, std::int64_t groups) {
-    crouzeix_raviart_frames(corners + first * 3 * lanes_per_group, groups, scratch.vertices.data(),
+    crouzeix_raviart_frames(b.corners_from(first), groups, scratch.vertices.data(),
                             scratch.triangles.data() + lanes_per_group * first);
   };
   compute_and_prefetch(blocks_, b, b.outer_groups, {X, G}, find_frames);
   const HingeSums sums =
-      crouzeix_raviart_hinges(b, corners, b.neighbours.data(), terms_, G != nullptr,
+      crouzeix_raviart_hinges(b, b.corners_from(0), b.neighbours.data(), terms_, G != nullptr,
                               scratch.vertices.data(), scratch.triangles.data());
   turns_[&b - blocks_.block.data()] = sums.largest_turn;
   return sums.energy;

@@ -36,10 +36,6 @@ VertexEnergy vertex_energy(const BlockRow& h, bool mass) {
   return {inverse_mass * (h.x * h.x + h.y * h.y + h.z * h.z) / 2, inverse_mass};
 }
 
-const Index* corners_of(const MeshBlock& b, std::int64_t first_group) {
-  return b.corners.data() + first_group * 3 * lanes_per_group;
-}
-
 }  // namespace
 
 Lagrange::Lagrange(const Topology& topology, const EnergyOptions& options)
@@ -106,7 +102,7 @@ double Lagrange::energy(const Points& X) {
     BlockVertices& vertices = scratch.vertices;
     load(b, X, vertices);
     compute_and_prefetch(blocks_, b, b.groups, {X}, [&](std::int64_t first, std::int64_t groups) {
-      lagrange_curvature(corners_of(b, first), groups, !spontaneous_.empty(), vertices.data());
+      lagrange_curvature(b.corners_from(first), groups, !spontaneous_.empty(), vertices.data());
     });
     return own_energy(b, vertices);
   });
@@ -117,10 +113,10 @@ double Lagrange::energy_and_gradient(const Points& X, Points& G) {
   return loop_.sum(blocks_, [&](const MeshBlock& b, BlockScratch& scratch) {
     BlockVertices& vertices = scratch.vertices;
     load(b, X, vertices);
-    lagrange_curvature(b.corners.data(), b.outer_groups, !spontaneous_.empty(), vertices.data());
+    lagrange_curvature(b.corners_from(0), b.outer_groups, !spontaneous_.empty(), vertices.data());
     const double E = own_energy_and_y(b, vertices);
     const auto add_forces = [&](std::int64_t first, std::int64_t groups) {
-      lagrange_forces(corners_of(b, first), groups, !spontaneous_.empty(), vertices.data());
+      lagrange_forces(b.corners_from(first), groups, !spontaneous_.empty(), vertices.data());
     };
     compute_and_prefetch(blocks_, b, b.groups, {X, &G}, add_forces);
     blocks_.store(b, vertices, G);

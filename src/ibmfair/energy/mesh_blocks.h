@@ -37,6 +37,9 @@ inline constexpr Index no_triangle = std::numeric_limits<Index>::max();
 /// The first vertices of every block are those of a triangle of unit size, which fills up groups.
 inline constexpr Index filler_vertices = 3;
 
+/// Triangles in a group: those that a kernel takes at a time, or twice as many.
+inline constexpr Index lanes_per_group = 8;
+
 /// One block. Its vertices are the filler's, then those it owns, then the other corners of its
 /// triangles. Triangles are numbered as they stand in the groups.
 struct MeshBlock {
@@ -50,10 +53,12 @@ struct MeshBlock {
   std::int64_t own_groups = 0;    ///< of triangles: each that counts is in these of one block
   std::int64_t groups = 0;        ///< and of all others at its own vertices
   std::int64_t outer_groups = 0;  ///< and of what is wanted around both
-};
 
-/// Triangles in a group: those that a kernel takes at a time, or twice as many.
-inline constexpr Index lanes_per_group = 8;
+  /// From this group on.
+  const Index* corners_from(std::int64_t group) const {
+    return corners.data() + group * 3 * lanes_per_group;
+  }
+};
 
 /// Numbers in a row, and in what there is of a vertex: the kernels' places count them.
 inline constexpr Index row_size = sizeof(BlockRow) / sizeof(double);

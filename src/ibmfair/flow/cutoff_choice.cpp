@@ -7,6 +7,7 @@
 #include "ibmfair/base/errors.h"
 #include "ibmfair/base/random_numbers.h"
 #include "ibmfair/flow/flow_problem.h"
+#include "ibmfair/flow/linear_flow.h"
 #include "ibmfair/flow/local_mesh.h"
 #include "ibmfair/flow/time_scale.h"
 #include "ibmfair/flow/twicing.h"
@@ -21,7 +22,6 @@ constexpr double first_edges = 2;       // the shortest cut-off, in mean edge le
 constexpr std::size_t noise_trial = 1;  // by which noise is told: shapes have little in it yet
 constexpr double clear_rise = 0.1;      // of the risk over the least, in variances of the noise
 constexpr double small_gain = 0.002;    // of it by twice the cut-off, in these
-constexpr double tolerance = 1e-3;      // of solves, as of those of twicing
 
 double median(Eigen::VectorXd values) {
   double* const middle = values.data() + values.size() / 2;
@@ -39,21 +39,14 @@ Points white_noise(Index count) {
   return z;
 }
 
-/// Three heights at each unknown after the problem's time in the linearised flow at its state.
-void flow_linearly(FlowProblem& p, int steps, Points& heights) {
-  p.jacobian().refactor(p.X, p.options.total_time / steps);
-  p.jacobian().tighten(tolerance);
-  Points weighted;
-  for (int step = 0; step < steps; ++step) {
-    weighted = p.jacobian().metric().asDiagonal() * heights;
-    p.jacobian().solve(weighted, heights);
-  }
-}
-
-/// The same with twicing.
+/// What the linearised flow at the problem's state, with twicing, makes of heights over it.
 Points smooth_linearly(FlowProblem& p, const Points& heights) {
   Points smooth = heights, rest;
+  linearise_flow(p, p.options.steps);
   flow_linearly(p, p.options.steps, smooth);
+  if (p.options.twicing > 0) {
+    linearise_flow(p, twicing_steps);
+  }
   for (int pass = 0; pass < p.options.twicing; ++pass) {
     rest = heights - smooth;
     flow_linearly(p, twicing_steps, rest);
@@ -74,23 +67,25 @@ class Trials {
  public:
   Trials(const Points& X, const Topology& topology, const std::vector<std::uint8_t>& held,
          FlowOptions options)
-      : X_(X), topology_(topology), held_(held), options_(std::move(options)) {}
+      : X_(X),
+        topology_(topology),
+        held_(held),
+        options_(std::move(options)),
+        unknowns_(held),
+        noise_(white_noise(unknowns_.size())) {
+    if (unknowns_.size() == 0) {
+      throw BadMesh("no vertex moves, so that no cut-off can be chosen");
+    }
+  }
 
   Outcome run(double cutoff) {
     options_.total_time = time_in_flow_units(time_for_cutoff(cutoff), X_, topology_, options_);
     Points Y = X_;
     willmore_flow(Y, topology_, held_, options_);
     FlowProblem problem(Y, topology_, held_, options_, MeshParts::one());
-    const Unknowns& unknowns = problem.unknowns;
-    if (unknowns.size() == 0) {
-      throw BadMesh("no vertex moves, so that no cut-off can be chosen");
-    }
-    const Points move = (Y - X_)(unknowns.vertex, Eigen::all);
+    const Points move = (Y - X_)(unknowns_.vertex, Eigen::all);
     const Eigen::VectorXd height =
-        move.cwiseProduct(unknown_normals(Y, topology_, unknowns)).rowwise().sum();
-    if (noise_.rows() == 0) {
-      noise_ = white_noise(unknowns.size());
-    }
+        move.cwiseProduct(unknown_normals(Y, topology_, unknowns_)).rowwise().sum();
     const Points smooth = smooth_linearly(problem, noise_);
     const Eigen::VectorXd taken = (noise_ - smooth).reshaped().cwiseAbs();
     return {cutoff, height.squaredNorm() / static_cast<double>(height.size()),
@@ -102,6 +97,7 @@ class Trials {
   const Topology& topology_;
   const std::vector<std::uint8_t>& held_;
   FlowOptions options_;
+  Unknowns unknowns_;
   Points noise_;
 };
 

@@ -4,13 +4,13 @@
 #include "ibmfair/base/stopwatch.h"
 #include "ibmfair/flow/fold_free_move.h"
 #include "ibmfair/flow/folds.h"
+#include "ibmfair/flow/linear_flow.h"
 #include "ibmfair/flow/unknown_normals.h"
 
 namespace ibmfair {
 namespace {
 
-constexpr double tolerance = 1e-3;  // of solves: no later step takes what these leave
-constexpr int most_halvings = 2;    // of what is put back, until the energy is low enough
+constexpr int most_halvings = 2;  // of what is put back, until the energy is low enough
 
 class Twicing {
  public:
@@ -22,11 +22,10 @@ class Twicing {
   /// False where nothing could be put back.
   bool pass() {
     try {
-      p_.jacobian().refactor(p_.X, p_.options.total_time / twicing_steps);
+      linearise_flow(p_, twicing_steps);
     } catch (const FactorizationFailed&) {
       return false;
     }
-    p_.jacobian().tighten(tolerance);
     find_normals();
     return put_back(smooth_residual());
   }
@@ -44,14 +43,13 @@ class Twicing {
   /// Of the heights of the start over the state.
   Eigen::VectorXd smooth_residual() {
     const std::vector<Index>& vertex = p_.unknowns.vertex;
-    Eigen::VectorXd height =
+    Points heights = Points::Zero(p_.unknowns.size(), 3);
+    heights.col(0) =
         normals_.cwiseProduct(p_.start()(vertex, Eigen::all) - p_.X(vertex, Eigen::all))
             .rowwise()
             .sum();
-    for (int i = 0; i < twicing_steps; ++i) {
-      height = p_.jacobian().solve(p_.jacobian().metric().cwiseProduct(height));
-    }
-    return height;
+    flow_linearly(p_, twicing_steps, heights);
+    return heights.col(0);
   }
 
   bool put_back(const Eigen::VectorXd& height) {

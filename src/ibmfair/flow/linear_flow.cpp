@@ -1,0 +1,23 @@
+#include "ibmfair/flow/linear_flow.h"
+
+namespace ibmfair {
+namespace {
+
+constexpr double tolerance = 1e-3;  // of solves: no later step takes what these leave
+
+}  // namespace
+
+void linearise_flow(FlowProblem& problem, int steps) {
+  problem.jacobian().refactor(problem.X, problem.options.total_time / steps);
+  problem.jacobian().tighten(tolerance);
+}
+
+void flow_linearly(FlowProblem& problem, int steps, Points& heights) {
+  Points weighted;
+  for (int step = 0; step < steps; ++step) {
+    weighted = problem.jacobian().metric().asDiagonal() * heights;
+    problem.jacobian().solve(weighted, heights);
+  }
+}
+
+}  // namespace ibmfair
