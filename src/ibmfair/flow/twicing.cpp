@@ -42,12 +42,8 @@ class Twicing {
 
   /// Of the heights of the start over the state.
   Eigen::VectorXd smooth_residual() {
-    const std::vector<Index>& vertex = p_.unknowns.vertex;
     Points heights = Points::Zero(p_.unknowns.size(), 3);
-    heights.col(0) =
-        normals_.cwiseProduct(p_.start()(vertex, Eigen::all) - p_.X(vertex, Eigen::all))
-            .rowwise()
-            .sum();
+    heights.col(0) = heights_along(normals_, p_.start(), p_.X, p_.unknowns);
     flow_linearly(p_, twicing_steps, heights);
     return heights.col(0);
   }

@@ -15,4 +15,14 @@ Points unknown_normals(const Points& X, const Topology& topology, const Unknowns
   return normals;
 }
 
+Eigen::VectorXd heights_along(const Points& normals, const Points& Y, const Points& X,
+                              const Unknowns& unknowns) {
+  Eigen::VectorXd heights(unknowns.size());
+  parallel_for(unknowns.size(), [&](std::int64_t u) {
+    const Index v = unknowns.vertex[u];
+    heights[u] = normals.row(u).dot(Y.row(v) - X.row(v));
+  });
+  return heights;
+}
+
 }  // namespace ibmfair

@@ -1,6 +1,9 @@
-// Normals of the vertices that move.
+// Normals of the vertices that move, and heights along them.
 #pragma once
 
+#include <Eigen/Core>
+
+#include "ibmfair/base/types.h"
 #include "ibmfair/energy/unknowns.h"
 #include "ibmfair/mesh/topology.h"
 
@@ -9,5 +12,10 @@ namespace ibmfair {
 /// Area-weighted normals of the unknown vertices, one row each: unit length, or zero where there is
 /// none.
 Points unknown_normals(const Points& X, const Topology& topology, const Unknowns& unknowns);
+
+/// How far the unknown vertices of `Y` stand above those of `X` along these normals, length: one
+/// number each.
+Eigen::VectorXd heights_along(const Points& normals, const Points& Y, const Points& X,
+                              const Unknowns& unknowns);
 
 }  // namespace ibmfair
