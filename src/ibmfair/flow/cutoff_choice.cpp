@@ -20,8 +20,10 @@ namespace {
 
 constexpr double first_edges = 2;       // the shortest cut-off, in mean edge lengths
 constexpr std::size_t noise_trial = 1;  // by which noise is told: shapes have little in it yet
-constexpr double clear_rise = 0.1;      // of the risk over the least, in variances of the noise
+constexpr double clear_rise = 0.03;     // of the risk over the least, in variances of the noise
 constexpr double small_gain = 0.002;    // of it by twice the cut-off, in these
+constexpr int leg_steps = 4;            // of backward Euler from one cut-off to the next
+constexpr double law_edges = 8;         // cut-off in mean edge lengths, for Weyl's law
 
 double median(Eigen::VectorXd values) {
   double* const middle = values.data() + values.size() / 2;
@@ -39,72 +41,128 @@ Points white_noise(Index count) {
   return z;
 }
 
-/// What the linearised flow at the problem's state, with twicing, makes of heights over it.
-Points smooth_linearly(FlowProblem& p, const Points& heights) {
-  Points smooth = heights, rest;
-  linearise_flow(p, p.options.steps);
-  flow_linearly(p, p.options.steps, smooth);
-  if (p.options.twicing > 0) {
-    linearise_flow(p, twicing_steps);
-  }
-  for (int pass = 0; pass < p.options.twicing; ++pass) {
-    rest = heights - smooth;
-    flow_linearly(p, twicing_steps, rest);
-    smooth += rest;
-  }
-  return smooth;
-}
-
 /// What a flow with one cut-off did.
 struct Outcome {
   double cutoff;
-  double squared_move;   // along the normals, mean
-  double trace;          // tr F / n
-  double relative_move;  // median over that of white noise of unit deviation
+  double squared_move;  // along the normals, mean
+  double trace;         // tr F / n
 };
 
+/// Flows with longer and longer cut-offs. Each goes on where the last one ended, but for those of
+/// few steps, which begin anew: long steps of backward Euler are not what shorter ones come to.
 class Trials {
  public:
   Trials(const Points& X, const Topology& topology, const std::vector<std::uint8_t>& held,
-         FlowOptions options)
+         const FlowOptions& options)
       : X_(X),
         topology_(topology),
         held_(held),
-        options_(std::move(options)),
+        law_holds_from_(law_edges * mean_edge_length(X, topology.E)),
+        options_(options),
+        leg_(options),
         unknowns_(held),
-        noise_(white_noise(unknowns_.size())) {
+        white_noise_(white_noise(unknowns_.size())) {
     if (unknowns_.size() == 0) {
       throw BadMesh("no vertex moves, so that no cut-off can be chosen");
     }
+    leg_.twicing = 0;
   }
 
-  Outcome run(double cutoff) {
-    options_.total_time = time_in_flow_units(time_for_cutoff(cutoff), X_, topology_, options_);
-    Points Y = X_;
-    willmore_flow(Y, topology_, held_, options_);
-    FlowProblem problem(Y, topology_, held_, options_, MeshParts::one());
-    const Points move = (Y - X_)(unknowns_.vertex, Eigen::all);
-    const Eigen::VectorXd height =
-        move.cwiseProduct(unknown_normals(Y, topology_, unknowns_)).rowwise().sum();
-    const Points smooth = smooth_linearly(problem, noise_);
-    const Eigen::VectorXd taken = (noise_ - smooth).reshaped().cwiseAbs();
-    return {cutoff, height.squaredNorm() / static_cast<double>(height.size()),
-            noise_.cwiseProduct(smooth).mean(), median(height.cwiseAbs()) / median(taken)};
+  void run(double cutoff) {
+    flow_to(cutoff);
+    FlowProblem problem(X_, topology_, held_, options_, MeshParts::one());
+    problem.X = Y_;
+    Points taken;  // of white noise
+    double trace = 0;
+    if (trace_falls_) {
+      trace = trace_by_law(cutoff);
+    } else {
+      taken = taken_of_noise(problem);
+      trace = 1 - white_noise_.cwiseProduct(taken).sum() / white_noise_.squaredNorm();
+    }
+    if (options_.twicing > 0) {
+      twice(problem);
+    }
+    const Points normals = unknown_normals(problem.X, topology_, unknowns_);
+    const Eigen::VectorXd height = heights_along(normals, problem.X, X_, unknowns_);
+    if (outcomes_.size() == noise_trial) {
+      noise_ = median(height.cwiseAbs()) / median(taken.reshaped().cwiseAbs());
+    }
+    trace_falls_ = trace_falls_ || falls_by_law(cutoff, trace);
+    outcomes_.push_back({cutoff, height.squaredNorm() / static_cast<double>(height.size()), trace});
+  }
+
+  bool tell_noise() const { return outcomes_.size() > noise_trial; }
+
+  /// Standard deviation, as soon as they tell it.
+  double noise() const { return noise_; }
+
+  std::vector<CutoffTrial> risks() const {
+    const double variance = noise_ * noise_;
+    std::vector<CutoffTrial> risks;
+    for (const Outcome& o : outcomes_) {
+      risks.push_back({o.cutoff, o.squared_move + variance * (2 * o.trace - 1)});
+    }
+    return risks;
   }
 
  private:
+  void flow_to(double cutoff) {
+    options_.total_time = time_in_flow_units(time_for_cutoff(cutoff), X_, topology_, options_);
+    const bool goes_on = !outcomes_.empty() && options_.steps > leg_steps;
+    if (!goes_on) {
+      Y_ = X_;
+      smooth_ = white_noise_;
+    }
+    leg_.total_time = options_.total_time - (goes_on ? time_ : 0);
+    leg_.steps = goes_on ? leg_steps : options_.steps;
+    willmore_flow(Y_, topology_, held_, leg_);
+    time_ = options_.total_time;
+  }
+
+  /// By the linearised flow at the problem's state, with twicing.
+  Points taken_of_noise(FlowProblem& problem) {
+    linearise_flow(problem, leg_.total_time, leg_.steps);
+    flow_linearly(problem, leg_.steps, smooth_);
+    Points taken = white_noise_ - smooth_, rest;
+    if (options_.twicing > 0) {
+      linearise_flow(problem, options_.total_time, twicing_steps);
+    }
+    for (int pass = 0; pass < options_.twicing; ++pass) {
+      rest = taken;
+      flow_linearly(problem, twicing_steps, rest);
+      taken -= rest;
+    }
+    return taken;
+  }
+
+  /// From the last outcome, by H. Weyl's law of the number of modes on a surface, which holds as
+  /// soon as the edges are short beside the cut-off.
+  double trace_by_law(double cutoff) const {
+    const Outcome& last = outcomes_.back();
+    return last.trace * std::pow(last.cutoff / cutoff, 2);
+  }
+
+  bool falls_by_law(double cutoff, double trace) const {
+    constexpr double near = 0.15;
+    return !outcomes_.empty() && cutoff >= law_holds_from_ &&
+           std::abs(trace - trace_by_law(cutoff)) < near * trace;
+  }
+
   const Points& X_;
   const Topology& topology_;
   const std::vector<std::uint8_t>& held_;
-  FlowOptions options_;
+  const double law_holds_from_;  // cut-off, or a longer one
+  FlowOptions options_;          // to the cut-off
+  FlowOptions leg_;              // from the one before to it
   Unknowns unknowns_;
-  Points noise_;
+  Points white_noise_;
+  Points Y_, smooth_;  // where the mesh and the white noise have come to
+  double time_ = 0;    // at which they are there
+  std::vector<Outcome> outcomes_;
+  bool trace_falls_ = false;  // by the law
+  double noise_ = 0;
 };
-
-CutoffTrial at_risk(const Outcome& outcome, double noise) {
-  const double variance = noise * noise;
-  return {outcome.cutoff, outcome.squared_move + variance * (2 * outcome.trace - 1)};
-}
 
 std::size_t least(const std::vector<CutoffTrial>& trials) {
   const auto less = [](const CutoffTrial& a, const CutoffTrial& b) { return a.risk < b.risk; };
@@ -134,21 +192,15 @@ bool is_enough(const std::vector<CutoffTrial>& trials, double noise) {
 
 CutoffChoice choose(Trials trials, double first, double largest, const TrialObserver& observer) {
   const double factor = std::sqrt(2.0);
-  std::vector<Outcome> outcomes;
-  CutoffChoice choice;
   for (double cutoff = first;; cutoff *= factor) {
     if (observer) {
       observer(cutoff);
     }
-    outcomes.push_back(trials.run(cutoff));
-    if (outcomes.size() <= noise_trial) {
+    trials.run(cutoff);
+    if (!trials.tell_noise()) {
       continue;
     }
-    choice.noise = outcomes[noise_trial].relative_move;
-    choice.trials.clear();
-    for (const Outcome& outcome : outcomes) {
-      choice.trials.push_back(at_risk(outcome, choice.noise));
-    }
+    CutoffChoice choice{.noise = trials.noise(), .trials = trials.risks()};
     if (is_enough(choice.trials, choice.noise) || factor * cutoff > largest) {
       choice.cutoff = between(choice.trials, least(choice.trials));
       return choice;

@@ -10,6 +10,8 @@
 // does, tr F is z^T F z on the mean over random z (S. Ramani, T. Blu, M. Unser, "Monte-Carlo SURE",
 // IEEE Transactions on Image Processing 17, 2008), where F is the linearised flow at its end; and s
 // is how far the flow with a short cut-off moves the vertices, over how far it moves white noise.
+// The trials are one flow that passes the cut-offs one after the other: of a cut-off's time, three
+// quarters lie behind the one before.
 //
 // The noise must be independent from vertex to vertex: of the steps between the slices of a
 // scanner, say, nothing is seen here.
@@ -38,10 +40,10 @@ struct CutoffChoice {
 /// Told before each trial.
 using TrialObserver = std::function<void(double cutoff)>;
 
-/// Lets copies of `X` flow as `options` say, whose total time is not looked at, with cut-offs from
-/// twice the mean edge length on, each longer by the square root of two, up to `largest` or until
-/// the risk has clearly risen or hardly changes; the choice is between those around the least.
-/// Deterministic. Throws what the flow throws, and BadMesh where no vertex moves.
+/// Lets a copy of `X` flow as `options` say, whose total time is not looked at, through cut-offs
+/// from twice the mean edge length on, each longer by the square root of two, up to `largest` or
+/// until the risk has clearly risen or hardly changes; the choice is between those around the
+/// least. Deterministic. Throws what the flow throws, and BadMesh where no vertex moves.
 CutoffChoice choose_cutoff(const Points& X, const Topology& topology,
                            const std::vector<std::uint8_t>& held, const FlowOptions& options,
                            double largest, const TrialObserver& observer = {});

@@ -7,8 +7,8 @@ constexpr double tolerance = 1e-3;  // of solves: no later step takes what these
 
 }  // namespace
 
-void linearise_flow(FlowProblem& problem, int steps) {
-  problem.jacobian().refactor(problem.X, problem.options.total_time / steps);
+void linearise_flow(FlowProblem& problem, double time, int steps) {
+  problem.jacobian().refactor(problem.X, time / steps);
   problem.jacobian().tighten(tolerance);
 }
 

@@ -6,9 +6,9 @@
 
 namespace ibmfair {
 
-/// Makes the problem's Jacobian that of its state, for so many steps to its total time. Throws what
+/// Makes the problem's Jacobian that of its state, for so many steps in that time. Throws what
 /// Jacobian::refactor throws.
-void linearise_flow(FlowProblem& problem, int steps);
+void linearise_flow(FlowProblem& problem, double time, int steps);
 
 /// After that: what these steps make of up to three heights at each unknown, one a column.
 void flow_linearly(FlowProblem& problem, int steps, Points& heights);

@@ -22,7 +22,7 @@ class Twicing {
   /// False where nothing could be put back.
   bool pass() {
     try {
-      linearise_flow(p_, twicing_steps);
+      linearise_flow(p_, p_.options.total_time, twicing_steps);
     } catch (const FactorizationFailed&) {
       return false;
     }
