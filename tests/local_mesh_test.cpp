@@ -85,7 +85,7 @@ TEST(LocalMesh, IsTheSameMesh) {
   FlowOptions options;
   options.cutoff_factor = state.X.col(0).array() + 10;
   options.spontaneous_curvature = state.X.col(1);
-  options.material_axes = material_axes(state.X, topology, Vec3(1, 2, 3), 4);
+  options.material_directions = material_directions(state.X, topology, Vec3(1, 2, 3), 4);
   const LocalMesh local = local_mesh(state.X, topology, held, options);
 
   const std::vector<Index>& vertex = local.vertex;
@@ -114,10 +114,10 @@ TEST(LocalMesh, IsTheSameMesh) {
   EXPECT_EQ(local.topology.defects.zero_area.size(), topology.defects.zero_area.size());
   EXPECT_EQ(local.topology.defects.duplicate.size(), 2U);
   EXPECT_EQ(local.topology.defects.count(), topology.defects.count());
-  const auto axes = material_axes(local.X, local.topology, Vec3(1, 2, 3), 4);
-  for (std::size_t t = 0; t < axes.size(); ++t) {
-    for (int i = 0; i < 2 && local.topology.usable[t]; ++i) {
-      ASSERT_EQ(axes[t][i].rate, local.options.material_axes[t][i].rate);
+  const auto directions = material_directions(local.X, local.topology, Vec3(1, 2, 3), 4);
+  for (std::size_t t = 0; t < directions.size(); ++t) {
+    if (local.topology.usable[t]) {
+      ASSERT_EQ(directions[t].rate, local.options.material_directions[t].rate);
     }
   }
 }

@@ -84,7 +84,7 @@ void set_flow_options(const SmoothArguments& arguments, const Points& X, const T
     options.sharp_angle = *arguments.keep_sharp * std::numbers::pi / 180;
   }
   if (const std::vector<double>& a = arguments.anisotropy; !a.empty()) {
-    options.material_axes = material_axes(X, topology, Vec3(a[0], a[1], a[2]), a[3]);
+    options.material_directions = material_directions(X, topology, Vec3(a[0], a[1], a[2]), a[3]);
   }
 }
 

@@ -9,7 +9,7 @@
 #include "fuzz/targets.h"
 #include "ibmfair/base/errors.h"
 #include "ibmfair/energy/bending_energy.h"
-#include "ibmfair/energy/material_axes.h"
+#include "ibmfair/energy/material_directions.h"
 #include "ibmfair/flow/held_vertices.h"
 #include "ibmfair/flow/time_scale.h"
 #include "ibmfair/flow/willmore_flow.h"
@@ -64,7 +64,8 @@ struct FlowCase {
       const double size = mean_edge_length(mesh.X, topology.E);
       options.spontaneous_curvature = Eigen::VectorXd::Constant(mesh.X.rows(), 0.5 / size);
     }
-    if (asks_for(32)) options.material_axes = material_axes(mesh.X, topology, {1, 0.5, 0}, 4);
+    if (asks_for(32))
+      options.material_directions = material_directions(mesh.X, topology, {1, 0.5, 0}, 4);
   }
 
  private:

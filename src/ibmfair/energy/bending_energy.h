@@ -20,7 +20,7 @@
 #include <vector>
 
 #include "ibmfair/base/types.h"
-#include "ibmfair/energy/material_axes.h"
+#include "ibmfair/energy/material_directions.h"
 #include "ibmfair/mesh/topology.h"
 
 namespace ibmfair {
@@ -47,10 +47,11 @@ struct EnergyOptions {
   /// #V, length^2, for `weighted`: constant weights of the vertices. Empty: those of circles, which
   /// follow the state (energy/circle_weights.h).
   std::vector<double> vertex_weights = {};
-  /// Directions of the material, #F, or empty for an energy that knows none: the density is
-  /// 1/2 (c_1 kappa_1 + c_2 kappa_2)^2 in place of 1/2 H^2, [W07] (14), where kappa_i is the
-  /// curvature along direction i. Only for members with BendingModel::takes_material_axes.
-  std::vector<MaterialAxes> material_axes = {};
+  /// A direction of the material for each triangle, #F, or empty for an energy that knows none: the
+  /// density is 1/2 (c kappa_1 + kappa_2)^2 in place of 1/2 H^2, [W07] (14), with the curvatures
+  /// along the direction and across it. Only for members with
+  /// BendingModel::takes_material_directions.
+  std::vector<MaterialDirection> material_directions = {};
   /// Hinges that turn by more than this angle (radians) hardly bend; 0: all bend. Only with mass,
   /// for members with BendingModel::keeps_sharp.
   double sharp_angle = 0;
@@ -107,7 +108,7 @@ struct BendingModel {
   LaplacianMatrices (*matrices)(const Points& X, const Topology& topology,
                                 const EnergyOptions& options);
   std::span<const std::string_view> masses;  ///< names from mass_matrices(), the default first
-  bool takes_material_axes = false;          ///< knows EnergyOptions::material_axes
+  bool takes_material_directions = false;    ///< knows EnergyOptions::material_directions
   bool keeps_sharp = false;                  ///< knows EnergyOptions::sharp_angle
   bool takes_spontaneous_curvature = false;  ///< knows EnergyOptions::spontaneous_curvature
   bool evens_edges = false;                  ///< its flow slides vertices within the surface

@@ -40,10 +40,10 @@ LaplacianMatrices crouzeix_raviart_matrices(const Points& X, const Topology& top
 
 Bound lagrange(const Topology& topology, const EnergyOptions& options) {
   const MassMatrix& mass = mass_matrix(bending_model("lagrange"), options);
-  if (options.spontaneous_curvature.size() > 0 && !options.material_axes.empty()) {
+  if (options.spontaneous_curvature.size() > 0 && !options.material_directions.empty()) {
     throw BadOption("a spontaneous curvature does not go with material directions");
   }
-  if (!options.material_axes.empty()) {
+  if (!options.material_directions.empty()) {
     return std::make_unique<VertexEnergy>(topology, options, directional_laplacian, mass);
   }
   if (mass.name == "barycentric" || mass.kind == MassMatrix::Kind::identity) {
@@ -97,7 +97,7 @@ constexpr std::array<BendingModel, 5> models{{
      .make = lagrange,
      .matrices = CotangentModel::matrices,
      .masses = vertex_masses,
-     .takes_material_axes = true,
+     .takes_material_directions = true,
      .takes_spontaneous_curvature = true,
      .knows_parts = true},
     {.name = weighted_name,
@@ -135,9 +135,9 @@ void require_known(const BendingModel& model, const EnergyOptions& options) {
     throw BadOption(fmt::format("the Laplacian {} cannot keep sharp hinges; these can: {}",
                                 model.name, names_with(&BendingModel::keeps_sharp)));
   }
-  if (!options.material_axes.empty() && !model.takes_material_axes) {
+  if (!options.material_directions.empty() && !model.takes_material_directions) {
     throw BadOption(fmt::format("the Laplacian {} knows no material directions; these do: {}",
-                                model.name, names_with(&BendingModel::takes_material_axes)));
+                                model.name, names_with(&BendingModel::takes_material_directions)));
   }
   if (options.spontaneous_curvature.size() > 0 && !model.takes_spontaneous_curvature) {
     throw BadOption(fmt::format("the Laplacian {} takes no spontaneous curvature; these do: {}",
@@ -170,8 +170,8 @@ std::unique_ptr<BendingEnergy> BendingModel::bind(const Topology& topology,
   require_known(*this, options);
   require_one_for_each(options.spontaneous_curvature.size(), topology.vertex_count,
                        "spontaneous curvature", "vertices");
-  require_one_for_each(std::ssize(options.material_axes), topology.F.rows(),
-                       "pair of material directions", "triangles");
+  require_one_for_each(std::ssize(options.material_directions), topology.F.rows(),
+                       "material direction", "triangles");
   if (options.spontaneous_curvature.size() > 0 && !topology.orientable) {
     throw BadMesh("a spontaneous curvature needs a mesh with two sides");
   }

@@ -21,7 +21,7 @@ struct TriangleShape {
   ByCorner<Number> cot;      ///< cotangents of the angles
   Number area;
   ByCorner<Number> weight;  ///< of the vertices at the corners, length^2 (energy/weighted.h)
-  const std::array<MaterialDirection, 2>* axes = nullptr;  ///< where the formula sees any
+  const MaterialDirection* direction = nullptr;  ///< where the formula sees any
 };
 
 /// Derivatives by the squared lengths (0 .. 2) and the weights of the vertices (3 .. 5).
@@ -43,7 +43,7 @@ inline TriangleShape<double> triangle_shape(const Vec3& x0, const Vec3& x1, cons
 inline TriangleShape<MetricJet> differentiated(const TriangleShape<double>& shape) {
   TriangleShape<MetricJet> result;
   result.area = shape.area;
-  result.axes = shape.axes;
+  result.direction = shape.direction;
   for (int i = 0; i < 3; ++i) {
     result.squared[i] = MetricJet::variable(shape.squared[i], i);
     result.weight[i] = MetricJet::variable(shape.weight[i], 3 + i);

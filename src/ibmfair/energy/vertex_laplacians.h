@@ -2,7 +2,7 @@
 // at the edge pq give it), L_pp = -sum over q of L_pq, so that constants are in the kernel.
 #pragma once
 
-#include "ibmfair/energy/material_axes.h"
+#include "ibmfair/energy/material_directions.h"
 #include "ibmfair/energy/triangle_shape.h"
 
 namespace ibmfair {
@@ -11,7 +11,7 @@ namespace ibmfair {
 struct VertexLaplacian {
   TriangleFormula edge_weights;  ///< what a triangle gives its edges, dimensionless
   bool circle_weights = false;   ///< the formula sees weights of vertices (energy/circle_weights.h)
-  bool axes = false;             ///< the formula sees EnergyOptions::material_axes
+  bool directions = false;       ///< the formula sees EnergyOptions::material_directions
   bool flips = false;  ///< on the intrinsic Delaunay triangulation (energy/intrinsic_delaunay.h)
 };
 
@@ -45,23 +45,22 @@ struct PowerCentreWeights {
   }
 };
 
-/// The second derivatives along two material directions, each with its factor, [W07] (14): with
-/// v = sum_i rate_i x_i, along which a function u has the derivative sum_i rate_i u_i / |v|, the
-/// Dirichlet form of sum_k c_k (du/dv_k)^2. For two perpendicular directions with factors 1 these
-/// are the cotangents. Under isometry L X is the curvature vector plus a part within the surface
-/// from directions that turn, whose length does not change.
+/// Second derivatives along a material direction and across it, [W07] (14): with v = sum_i rate_i
+/// x_i, along which a function u has the derivative u_v = sum_i rate_i u_i / |v|, the Dirichlet
+/// form of c u_v^2 + (|grad u|^2 - u_v^2). With the factor c = 1 these are the cotangents. Under
+/// isometry L X is the curvature vector plus a part within the surface from directions that turn,
+/// whose length does not change.
 struct DirectionalWeights {
   template <class Number>
   static ByCorner<Number> at(const TriangleShape<Number>& t) {
-    ByCorner<Number> result{Number(0.0), Number(0.0), Number(0.0)};
-    for (const auto& [rate, factor] : *t.axes) {
-      const ByCorner<double> pairs{rate[1] * rate[2], rate[2] * rate[0], rate[0] * rate[1]};
-      // |v|^2, as the rates sum to 0
-      const Number stretch =
-          -pairs[0] * t.squared[0] - pairs[1] * t.squared[1] - pairs[2] * t.squared[2];
-      for (int k = 0; k < 3; ++k) {
-        result[k] = result[k] - (factor * pairs[k]) * t.area / stretch;
-      }
+    const auto& [rate, factor] = *t.direction;
+    const ByCorner<double> pairs{rate[1] * rate[2], rate[2] * rate[0], rate[0] * rate[1]};
+    // |v|^2, as the rates sum to 0
+    const Number stretch =
+        -pairs[0] * t.squared[0] - pairs[1] * t.squared[1] - pairs[2] * t.squared[2];
+    ByCorner<Number> result = CotangentWeights::at(t);
+    for (int k = 0; k < 3; ++k) {
+      result[k] = result[k] - ((factor - 1) * pairs[k]) * t.area / stretch;
     }
     return result;
   }
@@ -78,7 +77,7 @@ struct UmbrellaWeights {
 inline constexpr VertexLaplacian cotangent_laplacian{triangle_formula<CotangentWeights>};
 inline constexpr VertexLaplacian weighted_laplacian{triangle_formula<PowerCentreWeights>, true};
 inline constexpr VertexLaplacian directional_laplacian{
-    .edge_weights = triangle_formula<DirectionalWeights>, .axes = true};
+    .edge_weights = triangle_formula<DirectionalWeights>, .directions = true};
 inline constexpr VertexLaplacian umbrella_laplacian{triangle_formula<UmbrellaWeights>};
 inline constexpr VertexLaplacian intrinsic_delaunay_laplacian{
     .edge_weights = triangle_formula<CotangentWeights>, .flips = true};

@@ -69,10 +69,10 @@ VertexTriangles::VertexTriangles(const Topology& topology, const VertexLaplacian
       weights_ = checked(options.vertex_weights, topology.vertex_count);
     }
   }
-  if (laplacian.axes) {
-    axes_.reserve(rows.size());
+  if (laplacian.directions) {
+    directions_.reserve(rows.size());
     for (const Index t : rows) {
-      axes_.push_back(options.material_axes[t]);
+      directions_.push_back(options.material_directions[t]);
     }
   }
 }
@@ -96,25 +96,22 @@ void VertexTriangles::measure(const Points& X) {
       if (weights_.size() > 0) {
         shape.weight = {weights_[x[0]], weights_[x[1]], weights_[x[2]]};
       }
-      shape.axes = axes_.empty() ? nullptr : &axes_[t];
+      shape.direction = directions_.empty() ? nullptr : &directions_[t];
     });
   }
   terms_.resize(shapes().size());
   parallel_for(corners().rows(), [&](std::int64_t t) { terms_[t] = terms_at(shapes()[t]); });
 }
 
-/// Those of the triangle with these vertices, in their order.
-MaterialAxes VertexTriangles::axes_of(Index v0, Index v1, Index v2) const {
-  MaterialAxes result{};
+/// That of the triangle with these vertices, in their order.
+MaterialDirection VertexTriangles::direction_of(Index v0, Index v1, Index v2) const {
+  MaterialDirection result{};
   around(v0, [&](Index t, int i) {
     const int j = next(i), k = previous(i);
     const bool same = corners_(t, j) == v1 && corners_(t, k) == v2;
-    if (!same && !(corners_(t, j) == v2 && corners_(t, k) == v1)) {
-      return;
-    }
-    for (std::size_t d = 0; d < result.size(); ++d) {
-      const auto& [rate, factor] = axes_[t][d];
-      result[d] = {{rate[i], rate[same ? j : k], rate[same ? k : j]}, factor};
+    if (same || (corners_(t, j) == v2 && corners_(t, k) == v1)) {
+      const auto& [rate, factor] = directions_[t];
+      result = {{rate[i], rate[same ? j : k], rate[same ? k : j]}, factor};
     }
   });
   return result;
@@ -125,10 +122,10 @@ TriangleTerms VertexTriangles::terms_of(const Points& X, Index v0, Index v1, Ind
   if (weights_.size() > 0) {
     shape.weight = {weights_[v0], weights_[v1], weights_[v2]};
   }
-  MaterialAxes axes;
-  if (!axes_.empty()) {
-    axes = axes_of(v0, v1, v2);
-    shape.axes = &axes;
+  MaterialDirection direction;
+  if (!directions_.empty()) {
+    direction = direction_of(v0, v1, v2);
+    shape.direction = &direction;
   }
   return {edge_weights_.value(shape), mesh_shares_.value(shape)};
 }

@@ -69,15 +69,16 @@ class VertexTriangles {
 
  private:
   TriangleTerms terms_at(const TriangleShape<double>& shape) const;
-  MaterialAxes axes_of(Index v0, Index v1, Index v2) const;
+  MaterialDirection direction_of(Index v0, Index v1, Index v2) const;
 
   TriangleFormula edge_weights_, shares_, mesh_shares_;
   Triangles corners_;
   std::vector<TriangleShape<double>> shapes_;
   std::vector<TriangleTerms> terms_;
-  Rows places_;                     // #V rows of 3 t + i
-  std::vector<MaterialAxes> axes_;  // like corners_, or empty where the formula sees none
-  PerVertex weights_;               // #V, or empty where the formula sees none
+  Rows places_;  // #V rows of 3 t + i
+  std::vector<MaterialDirection>
+      directions_;     // like corners_, or empty where the formula sees none
+  PerVertex weights_;  // #V, or empty where the formula sees none
   std::unique_ptr<CircleWeights> circles_;
   std::unique_ptr<IntrinsicDelaunay> delaunay_;
   Edges edges_;     // #E x 2, where edges flip

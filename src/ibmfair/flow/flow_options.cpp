@@ -43,7 +43,7 @@ void FlowOptions::validate() const {
 EnergyOptions FlowOptions::energy_options() const {
   return {.mass = mass,
           .mass_matrix = mass_matrix,
-          .material_axes = material_axes,
+          .material_directions = material_directions,
           .sharp_angle = sharp_angle,
           .spontaneous_curvature = spontaneous_curvature};
 }

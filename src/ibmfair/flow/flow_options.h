@@ -27,7 +27,7 @@ struct FlowOptions {
   std::string laplacian = "crouzeix-raviart";  ///< a name from bending_models()
   bool mass = true;                            ///< with the mass matrix in the energy
   std::string mass_matrix = {};  ///< one that goes with the Laplacian; empty: its default
-  std::vector<MaterialAxes> material_axes = {};  ///< #F or empty: EnergyOptions
+  std::vector<MaterialDirection> material_directions = {};  ///< #F or empty: EnergyOptions
   /// Hinges that turn by more than this angle hardly bend, radians; 0: all bend.
   double sharp_angle = 0;
   Eigen::VectorXd spontaneous_curvature = {};  ///< H0, #V or empty: EnergyOptions

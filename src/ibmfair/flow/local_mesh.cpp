@@ -127,7 +127,7 @@ void take_lists(const FlowOptions& options, const std::vector<Index>& vertices,
                 const std::vector<Index>& triangles, FlowOptions& local) {
   local.cutoff_factor = picked(options.cutoff_factor, vertices);
   local.spontaneous_curvature = picked(options.spontaneous_curvature, vertices);
-  local.material_axes = picked(options.material_axes, triangles);
+  local.material_directions = picked(options.material_directions, triangles);
 }
 
 }  // namespace ibmfair
