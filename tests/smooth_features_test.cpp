@@ -253,5 +253,34 @@ TEST_F(SmoothFeatures, ABoundOnMovesIsHeldAndNoFailure) {
   EXPECT_GT(largest, 0.99 * bound);
 }
 
+TEST_F(SmoothFeatures, MaterialDirectionsAreThoseOfTheSurfaceAndNotOfItsNoise) {
+  const Words torus{"--rows", "32", "--columns", "80"};
+  for (const char* direction : {"1,0,0,4", "0,0,1,4", "0,0,1,0.25"}) {
+    const Words options{"--laplacian", "lagrange", "--anisotropy", direction};
+    const json clean = smooth(noisy("torus", torus), options).report;
+    const json rough = smooth(noisy("torus", torus + Words{"--noise", "0.2"}), options).report;
+    const double energy = clean["after"]["energy"];
+    EXPECT_NEAR(rough["after"]["energy"], energy, 0.2 * energy) << direction;
+    const double angle = clean["after"]["smallest_angle_degrees"];
+    EXPECT_GT(rough["after"]["smallest_angle_degrees"], 0.8 * angle) << direction;
+    EXPECT_GT(rough["seconds"]["directions"], 0);
+  }
+}
+
+TEST_F(SmoothFeatures, MaterialDirectionsAreRefusedBeforeAnythingIsDone) {
+  const std::string torus = noisy("torus", {});
+  for (const Words& options :
+       {Words{"--anisotropy", "1,0,0,4"},
+        {"--laplacian", "lagrange", "--anisotropy", "0,0,0,4"},
+        {"--laplacian", "lagrange", "--anisotropy", "1,0,0,-4"},
+        {"--laplacian", "lagrange", "--anisotropy", "1,0,0,4", "--h0", "1"}}) {
+    for (const Words& dry : {Words{}, Words{"--dry-run"}}) {
+      const Smoothed refused = smooth(torus, options + dry);
+      EXPECT_EQ(refused.exit_code, 2) << refused.err;
+      EXPECT_EQ(std::filesystem::exists(files_ / "out.ply"), false);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace ibmfair::test

@@ -132,10 +132,9 @@ void write_and_tell(const SmoothArguments& arguments, const OutputOptions& outpu
 
 /// The options of the flow as the mesh and other options have them.
 FlowOptions flow_options(const SmoothArguments& arguments, const MeshFile& file,
-                         const Topology& topology, const Console& console) {
+                         const Console& console) {
   FlowOptions options = arguments.flow;
-  set_flow_options(arguments, file.mesh().X, topology, file.has_texture_coordinates(), console,
-                   options);
+  set_flow_options(arguments, file.has_texture_coordinates(), console, options);
   if (!arguments.weights.empty()) {
     options.cutoff_factor = vertex_values(file, arguments.weights, 0, "--weights");
   }
@@ -166,13 +165,14 @@ ExitCode run_smooth(SmoothArguments arguments, const CLI::App& app, Console& con
   warn_of_defects(s.topology, arguments.strict, console);
   Report report(app);
   report.warnings = defect_list(s.before(), s.topology);
-  arguments.flow = flow_options(arguments, s.file, s.topology, console);
+  arguments.flow = flow_options(arguments, s.file, console);
   const FlowOptions& options = arguments.flow;
   s.figures.mean_edge_length = mean_edge_length(s.before(), s.topology.E);
   if (options.steps > 0) {
     s.held = held(arguments, s.file, s.topology, options.cutoff_factor);
     resolve_cutoff(arguments, s.before(), s.topology, s.held, s.figures, progress);
   }
+  lay_directions(arguments, s.before(), s.topology, s.held, MeshParts::one(), s.figures, progress);
   if (arguments.dry_run) {
     progress.end();
     return forecast(arguments, s, report, console);

@@ -69,8 +69,8 @@ void add_flow_options(CLI::App& app, SmoothArguments& a) {
   note_of(app, *h0).default_text = "0";
   CLI::Option* anisotropy = add_parsed_option(
       app, "--anisotropy", "X,Y,Z,FACTOR",
-      "the curvature along this direction, laid onto the surface as it is read, counts FACTOR "
-      "times: energy 1/2 integral (FACTOR kappa_1 + kappa_2)^2, with --laplacian lagrange",
+      "the curvature along this direction, laid onto the surface as it is without noise, counts "
+      "FACTOR times: energy 1/2 integral (FACTOR kappa_1 + kappa_2)^2, with --laplacian lagrange",
       [&a](const std::string& text) {
         a.anisotropy = parse_reals_option("--anisotropy", text, 4, any_real);
       });

@@ -71,6 +71,9 @@ ordered_json seconds_json(const SmoothFigures& figures) {
   if (figures.choice) {
     seconds["choose"] = figures.seconds_choice;
   }
+  if (figures.seconds_directions > 0) {
+    seconds["directions"] = figures.seconds_directions;
+  }
   seconds.update({{"assemble", s.assemble},
                   {"analyse", s.analyse},
                   {"factor", s.factor},

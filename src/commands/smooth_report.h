@@ -33,7 +33,7 @@ struct SmoothFigures {
   double total_time = 0;                  ///< that the flow was to run for, in its unit
   std::int64_t vertices = 0, triangles = 0;
   bool closed = true;
-  double seconds_read = 0, seconds_topology = 0, seconds_choice = 0;
+  double seconds_read = 0, seconds_topology = 0, seconds_choice = 0, seconds_directions = 0;
   double seconds_measure = 0, seconds_write = 0;
   FlowReport flow;
 };

@@ -14,6 +14,7 @@
 #include "ibmfair/flow/held_vertices.h"
 #include "ibmfair/flow/part_measures.h"
 #include "ibmfair/flow/time_scale.h"
+#include "ibmfair/flow/willmore_flow.h"
 
 namespace ibmfair::commands {
 namespace {
@@ -68,8 +69,8 @@ OutputOptions checkpoint_of(const SmoothArguments& arguments) {
   return checkpoint;
 }
 
-void set_flow_options(const SmoothArguments& arguments, const Points& X, const Topology& topology,
-                      bool has_texture_coordinates, const Console& console, FlowOptions& options) {
+void set_flow_options(const SmoothArguments& arguments, bool has_texture_coordinates,
+                      const Console& console, FlowOptions& options) {
   options.mass = arguments.mass.mass();
   options.mass_matrix = arguments.mass.name;
   options.metric = arguments.metric == "mass" ? Metric::mass : Metric::identity;
@@ -82,9 +83,6 @@ void set_flow_options(const SmoothArguments& arguments, const Points& X, const T
   }
   if (arguments.keep_sharp) {
     options.sharp_angle = *arguments.keep_sharp * std::numbers::pi / 180;
-  }
-  if (const std::vector<double>& a = arguments.anisotropy; !a.empty()) {
-    options.material_directions = material_directions(X, topology, Vec3(a[0], a[1], a[2]), a[3]);
   }
 }
 
@@ -113,6 +111,31 @@ void resolve_cutoff(SmoothArguments& arguments, const Points& X, const Topology&
   };
   figures.choice = choose_cutoff(X, topology, held, options, figures.diagonal / 2, tell);
   arguments.cutoff = Length{figures.choice->cutoff, Length::Unit::absolute};
+}
+
+void lay_directions(SmoothArguments& arguments, const Points& X, const Topology& topology,
+                    const std::vector<std::uint8_t>& held, const MeshParts& parts,
+                    SmoothFigures& figures, Progress& progress) {
+  const std::vector<double>& a = arguments.anisotropy;
+  if (a.empty()) {
+    return;
+  }
+  const auto laid_onto = [&](const Points& Y) {
+    return material_directions(Y, topology, Vec3(a[0], a[1], a[2]), a[3]);
+  };
+  const Stopwatch watch(figures.seconds_directions);
+  FlowOptions options = arguments.flow;
+  options.material_directions = laid_onto(X);
+  bending_model(options.laplacian).bind(topology, options.energy_options());  // throws in good time
+  Points smooth = X;
+  if (options.steps > 0 && !arguments.dry_run) {
+    progress.begin("lay directions");
+    options.material_directions.clear();
+    options.twicing = 0;
+    set_scale(arguments, X, topology, parts, options, figures);
+    willmore_flow(smooth, topology, held, options, {}, parts);
+  }
+  arguments.flow.material_directions = laid_onto(smooth);
 }
 
 std::vector<std::uint8_t> held_by(const SmoothArguments& arguments, const Topology& topology,

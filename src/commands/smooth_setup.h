@@ -23,10 +23,10 @@ void check_outputs(const SmoothArguments& arguments);
 OutputOptions checkpoint_of(const SmoothArguments& arguments);
 
 /// Sets the options of the flow that other arguments name in words, but for those that are a value
-/// for every vertex of a file. Without --tangential, vertices slide within the surface unless that
-/// would drag a texture over it.
-void set_flow_options(const SmoothArguments& arguments, const Points& X, const Topology& topology,
-                      bool has_texture_coordinates, const Console& console, FlowOptions& options);
+/// for every vertex or triangle. Without --tangential, vertices slide within the surface unless
+/// that would drag a texture over it.
+void set_flow_options(const SmoothArguments& arguments, bool has_texture_coordinates,
+                      const Console& console, FlowOptions& options);
 
 /// Sets the total time and the bound on moves of `options`, and the cut-off among the figures.
 /// Throws BadMesh where edges are too long or short for the flow's time to be a number.
@@ -38,6 +38,14 @@ void set_scale(const SmoothArguments& arguments, const Points& X, const Topology
 void resolve_cutoff(SmoothArguments& arguments, const Points& X, const Topology& topology,
                     const std::vector<std::uint8_t>& held, SmoothFigures& figures,
                     Progress& progress);
+
+/// With --anisotropy, lays the direction onto the surface as the same flow leaves it without one,
+/// and from there back onto the mesh: triangles that noise has turned and stretched would each
+/// bring a direction of their own. With --dry-run, onto the mesh as it is. Throws as set_scale,
+/// willmore_flow and material_directions.
+void lay_directions(SmoothArguments& arguments, const Points& X, const Topology& topology,
+                    const std::vector<std::uint8_t>& held, const MeshParts& parts,
+                    SmoothFigures& figures, Progress& progress);
 
 /// #V, 1 for the vertices that do not move: those that --boundary holds, those of the list, and
 /// those that `mask` or `weights` (#V, or empty) leave out.

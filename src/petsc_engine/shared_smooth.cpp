@@ -119,8 +119,7 @@ Eigen::VectorXd values_of(const SharedMesh& mesh, const SmoothArguments& argumen
 FlowOptions flow_options(const SmoothArguments& arguments, const SharedMesh& mesh,
                          const Console& console) {
   FlowOptions options = arguments.flow;
-  commands::set_flow_options(arguments, mesh.X, mesh.topology,
-                             mesh.source->has_texture_coordinates(), console, options);
+  commands::set_flow_options(arguments, mesh.source->has_texture_coordinates(), console, options);
   if (!arguments.weights.empty()) {
     options.cutoff_factor = values_of(mesh, arguments, arguments.weights, 0, "--weights");
   }
@@ -215,13 +214,15 @@ class SharedSmooth {
     }
     arguments_.flow.solver = "auto";  // which is the parts' choice
     arguments_.flow = flow_options(arguments_, mesh, console_);
-    progress.begin("measure");
     figures_.mean_edge_length = mean_edge_length(mesh.X, mesh.topology, *mesh.parts);
+    const auto held_vertices = held(arguments_, mesh, arguments_.flow.cutoff_factor);
+    commands::lay_directions(arguments_, mesh.X, mesh.topology, held_vertices, *mesh.parts,
+                             figures_, progress);
+    progress.begin("measure");
     figures_.before = measured(mesh);
     if (arguments_.flow.steps > 0) {
-      commands::run_flow(arguments_, mesh.X, mesh.topology,
-                         held(arguments_, mesh, arguments_.flow.cutoff_factor), *mesh.parts,
-                         figures_, progress);
+      commands::run_flow(arguments_, mesh.X, mesh.topology, held_vertices, *mesh.parts, figures_,
+                         progress);
     }
     progress.begin("measure");
     figures_.after = measured(mesh);
