@@ -22,7 +22,7 @@ constexpr double widest_float32 = 1e6;
 // Seconds on one core of a machine of 2023; only their ratios matter. tools/solver_table prints
 // what they were chosen by, here and in iterative_jacobian.cpp.
 constexpr double per_flop = 1 / 52e9;   // of the factorization, float32
-constexpr double per_entry = 8 / 13e9;  // of the factor, read twice in each solve
+constexpr double per_entry = 8 / 16e9;  // of the factor, read twice in each solve
 
 // Factorizations by all steps of the guarded flow. The farther smoothing reaches, the more of the
 // noise it takes away, which the Jacobian was made with.
@@ -36,7 +36,7 @@ constexpr double bytes_per_unknown = 1630, bytes_per_entry = 8.5;
 
 // By minimum degree, and from where on round surfaces are dissected, too (solve/cholesky.cpp).
 double ordering_seconds(double n) {
-  constexpr double by_degree = 1.5e-6, dissected = 4.5e-6, least_dissected = 60'000;
+  constexpr double by_degree = 1.1e-6, dissected = 6e-6, least_dissected = 60'000;
   return n * (n < least_dissected ? by_degree : dissected);
 }
 
