@@ -64,8 +64,9 @@ struct FlowCase {
       const double size = mean_edge_length(mesh.X, topology.E);
       options.spontaneous_curvature = Eigen::VectorXd::Constant(mesh.X.rows(), 0.5 / size);
     }
-    if (asks_for(32))
+    if (asks_for(32)) {
       options.material_directions = material_directions(mesh.X, topology, {1, 0.5, 0}, 4);
+    }
   }
 
  private:
@@ -99,8 +100,9 @@ double energy_of(const Points& X, const Topology& topology, const std::vector<st
                  const FlowOptions& options) {
   EnergyOptions energy = options.energy_options();
   energy.active = held;
-  for (std::uint8_t& flag : energy.active)
+  for (std::uint8_t& flag : energy.active) {
     flag = flag != 0 ? 0 : 1;
+  }
   return bending_model(options.laplacian).bind(topology, energy)->energy(X);
 }
 
@@ -112,13 +114,15 @@ void require_kept(const Points& from, const Points& to, const Topology& topology
   const double edges = static_cast<double>(topology.E.rows()) *
                        (mean_edge_length(from, topology.E) + mean_edge_length(to, topology.E));
   const double volume = enclosed_volume(from, topology.F), area = surface_area(from, topology.F);
-  if (options.keep_volume && std::isfinite(volume))
+  if (options.keep_volume && std::isfinite(volume)) {
     law(std::abs(enclosed_volume(to, topology.F) - volume) <=
             rounding * (std::abs(volume) + reach * edges * edges),
         "the volume is kept");
-  if (options.keep_area && std::isfinite(area))
+  }
+  if (options.keep_area && std::isfinite(area)) {
     law(std::abs(surface_area(to, topology.F) - area) <= rounding * (area + reach * edges),
         "the area is kept");
+  }
 }
 
 }  // namespace
