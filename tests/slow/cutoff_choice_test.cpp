@@ -86,7 +86,7 @@ TEST(CutoffChoice, TellsTheNoiseAndTheErrorsAndLeavesLittleMoreThanTheBestCutoff
       double least = variance;
       for (const CutoffTrial& trial : choice.trials) {
         const double left = noisy.squared_error_after(trial.cutoff, options);
-        EXPECT_NEAR(trial.risk, left, 0.3 * (variance + left)) << trial.cutoff;
+        EXPECT_NEAR(trial.risk, left, 0.25 * (variance + left)) << trial.cutoff;
         least = std::min(least, left);
       }
       EXPECT_LE(std::sqrt(noisy.squared_error_after(choice.cutoff, options)),

@@ -71,7 +71,11 @@ class Trials {
   void run(double cutoff) {
     flow_to(cutoff);
     FlowProblem problem(X_, topology_, held_, options_, MeshParts::one());
-    problem.X = Y_;
+    Points state = Y_;
+    problem.move_to(state);
+    if (options_.twicing > 0) {
+      twice(problem);
+    }
     Points taken;  // of white noise
     double trace = 0;
     if (trace_falls_) {
@@ -79,9 +83,6 @@ class Trials {
     } else {
       taken = taken_of_noise(problem);
       trace = 1 - white_noise_.cwiseProduct(taken).sum() / white_noise_.squaredNorm();
-    }
-    if (options_.twicing > 0) {
-      twice(problem);
     }
     const Points normals = unknown_normals(problem.X, topology_, unknowns_);
     const Eigen::VectorXd height = heights_along(normals, problem.X, X_, unknowns_);
