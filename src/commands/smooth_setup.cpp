@@ -124,18 +124,19 @@ void lay_directions(SmoothArguments& arguments, const Points& X, const Topology&
     return material_directions(Y, topology, Vec3(a[0], a[1], a[2]), a[3]);
   };
   const Stopwatch watch(figures.seconds_directions);
-  FlowOptions options = arguments.flow;
-  options.material_directions = laid_onto(X);
-  bending_model(options.laplacian).bind(topology, options.energy_options());  // throws in good time
-  Points smooth = X;
-  if (options.steps > 0 && !arguments.dry_run) {
-    progress.begin("lay directions");
-    options.material_directions.clear();
-    options.twicing = 0;
-    set_scale(arguments, X, topology, parts, options, figures);
-    willmore_flow(smooth, topology, held, options, {}, parts);
+  FlowOptions& flow = arguments.flow;
+  FlowOptions options = flow;
+  flow.material_directions = laid_onto(X);
+  bending_model(flow.laplacian).bind(topology, flow.energy_options());  // throws in good time
+  if (flow.steps == 0 || arguments.dry_run) {
+    return;
   }
-  arguments.flow.material_directions = laid_onto(smooth);
+  progress.begin("lay directions");
+  options.twicing = 0;
+  set_scale(arguments, X, topology, parts, options, figures);
+  Points smooth = X;
+  willmore_flow(smooth, topology, held, options, {}, parts);
+  flow.material_directions = laid_onto(smooth);
 }
 
 std::vector<std::uint8_t> held_by(const SmoothArguments& arguments, const Topology& topology,
