@@ -243,6 +243,55 @@ TEST_F(SmoothFeatures, CutoffAutoWhereThereIsNothingToChoose) {
   EXPECT_EQ(smooth(input, {"--cutoff", "automatic"}).exit_code, 2);
 }
 
+TEST_F(SmoothFeatures, DenoiseIsTheOptionsThatItNames) {
+  const std::string input = noisy("torus", {"--rows", "24", "--columns", "60", "--noise", "0.2"});
+  const Words named{"--cutoff", "auto",    "--laplacian", "umbrella",     "--twicing",
+                    "1",        "--steps", "4",           "--keep-volume"};
+  const Smoothed quiet = smooth(input, {"--denoise"});
+  ASSERT_EQ(quiet.exit_code, 0) << quiet.err;
+  EXPECT_EQ(quiet.X, smooth(input, named).X);
+  EXPECT_EQ(quiet.X, smooth(input, named + Words{"--denoise"}).X);
+  // What is given counts, on whichever side of it.
+  const Words own{"--cutoff", "6", "--laplacian", "lagrange", "--twicing", "0", "--steps", "2"};
+  const Points given = smooth(input, own + Words{"--keep-volume"}).X;
+  EXPECT_EQ(smooth(input, own + Words{"--denoise"}).X, given);
+  EXPECT_EQ(smooth(input, Words{"--denoise"} + own).X, given);
+  const RunResult refused = run_program(
+      {"smooth", input, files_ / "out.ply", "--overwrite", "--denoise", "--time-step", "1"});
+  EXPECT_EQ(refused.exit_code, 2);
+  EXPECT_TRUE(contains(refused.err, "--denoise excludes --time-step")) << refused.err;
+}
+
+TEST_F(SmoothFeatures, DenoiseTakesTheNoiseAndLeavesTheVolume) {
+  const Words torus{"--rows", "24", "--columns", "60"};
+  const std::string truth = noisy("torus", torus) + ".truth.ply";
+  std::filesystem::copy_file(files_ / "torus.ply", truth);
+  const auto distance = [&](const std::string& mesh) {
+    const json figures = json::parse(run_program({"compare", mesh, truth, "--json"}).out);
+    return figures["surface_distance"]["a_to_b"]["rms"].get<double>();
+  };
+  for (const char* noise : {"0.05", "0.3"}) {
+    const std::string input = noisy("torus", torus + Words{"--noise", noise});
+    const double before = distance(input);
+    const Smoothed result = smooth(input, {"--denoise"});
+    ASSERT_EQ(result.exit_code, 0) << result.err;
+    EXPECT_LT(distance(files_ / "out.ply"), 0.35 * before) << noise;
+    const double volume = result.report["before"]["volume"];
+    EXPECT_NEAR(result.report["after"]["volume"].get<double>() / volume, 1, 1e-12) << noise;
+  }
+  const Smoothed clean = smooth(truth, {"--denoise"});
+  EXPECT_LT(distance(files_ / "out.ply"),
+            0.02 * clean.report["mesh"]["mean_edge_length"].get<double>());
+}
+
+TEST_F(SmoothFeatures, DenoiseKeepsNoVolumeWhereNoneCanBe) {
+  const std::string open = noisy("cylinder", {"--noise", "0.2"});
+  EXPECT_EQ(smooth(open, {"--denoise"}).exit_code, 0);
+  EXPECT_EQ(smooth(open, {"--denoise", "--keep-volume"}).exit_code, 4);
+  const std::string closed = noisy("icosphere", {"--subdivide", "3", "--noise", "0.2"});
+  EXPECT_EQ(smooth(closed, {"--denoise", "--max-move", "0.1e"}).exit_code, 0);
+}
+
 TEST_F(SmoothFeatures, ABoundOnMovesIsHeldAndNoFailure) {
   const std::string input = noisy("torus", {"--rows", "24", "--columns", "60", "--noise", "0.3"});
   const Smoothed bounded = smooth(input, {"--max-move", "0.05e", "--cutoff", "12"});

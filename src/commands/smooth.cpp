@@ -8,6 +8,7 @@
 
 #include "commands/command.h"
 #include "commands/defect_warnings.h"
+#include "commands/denoise_defaults.h"
 #include "commands/engine.h"
 #include "commands/page/mesh_scene.h"
 #include "commands/progress.h"
@@ -131,15 +132,16 @@ void write_and_tell(const SmoothArguments& arguments, const OutputOptions& outpu
 }
 
 /// The options of the flow as the mesh and other options have them.
-FlowOptions flow_options(const SmoothArguments& arguments, const MeshFile& file,
+FlowOptions flow_options(const SmoothArguments& arguments, const Smoothing& s,
                          const Console& console) {
   FlowOptions options = arguments.flow;
-  set_flow_options(arguments, file.has_texture_coordinates(), console, options);
+  set_flow_options(arguments, s.file.has_texture_coordinates(), console, options);
+  options.keep_volume |= keeps_volume_of(s.topology, arguments);
   if (!arguments.weights.empty()) {
-    options.cutoff_factor = vertex_values(file, arguments.weights, 0, "--weights");
+    options.cutoff_factor = vertex_values(s.file, arguments.weights, 0, "--weights");
   }
   if (!arguments.h0.empty()) {
-    options.spontaneous_curvature = vertex_values_or_number(file, arguments.h0, "--h0");
+    options.spontaneous_curvature = vertex_values_or_number(s.file, arguments.h0, "--h0");
   }
   return options;
 }
@@ -165,7 +167,7 @@ ExitCode run_smooth(SmoothArguments arguments, const CLI::App& app, Console& con
   warn_of_defects(s.topology, arguments.strict, console);
   Report report(app);
   report.warnings = defect_list(s.before(), s.topology);
-  arguments.flow = flow_options(arguments, s.file, console);
+  arguments.flow = flow_options(arguments, s, console);
   const FlowOptions& options = arguments.flow;
   s.figures.mean_edge_length = mean_edge_length(s.before(), s.topology.E);
   if (options.steps > 0) {

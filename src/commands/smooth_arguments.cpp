@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 
 #include "commands/argument_roles.h"
+#include "commands/denoise_defaults.h"
 #include "commands/documentation.h"
 #include "commands/engine.h"
 #include "commands/numeric_options.h"
@@ -25,6 +26,7 @@ std::vector<std::string> solver_names() {
 void add_amount_options(CLI::App& app, SmoothArguments& a) {
   constexpr int most = 1'000'000;
   begin_group(app, "How much to smooth");
+  add_denoise_flag(app, a);
   CLI::Option* cutoff = add_parsed_option(
       app, "--cutoff", "LENGTH|auto",
       "smooth ripples up to about this wavelength, in all steps together; auto tries several and "
@@ -45,7 +47,7 @@ void add_amount_options(CLI::App& app, SmoothArguments& a) {
   note_of(app, *steps).unit = "steps";
   CLI::Option* time_step = add_real(app, "--time-step", a.time_step, positive,
                                     "time of one step, in place of a cut-off for all of them");
-  time_step->excludes(cutoff);
+  time_step->excludes(cutoff)->excludes("--denoise");
   note_of(app, *time_step).unit = "mesh units^4, or mesh units^2 with --metric identity";
   note_of(app, *time_step).default_text = "what --cutoff makes of it";
   CLI::Option* max_move = add_length(app, "--max-move", a.max_move, Length::Unit::absolute,
@@ -194,10 +196,10 @@ void add_smooth_arguments(CLI::App& app, SmoothArguments& a) {
   add_solver_options(app, a);
   add_file_options(app, a);
   documentation_of(app).examples = {
+      {"ibmfair smooth scan.ply clean.ply --denoise",
+       "removes noise of a strength that nobody knows"},
       {"ibmfair smooth scan.ply fair.ply --cutoff 2% --picture fair.png",
        "removes ripples up to a fiftieth of the mesh's size, and draws it before and after"},
-      {"ibmfair smooth scan.ply fair.ply --cutoff auto --twicing 1",
-       "removes noise of a strength that nobody knows"},
       {"ibmfair smooth part.obj fair.obj --mask blend --max-move 0.5e",
        "moves only the group `blend`, no vertex by more than half a mean edge length"},
   };

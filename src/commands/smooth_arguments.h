@@ -25,6 +25,7 @@ struct SmoothArguments {
   std::string checkpoint;
 
   std::string engine;
+  bool denoise = false;
   FlowOptions flow;
   std::optional<double> time_step;
   std::optional<Length> cutoff;
