@@ -139,6 +139,25 @@ TEST(Smooth, TellsWhereTheDefaultCutoffIsAsLongAsTheMesh) {
   EXPECT_FALSE(contains(run_program(asked, {.input = few}).err, told));
 }
 
+TEST(Smooth, TellsWhereTheDefaultCutoffTakesShapeWithTheNoise) {
+  const std::string told = "the volume has changed by";
+  const std::string thin =
+      made({"torus", "--ratio", "8", "--rows", "8", "--columns", "100", "--noise", "0.1"});
+  const std::string thick = made({"torus", "--rows", "48", "--columns", "120", "--noise", "0.1"});
+  const std::string sheet = made({"plane", "--rows", "32", "--columns", "32", "--noise", "0.1"});
+  const auto says = [&](const std::string& mesh, const Words& options) {
+    const RunResult run =
+        run_program(Words{"smooth", "-", "-", "--format", "off"} + options, {.input = mesh});
+    EXPECT_EQ(run.exit_code, 0) << run.err;
+    return contains(run.err, told);
+  };
+  EXPECT_TRUE(says(thin, {}));
+  EXPECT_FALSE(says(thin, {"--cutoff", "8"}));
+  EXPECT_FALSE(says(thin, {"--denoise"}));
+  EXPECT_FALSE(says(thick, {}));
+  EXPECT_FALSE(says(sheet, {}));
+}
+
 TEST(Smooth, TellsHowFarAFlowThatStalledHasSmoothed) {
   // Without mass a sphere shrinks to a point, long before it is smooth at this length.
   const std::string crumpled = made({"icosphere", "--subdivide", "2", "--noise", "1"});

@@ -46,6 +46,29 @@ double cutoff_of(double time, double unit) {
   return std::pow(time / unit, 0.25) / std::pow(time_for_cutoff(1), 0.25);
 }
 
+/// What is to be said where nobody has said how much to smooth, and that was a lot; or empty.
+std::string remark_on_default_cutoff(const SmoothFigures& figures) {
+  if (figures.cutoff > figures.diagonal / 2) {
+    return fmt::format(
+        "the cut-off, {:.4g}, is more than half of the mesh's diagonal, {:.4g}: its whole shape "
+        "is smoothed; --cutoff LENGTH smooths what is shorter than that",
+        figures.cutoff, figures.diagonal);
+  }
+  constexpr double large_change = 0.01;
+  constexpr double solid = 0.05;  // of a ball's volume with the same area: not a sheet
+  const double volume = std::abs(figures.before.volume);
+  const double ball = std::pow(figures.before.area, 1.5) / (6 * std::sqrt(std::numbers::pi));
+  const double change = std::abs(figures.after.volume) / volume - 1;
+  if (volume > solid * ball && std::abs(change) > large_change) {
+    return fmt::format(
+        "the volume has changed by {:+.2g} %: what is shorter than the cut-off, {:.4g}, is not "
+        "only "
+        "noise; --denoise takes that alone, --cutoff LENGTH what is shorter than LENGTH",
+        100 * change, figures.cutoff);
+  }
+  return {};
+}
+
 BoundaryCondition boundary_condition(const std::string& name) {
   return name == "fixed"      ? BoundaryCondition::fixed
          : name == "position" ? BoundaryCondition::position
@@ -186,11 +209,10 @@ void measure_moves(const Points& before, const Points& after, SmoothFigures& fig
 void tell_of_smoothing(const SmoothArguments& arguments, const SmoothFigures& figures,
                        const std::string& output, const WriteReport& written, std::string_view by,
                        const Console& console, Report& report) {
-  if (!arguments.cutoff && !arguments.time_step && figures.cutoff > figures.diagonal / 2) {
-    console.note(fmt::format(
-        "the cut-off, {:.4g}, is more than half of the mesh's diagonal, {:.4g}: its whole shape "
-        "is smoothed; --cutoff LENGTH smooths what is shorter than that",
-        figures.cutoff, figures.diagonal));
+  if (!arguments.cutoff && !arguments.time_step) {
+    if (const std::string remark = remark_on_default_cutoff(figures); !remark.empty()) {
+      console.note(remark);
+    }
   }
   for (const std::string& note : written.notes) {
     console.note(note);
