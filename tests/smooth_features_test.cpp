@@ -256,6 +256,7 @@ TEST_F(SmoothFeatures, DenoiseIsTheOptionsThatItNames) {
   const Points given = smooth(input, own + Words{"--keep-volume"}).X;
   EXPECT_EQ(smooth(input, own + Words{"--denoise"}).X, given);
   EXPECT_EQ(smooth(input, Words{"--denoise"} + own).X, given);
+  EXPECT_EQ(smooth(input, own + Words{"--denoise=false"}).X, smooth(input, own).X);
   const RunResult refused = run_program(
       {"smooth", input, files_ / "out.ply", "--overwrite", "--denoise", "--time-step", "1"});
   EXPECT_EQ(refused.exit_code, 2);

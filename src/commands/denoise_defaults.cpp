@@ -1,6 +1,7 @@
 #include "commands/denoise_defaults.h"
 
 #include <array>
+#include <cstdint>
 
 #include <CLI/CLI.hpp>
 
@@ -23,8 +24,11 @@ constexpr std::array defaults{DefaultValue{"--cutoff", "auto"}, DefaultValue{"--
 }  // namespace
 
 void add_denoise_flag(CLI::App& app, SmoothArguments& arguments) {
-  const auto set_defaults = [&app, &arguments](std::int64_t /*times*/) {
-    arguments.denoise = true;
+  const auto set_defaults = [&app, &arguments](std::int64_t times) {
+    arguments.denoise = times > 0;  // not for --denoise=false
+    if (!arguments.denoise) {
+      return;
+    }
     for (const auto& [name, value] : defaults) {
       if (CLI::Option* const option = app.get_option(name); option->count() == 0) {
         option->add_result(value);  // as if it had been given: reports and jobs have it, too
