@@ -246,7 +246,7 @@ TEST_F(SmoothFeatures, CutoffAutoWhereThereIsNothingToChoose) {
 TEST_F(SmoothFeatures, DenoiseIsTheOptionsThatItNames) {
   const std::string input = noisy("torus", {"--rows", "24", "--columns", "60", "--noise", "0.2"});
   const Words named{"--cutoff", "auto",    "--laplacian", "umbrella",     "--twicing",
-                    "1",        "--steps", "4",           "--keep-volume"};
+                    "1",        "--steps", "8",           "--keep-volume"};
   const Smoothed quiet = smooth(input, {"--denoise"});
   ASSERT_EQ(quiet.exit_code, 0) << quiet.err;
   EXPECT_EQ(quiet.X, smooth(input, named).X);

@@ -126,6 +126,32 @@ TEST(CutoffChoice, IsOfTheMeshAndNotOfItsUnitNumbersOrThreads) {
   EXPECT_NEAR(choice_for(same, 1, {}).cutoff, choice.cutoff, 0.1 * choice.cutoff);
 }
 
+TEST(CutoffChoice, ASampleTellsAboutWhatTheWholeMeshTells) {
+  const Noisy noisy("torus", {.ratio = 2.5, .rows = 192},
+                    std::make_unique<ExactTorus>(Vec3::Zero(), 1, 0.4), 0.2);
+  FlowOptions options{.laplacian = "umbrella", .steps = 8, .relax = false, .twicing = 1};
+  options.keep_volume = true;  // which a part cannot
+  const auto held = held_vertices(noisy.state.topology, BoundaryCondition::fixed);
+  const auto choice = [&](Index enough) {
+    return choose_cutoff(noisy.state.X, noisy.state.topology, held, options, noisy.diagonal / 2, {},
+                         enough);
+  };
+  const CutoffChoice whole = choice(noisy.state.topology.vertex_count), sample = choice(50'000);
+  EXPECT_NE(sample.cutoff, whole.cutoff);
+  EXPECT_NEAR(sample.noise, whole.noise, 0.03 * whole.noise);
+  EXPECT_LE(std::sqrt(noisy.squared_error_after(sample.cutoff, options)),
+            1.25 * std::sqrt(noisy.squared_error_after(whole.cutoff, options)));
+}
+
+TEST(CutoffChoice, PiecesThatAreAllRimTellNothing) {
+  const State torus(make_shape("torus", {.ratio = 2.5, .rows = 24}));
+  const auto held = held_vertices(torus.topology, BoundaryCondition::fixed);
+  const auto choice = [&](Index enough) {
+    return choose_cutoff(shaken(torus, 0.1), torus.topology, held, {}, 1, {}, enough).cutoff;
+  };
+  EXPECT_EQ(choice(300), choice(torus.topology.vertex_count));
+}
+
 TEST(CutoffChoice, NeedsAVertexThatMoves) {
   const State sphere(make_shape("icosphere", {.subdivide = 2}));
   const std::vector<std::uint8_t> all(sphere.X.rows(), 1);

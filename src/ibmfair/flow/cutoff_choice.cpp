@@ -9,11 +9,13 @@
 #include "ibmfair/flow/flow_problem.h"
 #include "ibmfair/flow/linear_flow.h"
 #include "ibmfair/flow/local_mesh.h"
+#include "ibmfair/flow/sample_of_mesh.h"
 #include "ibmfair/flow/time_scale.h"
 #include "ibmfair/flow/twicing.h"
 #include "ibmfair/flow/unknown_normals.h"
 #include "ibmfair/flow/willmore_flow.h"
 #include "ibmfair/mesh/geometry.h"
+#include "ibmfair/mesh/select.h"
 
 namespace ibmfair {
 namespace {
@@ -24,6 +26,7 @@ constexpr double clear_rise = 0.03;     // of the risk over the least, in varian
 constexpr double small_gain = 0.002;    // of it by twice the cut-off, in these
 constexpr int leg_steps = 4;            // of backward Euler from one cut-off to the next
 constexpr double law_edges = 8;         // cut-off in mean edge lengths, for Weyl's law
+constexpr double many_more = 1.5;       // vertices than are enough, for a sample to pay
 
 double median(Eigen::VectorXd values) {
   double* const middle = values.data() + values.size() / 2;
@@ -52,8 +55,9 @@ struct Outcome {
 /// few steps, which begin anew: long steps of backward Euler are not what shorter ones come to.
 class Trials {
  public:
+  /// Only what becomes of `counted` vertices is looked at (#V, or empty for all).
   Trials(const Points& X, const Topology& topology, const std::vector<std::uint8_t>& held,
-         const FlowOptions& options)
+         const FlowOptions& options, const std::vector<std::uint8_t>& counted)
       : X_(X),
         topology_(topology),
         held_(held),
@@ -61,8 +65,11 @@ class Trials {
         options_(options),
         leg_(options),
         unknowns_(held),
+        counted_(indices_where(
+            unknowns_.size(),
+            [&](Index u) { return counted.empty() || counted[unknowns_.vertex[u]] != 0; })),
         white_noise_(white_noise(unknowns_.size())) {
-    if (unknowns_.size() == 0) {
+    if (counted_.empty()) {
       throw BadMesh("no vertex moves, so that no cut-off can be chosen");
     }
     leg_.twicing = 0;
@@ -81,11 +88,12 @@ class Trials {
     if (trace_falls_) {
       trace = trace_by_law(cutoff);
     } else {
-      taken = taken_of_noise(problem);
-      trace = 1 - white_noise_.cwiseProduct(taken).sum() / white_noise_.squaredNorm();
+      taken = taken_of_noise(problem)(counted_, Eigen::all);
+      const Points noise = white_noise_(counted_, Eigen::all);
+      trace = 1 - noise.cwiseProduct(taken).sum() / noise.squaredNorm();
     }
     const Points normals = unknown_normals(problem.X, topology_, unknowns_);
-    const Eigen::VectorXd height = heights_along(normals, problem.X, X_, unknowns_);
+    const Eigen::VectorXd height = heights_along(normals, problem.X, X_, unknowns_)(counted_);
     if (outcomes_.size() == noise_trial) {
       noise_ = median(height.cwiseAbs()) / median(taken.reshaped().cwiseAbs());
     }
@@ -157,6 +165,7 @@ class Trials {
   FlowOptions options_;          // to the cut-off
   FlowOptions leg_;              // from the one before to it
   Unknowns unknowns_;
+  std::vector<Index> counted_;  // among the unknowns
   Points white_noise_;
   Points Y_, smooth_;  // where the mesh and the white noise have come to
   double time_ = 0;    // at which they are there
@@ -213,14 +222,25 @@ CutoffChoice choose(Trials trials, double first, double largest, const TrialObse
 
 CutoffChoice choose_cutoff(const Points& X, const Topology& topology,
                            const std::vector<std::uint8_t>& held, const FlowOptions& options,
-                           double largest, const TrialObserver& observer) {
+                           double largest, const TrialObserver& observer, Index enough) {
   const double first = first_edges * mean_edge_length(X, topology.E);
-  if (!is_scattered(topology)) {
-    return choose(Trials(X, topology, held, options), first, largest, observer);
+  const auto choose_on = [&](const LocalMesh& mesh, const std::vector<std::uint8_t>& counted) {
+    return choose(Trials(mesh.X, mesh.topology, mesh.held, mesh.options, counted), first, largest,
+                  observer);
+  };
+  if (std::count(held.begin(), held.end(), 0) > many_more * enough) {
+    const MeshSample sample = sample_of_mesh(X, topology, held, options, enough);
+    // Not of a mesh in pieces so small that they are little but rim.
+    if (4 * std::count(sample.inner.begin(), sample.inner.end(), 1) > enough) {
+      return choose_on(sample.mesh, sample.inner);
+    }
   }
-  const LocalMesh local = local_mesh(X, topology, held, options);
-  return choose(Trials(local.X, local.topology, local.held, local.options), first, largest,
-                observer);
+  FlowOptions unbound = options;
+  unbound.keep_volume = unbound.keep_area = false;
+  if (is_scattered(topology)) {
+    return choose_on(local_mesh(X, topology, held, unbound), {});
+  }
+  return choose(Trials(X, topology, held, unbound, {}), first, largest, observer);
 }
 
 }  // namespace ibmfair

@@ -43,9 +43,12 @@ using TrialObserver = std::function<void(double cutoff)>;
 /// Lets a copy of `X` flow as `options` say, whose total time is not looked at, through cut-offs
 /// from twice the mean edge length on, each longer by the square root of two, up to `largest` or
 /// until the risk has clearly risen or hardly changes; the choice is between those around the
-/// least. Deterministic. Throws what the flow throws, and BadMesh where no vertex moves.
+/// least. Where many more than `enough` vertices move, a sample of so many of them tells all.
+/// Volume and area are not kept. Deterministic. Throws what the flow throws, and BadMesh where no
+/// vertex moves.
 CutoffChoice choose_cutoff(const Points& X, const Topology& topology,
                            const std::vector<std::uint8_t>& held, const FlowOptions& options,
-                           double largest, const TrialObserver& observer = {});
+                           double largest, const TrialObserver& observer = {},
+                           Index enough = 50'000);
 
 }  // namespace ibmfair

@@ -1,0 +1,120 @@
+#include "ibmfair/flow/sample_of_mesh.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "ibmfair/flow/held_vertices.h"
+#include "ibmfair/mesh/select.h"
+
+namespace ibmfair {
+namespace {
+
+/// More of them see more of the mesh, and have longer rims.
+constexpr std::size_t patches = 2;
+
+/// Rings of vertices along a rim that feel it in a flow to the longest cut-offs.
+constexpr int felt_rings = 32;
+
+/// Marks `count` vertices around a seed, ring by ring, or as many as are connected with it.
+/// Returns how many that were.
+std::size_t grow(const Topology& topology, Index seed, std::size_t count,
+                 std::vector<std::uint8_t>& taken) {
+  std::vector<Index> queue{seed};
+  taken[seed] = 1;
+  for (std::size_t next = 0; next < queue.size(); ++next) {
+    for (const Index t : topology.stars[queue[next]]) {
+      for (const Index v : topology.F.row(t)) {
+        if (!taken[v] && queue.size() < count) {
+          taken[v] = 1;
+          queue.push_back(v);
+        }
+      }
+    }
+  }
+  return queue.size();
+}
+
+/// #V, 1 for those of the sample. Seeds are spread over the list of those that move; where a
+/// patch ends early, another one begins further on.
+std::vector<std::uint8_t> sampled(const Topology& topology, const std::vector<Index>& free,
+                                  std::size_t count) {
+  std::vector<std::uint8_t> taken(static_cast<std::size_t>(topology.vertex_count), 0);
+  const std::size_t in_patch = (count + patches - 1) / patches;
+  std::size_t all = 0;
+  for (std::size_t p = 0; p < patches; ++p) {
+    std::size_t wanted = std::min(in_patch, count - all);
+    const std::size_t first = (2 * p + 1) * free.size() / (2 * patches);
+    for (std::size_t i = 0; i < free.size() && wanted > 0; ++i) {
+      if (const Index seed = free[(first + i) % free.size()]; !taken[seed]) {
+        const std::size_t grown = grow(topology, seed, wanted, taken);
+        wanted -= grown;
+        all += grown;
+      }
+    }
+  }
+  return taken;
+}
+
+/// #V of the sample, 0 for the vertices near those where it was cut off from the rest.
+std::vector<std::uint8_t> far_from_rims(const Topology& whole, const LocalMesh& sample,
+                                        const std::vector<std::uint8_t>& taken) {
+  std::vector<std::uint8_t> inner(sample.vertex.size(), 1);
+  std::vector<Index> ring;
+  for (std::size_t i = 0; i < sample.vertex.size(); ++i) {
+    for (const Index t : whole.stars[sample.vertex[i]]) {
+      const auto x = whole.F.row(t);
+      if (inner[i] && !(taken[x[0]] && taken[x[1]] && taken[x[2]])) {
+        inner[i] = 0;
+        ring.push_back(static_cast<Index>(i));
+      }
+    }
+  }
+  for (int rings = 1; rings < felt_rings; ++rings) {
+    std::vector<Index> next;
+    for (const Index i : ring) {
+      for (const Index t : sample.topology.stars[i]) {
+        for (const Index v : sample.topology.F.row(t)) {
+          if (inner[v]) {
+            inner[v] = 0;
+            next.push_back(v);
+          }
+        }
+      }
+    }
+    ring = std::move(next);
+  }
+  return inner;
+}
+
+}  // namespace
+
+MeshSample sample_of_mesh(const Points& X, const Topology& topology,
+                          const std::vector<std::uint8_t>& held, const FlowOptions& options,
+                          Index count) {
+  const std::vector<Index> free =
+      indices_where(topology.vertex_count, [&](Index v) { return held[v] == 0; });
+  const std::vector<std::uint8_t> taken =
+      sampled(topology, free, std::min(free.size(), static_cast<std::size_t>(count)));
+  std::vector<Index> vertices =
+      indices_where(topology.vertex_count, [&](Index v) { return taken[v] != 0; });
+  const std::vector<Index> triangles =
+      indices_where(static_cast<Index>(topology.F.rows()), [&](Index t) {
+        return taken[topology.F(t, 0)] && taken[topology.F(t, 1)] && taken[topology.F(t, 2)];
+      });
+  std::vector<Index> place(static_cast<std::size_t>(topology.vertex_count), -1);
+  for (std::size_t i = 0; i < vertices.size(); ++i) {
+    place[vertices[i]] = static_cast<Index>(i);
+  }
+  LocalMesh sample = some_of_mesh(X, topology, std::move(vertices), triangles, place);
+  sample.held = held_vertices(sample.topology, BoundaryCondition::fixed);
+  for (std::size_t i = 0; i < sample.vertex.size(); ++i) {
+    sample.held[i] |= held[sample.vertex[i]];
+  }
+  sample.options = options;
+  take_lists(options, sample.vertex, triangles, sample.options);
+  sample.options.keep_volume = sample.options.keep_area = false;
+  std::vector<std::uint8_t> inner = far_from_rims(topology, sample, taken);
+  return {std::move(sample), std::move(inner)};
+}
+
+}  // namespace ibmfair
