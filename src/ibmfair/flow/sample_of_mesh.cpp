@@ -114,6 +114,9 @@ MeshSample sample_of_mesh(const Points& X, const Topology& topology,
   take_lists(options, sample.vertex, triangles, sample.options);
   sample.options.keep_volume = sample.options.keep_area = false;
   std::vector<std::uint8_t> inner = far_from_rims(topology, sample, taken);
+  for (std::size_t i = 0; i < inner.size(); ++i) {
+    inner[i] &= sample.held[i] ? 0 : 1;
+  }
   return {std::move(sample), std::move(inner)};
 }
 

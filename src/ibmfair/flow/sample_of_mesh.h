@@ -10,8 +10,8 @@ namespace ibmfair {
 
 struct MeshSample {
   LocalMesh mesh;
-  std::vector<std::uint8_t> inner;  ///< #V, 1 for what is so far from the rims that a flow up to
-                                    ///< some 32 edges does there as on the whole mesh
+  std::vector<std::uint8_t> inner;  ///< #V, 1 for what moves, and so far from the rims that a flow
+                                    ///< up to some 32 edges does there as on the whole mesh
 };
 
 /// A few patches of neighbours spread over the vertices that are not held, together about `count`
