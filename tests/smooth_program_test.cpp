@@ -158,6 +158,22 @@ TEST(Smooth, TellsWhereTheDefaultCutoffTakesShapeWithTheNoise) {
   EXPECT_FALSE(says(sheet, {}));
 }
 
+TEST(Smooth, TellsWhatBecomesOfTextureCoordinates) {
+  const std::string plain = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n";
+  const std::string textured = plain +
+                               "vt 0 0\nvt 1 0\nvt 0 1\nf 1/1 3/2 2/3\nf 1/1 2/2 4/3\n"
+                               "f 2/1 3/2 4/3\nf 3/1 1/2 4/3\n";
+  const auto said = [&](const Words& options) {
+    return run_program(
+               Words{"smooth", "-", "-", "--input-format", "obj", "--format", "obj"} + options,
+               {.input = textured})
+        .err;
+  };
+  EXPECT_TRUE(contains(said({}), "no tangential relaxation"));
+  EXPECT_TRUE(contains(said({"--laplacian", "umbrella"}), "vertices slide under them"));
+  EXPECT_FALSE(contains(said({"--tangential", "relax"}), "texture"));
+}
+
 TEST(Smooth, TellsHowFarAFlowThatStalledHasSmoothed) {
   // Without mass a sphere shrinks to a point, long before it is smooth at this length.
   const std::string crumpled = made({"icosphere", "--subdivide", "2", "--noise", "1"});

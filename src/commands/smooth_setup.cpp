@@ -98,11 +98,17 @@ void set_flow_options(const SmoothArguments& arguments, bool has_texture_coordin
   options.mass_matrix = arguments.mass.name;
   options.metric = arguments.metric == "mass" ? Metric::mass : Metric::identity;
   options.guarded = !arguments.plain;
-  options.relax = arguments.tangential == "relax" ||
-                  (arguments.tangential.empty() && !bending_model(options.laplacian).evens_edges);
+  const bool evens_edges = bending_model(options.laplacian).evens_edges;
+  options.relax = arguments.tangential == "relax" || (arguments.tangential.empty() && !evens_edges);
   if (arguments.tangential.empty() && has_texture_coordinates && options.guarded && options.relax) {
     console.note("the mesh has texture coordinates: no tangential relaxation (--tangential relax)");
     options.relax = false;
+  }
+  if (has_texture_coordinates && evens_edges) {
+    console.note(
+        fmt::format("the mesh has texture coordinates, and by --laplacian {} vertices slide under "
+                    "them a little",
+                    options.laplacian));
   }
   if (arguments.keep_sharp) {
     options.sharp_angle = *arguments.keep_sharp * std::numbers::pi / 180;
