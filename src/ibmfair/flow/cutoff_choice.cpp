@@ -228,15 +228,15 @@ CutoffChoice choose_cutoff(const Points& X, const Topology& topology,
     return choose(Trials(mesh.X, mesh.topology, mesh.held, mesh.options, counted), first, largest,
                   observer);
   };
+  FlowOptions unbound = options;
+  unbound.keep_volume = unbound.keep_area = false;
   if (std::count(held.begin(), held.end(), 0) > many_more * enough) {
-    const MeshSample sample = sample_of_mesh(X, topology, held, options, enough);
+    const MeshSample sample = sample_of_mesh(X, topology, held, unbound, enough);
     // Not of a mesh in pieces so small that they are little but rim.
     if (4 * std::count(sample.inner.begin(), sample.inner.end(), 1) > enough) {
       return choose_on(sample.mesh, sample.inner);
     }
   }
-  FlowOptions unbound = options;
-  unbound.keep_volume = unbound.keep_area = false;
   if (is_scattered(topology)) {
     return choose_on(local_mesh(X, topology, held, unbound), {});
   }

@@ -55,35 +55,21 @@ std::vector<std::uint8_t> sampled(const Topology& topology, const std::vector<In
   return taken;
 }
 
-/// #V of the sample, 0 for the vertices near those where it was cut off from the rest.
-std::vector<std::uint8_t> far_from_rims(const Topology& whole, const LocalMesh& sample,
-                                        const std::vector<std::uint8_t>& taken) {
-  std::vector<std::uint8_t> inner(sample.vertex.size(), 1);
-  std::vector<Index> ring;
-  for (std::size_t i = 0; i < sample.vertex.size(); ++i) {
-    for (const Index t : whole.stars[sample.vertex[i]]) {
+/// #V of the sample, 1 for the vertices near those where it was cut off from the rest.
+std::vector<std::uint8_t> near_rims(const Topology& whole, const LocalMesh& sample,
+                                    const std::vector<std::uint8_t>& taken) {
+  std::vector<std::uint8_t> near(sample.vertex.size());
+  std::transform(sample.vertex.begin(), sample.vertex.end(), near.begin(), [&](Index v) {
+    const auto star = whole.stars[v];
+    return std::any_of(star.begin(), star.end(), [&](Index t) {
       const auto x = whole.F.row(t);
-      if (inner[i] && !(taken[x[0]] && taken[x[1]] && taken[x[2]])) {
-        inner[i] = 0;
-        ring.push_back(static_cast<Index>(i));
-      }
-    }
-  }
+      return !(taken[x[0]] && taken[x[1]] && taken[x[2]]);
+    });
+  });
   for (int rings = 1; rings < felt_rings; ++rings) {
-    std::vector<Index> next;
-    for (const Index i : ring) {
-      for (const Index t : sample.topology.stars[i]) {
-        for (const Index v : sample.topology.F.row(t)) {
-          if (inner[v]) {
-            inner[v] = 0;
-            next.push_back(v);
-          }
-        }
-      }
-    }
-    ring = std::move(next);
+    near = grow_one_ring(sample.topology, near);
   }
-  return inner;
+  return near;
 }
 
 }  // namespace
@@ -112,10 +98,10 @@ MeshSample sample_of_mesh(const Points& X, const Topology& topology,
   }
   sample.options = options;
   take_lists(options, sample.vertex, triangles, sample.options);
-  sample.options.keep_volume = sample.options.keep_area = false;
-  std::vector<std::uint8_t> inner = far_from_rims(topology, sample, taken);
+  const std::vector<std::uint8_t> near = near_rims(topology, sample, taken);
+  std::vector<std::uint8_t> inner(near.size());
   for (std::size_t i = 0; i < inner.size(); ++i) {
-    inner[i] &= sample.held[i] ? 0 : 1;
+    inner[i] = !near[i] && !sample.held[i];
   }
   return {std::move(sample), std::move(inner)};
 }

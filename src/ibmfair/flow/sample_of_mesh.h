@@ -16,9 +16,8 @@ struct MeshSample {
 
 /// A few patches of neighbours spread over the vertices that are not held, together about `count`
 /// of them (at least 1), or all where there are fewer. Two rings of vertices are held along the
-/// rims, as along open boundaries, besides those that are held anyway. Volume and area, which a
-/// part does not have, are not kept. Deterministic; which patches depends on how the mesh numbers
-/// its vertices.
+/// rims, as along open boundaries, besides those that are held anyway. Deterministic; which patches
+/// depends on how the mesh numbers its vertices.
 MeshSample sample_of_mesh(const Points& X, const Topology& topology,
                           const std::vector<std::uint8_t>& held, const FlowOptions& options,
                           Index count);
