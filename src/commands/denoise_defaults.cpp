@@ -2,8 +2,10 @@
 
 #include <array>
 #include <cstdint>
+#include <string>
 
 #include <CLI/CLI.hpp>
+#include <fmt/format.h>
 
 #include "commands/smooth_arguments.h"
 #include "ibmfair/mesh/topology.h"
@@ -12,15 +14,23 @@ namespace ibmfair::commands {
 namespace {
 
 struct DefaultValue {
-  const char* option;
-  const char* value;
+  const char *option, *value;
 };
 
 // More steps leave the same error (by 1 % on all of the table's meshes) and take longer; with
 // fewer, what the choice of the cut-off has done for one is of no use for the next.
-constexpr std::array defaults{DefaultValue{"--cutoff", "auto"}, DefaultValue{"--steps", "8"},
+constexpr std::array defaults{DefaultValue{"--cutoff", "auto"},
                               DefaultValue{"--laplacian", "umbrella"},
-                              DefaultValue{"--twicing", "1"}};
+                              DefaultValue{"--twicing", "1"}, DefaultValue{"--steps", "8"}};
+
+/// As on a command line.
+std::string words() {
+  std::string text;
+  for (const auto& [option, value] : defaults) {
+    text += fmt::format("{}{} {}", text.empty() ? "" : " ", option, value);
+  }
+  return text;
+}
 
 }  // namespace
 
@@ -37,9 +47,10 @@ void add_denoise_flag(CLI::App& app, SmoothArguments& arguments) {
     }
   };
   app.add_flag_function("--denoise", set_defaults,
-                        "take noise off, however strong it is, and leave the shape: where these "
-                        "are not given otherwise, --cutoff auto --laplacian umbrella --twicing 1 "
-                        "--steps 8, and the volume of a closed mesh is kept");
+                        fmt::format("take noise off, however strong it is, and leave the shape: "
+                                    "where these are not given otherwise, {}, and the volume of a "
+                                    "closed mesh is kept",
+                                    words()));
 }
 
 bool keeps_volume_of(const Topology& topology, const SmoothArguments& arguments) {

@@ -62,8 +62,7 @@ std::string remark_on_default_cutoff(const SmoothFigures& figures) {
   if (volume > solid * ball && std::abs(change) > large_change) {
     return fmt::format(
         "the volume has changed by {:+.2g} %: what is shorter than the cut-off, {:.4g}, is not "
-        "only "
-        "noise; --denoise takes that alone, --cutoff LENGTH what is shorter than LENGTH",
+        "only noise; --denoise takes that alone, --cutoff LENGTH what is shorter than LENGTH",
         100 * change, figures.cutoff);
   }
   return {};
