@@ -39,8 +39,8 @@ class GuardedFlow {
         observer_(observer),
         rings_(vertex_rings(problem.topology)),
         folds_(problem.X, problem.topology, problem.unknowns),
-        unfolds_(problem.options.sharp_angle == 0),
-        relaxation_(problem.topology, rings_, problem.unknowns, problem.parts, unfolds_),
+        keeps_creases_(problem.options.sharp_angle > 0),
+        relaxation_(problem.topology, rings_, problem.unknowns, problem.parts, keeps_creases_),
         h_target_(problem.options.total_time / problem.options.steps),
         has_limit_(problem.options.energy_is_dimensionless()),
         h_(h_target_),
@@ -317,7 +317,7 @@ class GuardedFlow {
     if (catch_up_moves(p_, rings_, bad_spots_.missed(), move_)) {
       p_.report.caught_up = sweep_and_count();
     }
-    if (unfolds_ && unfolding_moves(p_, rings_, move_)) {
+    if (!keeps_creases_ && unfolding_moves(p_, rings_, move_)) {
       p_.report.unfolded = sweep_and_count();
     }
     if (!p_.report.steps.empty()) {
@@ -369,7 +369,7 @@ class GuardedFlow {
   const StepObserver& observer_;
   const Rows rings_;
   FoldWatch folds_;
-  const bool unfolds_;  // what folds over is noise, not a sharp edge
+  const bool keeps_creases_;  // what folds over may be one
   TangentialRelaxation relaxation_;
   const double h_target_;
   const bool has_limit_;  // of the energy that a step may take

@@ -2,7 +2,8 @@
 // too, which a curvature energy hardly sees. What noise has folded over the energy does see, but
 // has no force to turn it back: the curvature of a hinge is largest where it is folded. There,
 // where a vertex has no tangent plane but its neighbours have, the sweep moves it off whatever it
-// is in.
+// is in. Where creases are to stay, it moves nothing off and no vertex across a crease, which step
+// by step would round it.
 #pragma once
 
 #include <vector>
@@ -17,13 +18,13 @@ namespace ibmfair {
 /// with and stay.
 class TangentialRelaxation {
  public:
-  /// Refers to all that it is given; `rings` are those of vertex_rings. `unfolds` tells whether
-  /// vertices that stick out may leave the surface.
+  /// Refers to all that it is given; `rings` are those of vertex_rings.
   TangentialRelaxation(const Topology& topology, const Rows& rings, const Unknowns& unknowns,
-                       const MeshParts& parts, bool unfolds);
+                       const MeshParts& parts, bool keeps_creases);
 
   /// The moves of one sweep at `X` (one row per unknown, length): half way to the mean of the
-  /// neighbours, projected off the area-weighted vertex normal unless the vertex sticks out.
+  /// neighbours, projected off the area-weighted vertex normal unless the vertex sticks out; where
+  /// creases are kept, off all directions in which the triangles there face.
   void moves(const Points& X, Points& move);
 
   /// The same for the corners of needles, triangles with an angle of less than a degree; zero for
@@ -42,11 +43,17 @@ class TangentialRelaxation {
   /// Whether vertex v has hardly a tangent plane, and its neighbours agree on one.
   bool sticks_out(Index v) const;
 
+  /// What of a step is along the surface at v.
+  Vec3 along_surface(Index v, const Vec3& step) const;
+
+  /// What of a step is along all triangles at v, however little there is of one side of a crease.
+  Vec3 along_creases(const Points& X, Index v, const Vec3& step) const;
+
   const Topology& topology_;
   const Rows& rings_;
   const Unknowns& unknowns_;
   const MeshParts& parts_;
-  const bool unfolds_;
+  const bool keeps_creases_;
   std::vector<Index> near_;       // the vertices that move, and their neighbours
   std::vector<Index> triangles_;  // around them
   std::vector<Area> areas_;       // #F, theirs
