@@ -137,7 +137,8 @@ void resolve_cutoff(SmoothArguments& arguments, const Points& X, const Topology&
   const auto tell = [&](double cutoff) {
     progress.begin(fmt::format("try a cut-off of {:.1f} edges", cutoff / figures.mean_edge_length));
   };
-  figures.choice = choose_cutoff(X, topology, held, options, figures.diagonal / 2, tell);
+  const CutoffSearch search{.largest = figures.diagonal / 2, .observer = tell};
+  figures.choice = choose_cutoff(X, topology, held, options, search);
   arguments.cutoff = Length{figures.choice->cutoff, Length::Unit::absolute};
 }
 

@@ -13,6 +13,7 @@
 #include "ibmfair/base/errors.h"
 #include "ibmfair/base/threads.h"
 #include "ibmfair/measure/exact_surface.h"
+#include "ibmfair/mesh/geometry.h"
 #include "ibmfair/shapes/noise.h"
 #include "ibmfair/shapes/shapes.h"
 #include "support/flow_run.h"
@@ -68,7 +69,8 @@ std::vector<Noisy> noisy_shapes() {
 
 CutoffChoice choice_for(const State& state, double largest, const FlowOptions& options) {
   return choose_cutoff(state.X, state.topology,
-                       held_vertices(state.topology, BoundaryCondition::fixed), options, largest);
+                       held_vertices(state.topology, BoundaryCondition::fixed), options,
+                       {.largest = largest});
 }
 
 TEST(CutoffChoice, TellsTheNoiseAndTheErrorsAndLeavesLittleMoreThanTheBestCutoff) {
@@ -133,8 +135,8 @@ TEST(CutoffChoice, ASampleTellsAboutWhatTheWholeMeshTells) {
   options.keep_volume = true;  // which a part cannot
   const auto held = held_vertices(noisy.state.topology, BoundaryCondition::fixed);
   const auto choice = [&](Index enough) {
-    return choose_cutoff(noisy.state.X, noisy.state.topology, held, options, noisy.diagonal / 2, {},
-                         enough);
+    return choose_cutoff(noisy.state.X, noisy.state.topology, held, options,
+                         {.largest = noisy.diagonal / 2, .enough = enough});
   };
   const CutoffChoice whole = choice(noisy.state.topology.vertex_count), sample = choice(50'000);
   EXPECT_NE(sample.cutoff, whole.cutoff);
@@ -147,15 +149,115 @@ TEST(CutoffChoice, PiecesThatAreAllRimTellNothing) {
   const State torus(make_shape("torus", {.ratio = 2.5, .rows = 24}));
   const auto held = held_vertices(torus.topology, BoundaryCondition::fixed);
   const auto choice = [&](Index enough) {
-    return choose_cutoff(shaken(torus, 0.1), torus.topology, held, {}, 1, {}, enough).cutoff;
+    return choose_cutoff(shaken(torus, 0.1), torus.topology, held, {},
+                         {.largest = 1, .enough = enough})
+        .cutoff;
   };
   EXPECT_EQ(choice(300), choice(torus.topology.vertex_count));
+}
+
+/// A convex polyhedron with flat faces, noise on it, and the distance to what it was.
+struct NoisyPolyhedron {
+  State state, faces;  // of these one triangle each
+  double edge, noise;
+
+  NoisyPolyhedron(const std::string& shape, double noise_in_edges)
+      : state(make_shape(shape, {.subdivide = 5})),
+        faces(make_shape(shape, {})),
+        edge(mean_edge_length(state.X, state.topology.E)),
+        noise(noise_in_edges * edge) {
+    add_noise(state.X, noise, 3);
+  }
+
+  double squared_error_after(double cutoff, const FlowOptions& options) const {
+    const double noisy_edge = mean_edge_length(state.X, state.topology.E);
+    const Points X = run_flow(state, cutoff / noisy_edge, options).X;
+    double squares = 0;
+    for (const auto& x : X.rowwise()) {
+      squares += std::pow(height_over_faces(x), 2);
+    }
+    return squares / static_cast<double>(X.rows());
+  }
+
+ private:
+  double height_over_faces(const Vec3& x) const {
+    double highest = -1;
+    for (Index t = 0; t < faces.topology.F.rows(); ++t) {
+      const Vec3 normal = double_area_vector(faces.X, faces.topology.F, t).normalized();
+      const Vec3 corner = faces.X.row(faces.topology.F(t, 0));
+      highest = std::max(highest, normal.dot(x - corner));
+    }
+    return highest;
+  }
+};
+
+FlowOptions keeping_creases(double angle) {
+  FlowOptions options;
+  options.steps = 8;
+  options.sharp_angle = angle;
+  return options;
+}
+
+TEST(CutoffChoice, ComparesWhatIsLeftWhereCreasesAreKept) {
+  for (const char* shape : {"cube", "icosahedron"}) {
+    for (const double noise : {0.1, 0.2}) {
+      SCOPED_TRACE(std::string(shape) + ", noise " + std::to_string(noise));
+      const NoisyPolyhedron noisy(shape, noise);
+      const FlowOptions options = keeping_creases(0.35);
+      const CutoffChoice choice = choice_for(noisy.state, 2, options);
+      EXPECT_NEAR(choice.noise, noisy.noise, 0.2 * noisy.noise);
+      const double variance = noisy.noise * noisy.noise;
+      const double at_best = noisy.squared_error_after(choice.best().cutoff, options);
+      double least = at_best;
+      for (const CutoffTrial& trial : choice.trials) {
+        const double left = noisy.squared_error_after(trial.cutoff, options);
+        EXPECT_NEAR(trial.risk - choice.best().risk, left - at_best, 0.3 * (variance + left))
+            << trial.cutoff;
+        least = std::min(least, left);
+      }
+      EXPECT_LE(std::sqrt(noisy.squared_error_after(choice.cutoff, options)),
+                1.2 * std::sqrt(least) + 0.05 * noisy.noise);
+    }
+  }
+}
+
+FlowOptions without_creases() {
+  return {.laplacian = "umbrella", .steps = 8, .relax = false, .twicing = 1};
+}
+
+TEST(CreaseChoice, KeepsThoseOfPolyhedra) {
+  for (const char* shape : {"cube", "icosahedron"}) {
+    for (const double noise : {0.05, 0.2}) {
+      SCOPED_TRACE(std::string(shape) + ", noise " + std::to_string(noise));
+      const NoisyPolyhedron noisy(shape, noise);
+      const auto held = held_vertices(noisy.state.topology, BoundaryCondition::fixed);
+      const CutoffChoice without = choice_for(noisy.state, 2, without_creases());
+      const auto creases = choose_creases(noisy.state.X, noisy.state.topology, held,
+                                          keeping_creases(0), without, {.largest = 2});
+      ASSERT_TRUE(creases);
+      EXPECT_EQ(creases->cutoff.noise, without.noise);
+      const double left =
+          noisy.squared_error_after(creases->cutoff.cutoff, keeping_creases(creases->sharp_angle));
+      const double left_without = noisy.squared_error_after(without.cutoff, without_creases());
+      EXPECT_LT(std::sqrt(left), 0.6 * std::sqrt(left_without));
+    }
+  }
+}
+
+TEST(CreaseChoice, FindsNoneInSmoothShapes) {
+  for (const Noisy& noisy : noisy_shapes()) {
+    const auto held = held_vertices(noisy.state.topology, BoundaryCondition::fixed);
+    const CutoffChoice without = choice_for(noisy.state, noisy.diagonal / 2, without_creases());
+    EXPECT_FALSE(choose_creases(noisy.state.X, noisy.state.topology, held, keeping_creases(0),
+                                without, {.largest = noisy.diagonal / 2}))
+        << noisy.name;
+  }
 }
 
 TEST(CutoffChoice, NeedsAVertexThatMoves) {
   const State sphere(make_shape("icosphere", {.subdivide = 2}));
   const std::vector<std::uint8_t> all(sphere.X.rows(), 1);
-  EXPECT_THROW(choose_cutoff(sphere.X, sphere.topology, all, {}, 1), BadMesh);
+  EXPECT_THROW(choose_cutoff(sphere.X, sphere.topology, all, {}, {.largest = 1}), BadMesh);
 }
 
 }  // namespace
