@@ -285,6 +285,36 @@ TEST_F(SmoothFeatures, DenoiseTakesTheNoiseAndLeavesTheVolume) {
             0.02 * clean.report["mesh"]["mean_edge_length"].get<double>());
 }
 
+TEST_F(SmoothFeatures, DenoiseKeepsCreasesWhereThatLeavesLess) {
+  const Words cube{"--subdivide", "4"};
+  const std::string truth = noisy("cube", cube) + ".truth.ply";
+  std::filesystem::copy_file(files_ / "cube.ply", truth);
+  const auto degrees_off = [&] {
+    const Words compare{"compare", files_ / "out.ply", truth, "--json"};
+    return json::parse(run_program(compare).out)["face_normal_degrees"]["mean"].get<double>();
+  };
+  const std::string input = noisy("cube", cube + Words{"--noise", "0.1"});
+  const Smoothed kept = smooth(input, {"--denoise"});
+  ASSERT_EQ(kept.exit_code, 0) << kept.err;
+  EXPECT_LT(degrees_off(), 1);
+  const json& choice = kept.report["cutoff_choice"];
+  const double angle = choice["keep_sharp"];
+  EXPECT_TRUE(contains(kept.err, fmt::format("of more than {:.0f} degrees are kept; else", angle)))
+      << kept.err;
+  EXPECT_EQ(kept.report["options"]["laplacian"], "crouzeix-raviart");
+  const Smoothed named =
+      smooth(input, {"--cutoff", fmt::format("{}u", choice["cutoff"].get<double>()), "--steps", "8",
+                     "--keep-sharp", fmt::format("{}", angle), "--keep-volume"});
+  EXPECT_LT((named.X - kept.X).norm(), 1e-9);
+  // What is given counts.
+  const Smoothed rounded = smooth(input, {"--denoise", "--laplacian", "umbrella"});
+  EXPECT_FALSE(rounded.report["cutoff_choice"].contains("keep_sharp"));
+  EXPECT_GT(degrees_off(), 2);
+  const Smoothed told = smooth(input, {"--denoise", "--keep-sharp", "20"});
+  EXPECT_FALSE(told.report["cutoff_choice"].contains("keep_sharp"));
+  EXPECT_LT(degrees_off(), 1);
+}
+
 TEST_F(SmoothFeatures, DenoiseKeepsNoVolumeWhereNoneCanBe) {
   const std::string open = noisy("cylinder", {"--noise", "0.2"});
   EXPECT_EQ(smooth(open, {"--denoise"}).exit_code, 0);

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <string>
+#include <string_view>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -14,22 +15,33 @@ namespace ibmfair::commands {
 namespace {
 
 struct DefaultValue {
-  const char *option, *value;
+  const char *option, *value, *with_creases;
 };
+
+constexpr const char* crease_laplacian = "crouzeix-raviart";  // which alone can keep any
 
 // More steps leave the same error (by 1 % on all of the table's meshes) and take longer; with
 // fewer, what the choice of the cut-off has done for one is of no use for the next.
-constexpr std::array defaults{DefaultValue{"--cutoff", "auto"},
-                              DefaultValue{"--laplacian", "umbrella"},
-                              DefaultValue{"--twicing", "1"}, DefaultValue{"--steps", "8"}};
+constexpr std::array defaults{DefaultValue{"--cutoff", "auto", "auto"},
+                              DefaultValue{"--laplacian", "umbrella", crease_laplacian},
+                              DefaultValue{"--twicing", "1", "0"},
+                              DefaultValue{"--steps", "8", "8"}};
 
-/// As on a command line.
-std::string words() {
+using Value = const char* DefaultValue::*;
+
+/// As on a command line; of two columns, what differs in the second one.
+std::string words(Value value, Value other = nullptr) {
   std::string text;
-  for (const auto& [option, value] : defaults) {
-    text += fmt::format("{}{} {}", text.empty() ? "" : " ", option, value);
+  for (const DefaultValue& set : defaults) {
+    if (other == nullptr || std::string_view(set.*value) != set.*other) {
+      text += fmt::format("{}{} {}", text.empty() ? "" : " ", set.option, set.*value);
+    }
   }
   return text;
+}
+
+bool is_given(const CLI::App& app, const char* option) {
+  return app.get_option(option)->count() > 0;
 }
 
 }  // namespace
@@ -40,17 +52,32 @@ void add_denoise_flag(CLI::App& app, SmoothArguments& arguments) {
     if (!arguments.denoise) {
       return;
     }
-    for (const auto& [name, value] : defaults) {
-      if (CLI::Option* const option = app.get_option(name); option->count() == 0) {
-        option->add_result(value);  // as if it had been given: reports and jobs have it, too
+    const bool keeps_sharp = is_given(app, "--keep-sharp");
+    arguments.finds_creases = !keeps_sharp;
+    for (const char* const option : {"--cutoff", "--laplacian", "--twicing", "--mass"}) {
+      arguments.finds_creases = arguments.finds_creases && !is_given(app, option);
+    }
+    for (const auto& [name, value, with_creases] : defaults) {
+      if (!is_given(app, name)) {  // as if it had been: reports and jobs have it, too
+        app.get_option(name)->add_result(keeps_sharp ? with_creases : value);
       }
     }
   };
   app.add_flag_function("--denoise", set_defaults,
                         fmt::format("take noise off, however strong it is, and leave the shape: "
                                     "where these are not given otherwise, {}, and the volume of a "
-                                    "closed mesh is kept",
-                                    words()));
+                                    "closed mesh is kept; where sharp edges are found {}, and "
+                                    "--keep-sharp at the angle that leaves least error",
+                                    words(&DefaultValue::value),
+                                    words(&DefaultValue::with_creases, &DefaultValue::value)));
+}
+
+FlowOptions crease_options(const SmoothArguments& arguments) {
+  FlowOptions options = arguments.flow;
+  options.laplacian = crease_laplacian;
+  options.twicing = 0;
+  options.relax = arguments.tangential != "none";  // or folds of noise would be taken for creases
+  return options;
 }
 
 bool keeps_volume_of(const Topology& topology, const SmoothArguments& arguments) {

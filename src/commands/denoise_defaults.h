@@ -6,8 +6,9 @@ namespace CLI {
 class App;
 }
 namespace ibmfair {
+struct FlowOptions;
 struct Topology;
-}
+}  // namespace ibmfair
 
 namespace ibmfair::commands {
 
@@ -20,5 +21,8 @@ void add_denoise_flag(CLI::App& app, SmoothArguments& arguments);
 /// Whether the volume is kept: where the mesh has one, and moves are not bounded, which would keep
 /// it from being held exactly.
 bool keeps_volume_of(const Topology& topology, const SmoothArguments& arguments);
+
+/// The flow's options in place of the arguments', but for the angle, where there are creases.
+FlowOptions crease_options(const SmoothArguments& arguments);
 
 }  // namespace ibmfair::commands

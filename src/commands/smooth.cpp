@@ -168,6 +168,7 @@ ExitCode run_smooth(SmoothArguments arguments, const CLI::App& app, Console& con
   Report report(app);
   report.warnings = defect_list(s.before(), s.topology);
   arguments.flow = flow_options(arguments, s, console);
+  arguments.finds_creases &= !s.file.has_texture_coordinates();  // which relaxation would drag
   const FlowOptions& options = arguments.flow;
   s.figures.mean_edge_length = mean_edge_length(s.before(), s.topology.E);
   if (options.steps > 0) {

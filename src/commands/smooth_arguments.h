@@ -26,6 +26,7 @@ struct SmoothArguments {
 
   std::string engine;
   bool denoise = false;
+  bool finds_creases = false;  // with --denoise, and keeps them
   FlowOptions flow;
   std::optional<double> time_step;
   std::optional<Length> cutoff;

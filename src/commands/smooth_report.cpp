@@ -112,6 +112,10 @@ std::string curve(const FlowReport& flow) {
                            energies.back(), drawn_logarithmically(energies) ? ", logarithmic" : "");
 }
 
+double degrees(double radians) {
+  return radians * 180 / std::numbers::pi;
+}
+
 /// The distance to the surface without noise that a trial of a cut-off is expected to leave.
 double expected_distance(const CutoffTrial& trial) {
   return std::sqrt(std::max(trial.risk, 0.0));
@@ -162,7 +166,7 @@ MeshFigures mesh_figures(const Points& X, const Topology& topology, double energ
   figures.area = surface_area(X, topology.F);
   figures.volume = enclosed_volume(X, topology.F);
   const Eigen::VectorXd angles = smallest_angles(X, topology.F);
-  figures.smallest_angle = angles.size() > 0 ? angles.minCoeff() * 180 / std::numbers::pi : 0;
+  figures.smallest_angle = angles.size() > 0 ? degrees(angles.minCoeff()) : 0;
   const std::vector<std::uint8_t> folded = folded_hinges(X, topology);
   figures.folds = std::count(folded.begin(), folded.end(), 1);
   return figures;
@@ -182,6 +186,13 @@ std::string cutoff_lines(const SmoothFigures& figures, bool detailed) {
   std::string text = fmt::format("  {:<16}{}\n", "cut-off", length_text(figures.cutoff, edge));
   if (figures.choice) {
     text += fmt::format("  {:<16}{}\n", "noise", length_text(figures.choice->noise, edge));
+    if (const auto& creases = figures.creases) {
+      text += fmt::format(
+          "  {:<16}of more than {:.0f} degrees are kept; else {:.3g} mean edge lengths of error "
+          "would be left\n",
+          "creases", degrees(creases->sharp_angle),
+          expected_distance(creases->without.best()) / edge);
+    }
     if (detailed) {
       text += fmt::format("  {:<16}{:>7}{:>17}  mean edge lengths\n", "tried", "cut-off",
                           "distance left");
@@ -253,8 +264,12 @@ void add_cutoff_choice(const SmoothFigures& figures, Report& report) {
   for (const CutoffTrial& trial : figures.choice->trials) {
     trials.push_back({{"cutoff", trial.cutoff}, {"distance_expected", expected_distance(trial)}});
   }
-  report.figures["cutoff_choice"] = {
-      {"cutoff", figures.choice->cutoff}, {"noise", figures.choice->noise}, {"trials", trials}};
+  ordered_json& json = report.figures["cutoff_choice"];
+  json = {{"cutoff", figures.choice->cutoff}, {"noise", figures.choice->noise}, {"trials", trials}};
+  if (const auto& creases = figures.creases) {
+    json["keep_sharp"] = degrees(creases->sharp_angle);
+    json["distance_expected_without"] = expected_distance(creases->without.best());
+  }
 }
 
 void add_smooth_figures(const SmoothFigures& figures, const FlowOptions& options, Report& report) {

@@ -23,12 +23,19 @@ struct MeshFigures {
   std::int64_t folds = 0;     ///< hinges sharper than fold_angle
 };
 
+/// Creases that are kept as that leaves less error.
+struct FoundCreases {
+  double sharp_angle = 0;  ///< radians
+  CutoffChoice without;    ///< keeping any
+};
+
 struct SmoothFigures {
   MeshFigures before, after;
   double largest_move = 0, rms_move = 0;  ///< of all vertices, length
   double mean_edge_length = 0;            ///< before
   double cutoff = 0;                      ///< length that the total time corresponds to
   std::optional<CutoffChoice> choice;     ///< of this length, with --cutoff auto
+  std::optional<FoundCreases> creases;    ///< with --denoise
   double diagonal = 0;                    ///< of the bounding box, before
   double total_time = 0;                  ///< that the flow was to run for, in its unit
   std::int64_t vertices = 0, triangles = 0;

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "commands/denoise_defaults.h"
 #include "commands/report/report_formats.h"
 #include "commands/signals.h"
 #include "ibmfair/base/errors.h"
@@ -66,6 +67,21 @@ std::string remark_on_default_cutoff(const SmoothFigures& figures) {
         100 * change, figures.cutoff);
   }
   return {};
+}
+
+/// Where keeping creases leaves less than the choice among the figures, makes that the choice.
+void resolve_creases(SmoothArguments& arguments, const Points& X, const Topology& topology,
+                     const std::vector<std::uint8_t>& held, const CutoffSearch& search,
+                     SmoothFigures& figures) {
+  FlowOptions options = crease_options(arguments);
+  set_scale(arguments, X, topology, MeshParts::one(), options, figures);
+  const auto creases = choose_creases(X, topology, held, options, *figures.choice, search);
+  if (creases) {
+    options.sharp_angle = creases->sharp_angle;
+    arguments.flow = options;
+    figures.creases = {creases->sharp_angle, *figures.choice};
+    figures.choice = creases->cutoff;
+  }
 }
 
 BoundaryCondition boundary_condition(const std::string& name) {
@@ -139,6 +155,9 @@ void resolve_cutoff(SmoothArguments& arguments, const Points& X, const Topology&
   };
   const CutoffSearch search{.largest = figures.diagonal / 2, .observer = tell};
   figures.choice = choose_cutoff(X, topology, held, options, search);
+  if (arguments.finds_creases) {
+    resolve_creases(arguments, X, topology, held, search, figures);
+  }
   arguments.cutoff = Length{figures.choice->cutoff, Length::Unit::absolute};
 }
 

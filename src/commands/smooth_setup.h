@@ -34,7 +34,8 @@ void set_scale(const SmoothArguments& arguments, const Points& X, const Topology
                const MeshParts& parts, FlowOptions& options, SmoothFigures& figures);
 
 /// With --cutoff auto, chooses the cut-off where vertices move, which becomes that of the
-/// arguments, and notes why among the figures. Throws as set_scale and choose_cutoff.
+/// arguments, and whether creases are kept; notes why among the figures. Throws as set_scale and
+/// choose_cutoff.
 void resolve_cutoff(SmoothArguments& arguments, const Points& X, const Topology& topology,
                     const std::vector<std::uint8_t>& held, SmoothFigures& figures,
                     Progress& progress);
