@@ -17,9 +17,9 @@ constexpr double clear_rise = 0.03;   // of the risk over the least, in variance
 constexpr double small_gain = 0.002;  // of risk by twice the cut-off, in these
 constexpr double many_more = 1.5;     // vertices than are enough, for a sample to pay
 
-/// Of sharp hinges, degrees. Which one counts less than that there is one, and the first is seldom
-/// far from the best.
-constexpr double first_angle = 20, other_angles[] = {15, 30};
+/// Of sharp hinges, degrees: with less noise a smaller one keeps blunter creases.
+constexpr double first_angle = 20, blunter_angles[] = {14, 10, 7};
+constexpr double clear_gain = 0.02;  // of risk by a smaller one, in variances of the noise
 /// Of the risk without creases: on parts with creases, next to nothing is left by those that keep
 /// them (0.25 of it at most, by noise of 0.05 to 0.3 edges); scans have little to gain (0.5 or more
 /// is left), and are changed more than need be.
@@ -150,11 +150,12 @@ std::optional<CreaseChoice> choose_creases(const Points& X, const Topology& topo
   if (!(best.cutoff.best().risk < clear_share * before)) {
     return std::nullopt;
   }
-  for (const double angle : other_angles) {
-    CreaseChoice other = with_angle(angle);
-    if (other.cutoff.best().risk < best.cutoff.best().risk) {
-      best = std::move(other);
+  for (const double angle : blunter_angles) {
+    CreaseChoice blunter = with_angle(angle);
+    if (!(best.cutoff.best().risk - blunter.cutoff.best().risk > clear_gain * variance)) {
+      break;
     }
+    best = std::move(blunter);
   }
   return best;
 }
