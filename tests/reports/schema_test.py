@@ -56,6 +56,8 @@ class SchemaTest(ProgramTest):
             os.environ.update(OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1")
             yield self.json("smooth", "ball.off", "out.off", "--engine", "petsc", *quick)
         yield self.json("smooth", "ball.off", "out.off", "--cutoff", "auto", "--overwrite")
+        self.make("cube.off", "cube", "--subdivide", "4", "--noise", "0.1")
+        yield self.json("smooth", "cube.off", "out.off", "--denoise", "--overwrite")
         yield self.json("smooth", "ball.off", "dry.off", "--dry-run")
         yield self.json("fill", "open.off", "out.off", "--all", "--overwrite")
         yield self.json("fill", "open.off", "out.off", "--overwrite")
