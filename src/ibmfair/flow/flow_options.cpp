@@ -58,4 +58,24 @@ bool FlowOptions::energy_is_dimensionless() const {
   return ibmfair::mass_matrix(bending_model(laplacian), energy_options()).measures_area();
 }
 
+void FlowSeconds::add(const FlowSeconds& more) {
+  assemble += more.assemble;
+  analyse += more.analyse;
+  factor += more.factor;
+  gradient += more.gradient;
+  solve += more.solve;
+  guard += more.guard;
+  relax += more.relax;
+  other += more.other;
+}
+
+void FlowReport::add_effort(const FlowReport& more) {
+  solves += more.solves;
+  factorizations += more.factorizations;
+  rejected += more.rejected;
+  shortened_relaxations += more.shortened_relaxations;
+  iterations += more.iterations;
+  seconds.add(more.seconds);
+}
+
 }  // namespace ibmfair

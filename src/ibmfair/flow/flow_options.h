@@ -106,6 +106,7 @@ struct FlowSeconds {
   double other = 0;  ///< binding the energy to the mesh, and all that is in none of these
 
   double named() const { return assemble + analyse + factor + gradient + solve + guard + relax; }
+  void add(const FlowSeconds& more);
 };
 
 struct FlowReport {
@@ -122,6 +123,9 @@ struct FlowReport {
   FactorForecast forecast;
   FlowSeconds seconds;
   std::vector<StepRecord> steps;
+
+  /// Counts what another flow took, but for its steps, as if this one had.
+  void add_effort(const FlowReport& more);
 };
 
 /// Called after each step; returning false ends the flow there.

@@ -1,0 +1,56 @@
+#include "ibmfair/flow/first_stage.h"
+
+#include <algorithm>
+#include <numbers>
+
+#include "ibmfair/base/parallel.h"
+#include "ibmfair/flow/part_measures.h"
+#include "ibmfair/flow/time_scale.h"
+#include "ibmfair/mesh/geometry.h"
+
+namespace ibmfair {
+namespace {
+
+constexpr double stage_angle = std::numbers::pi / 3;  // from which on hinges hold
+constexpr int stage_steps = 4;
+constexpr double most_time = 0.25;  // of the flow's
+
+/// The cut-off in mean edge lengths, where hinges turn by so much on the mean as they do with noise
+/// of a fifth of the edges. It falls with that angle; none is below one edge, which does nothing.
+constexpr double stage_edges = 2.8, noisy_turn = std::numbers::pi * 25 / 180;
+
+/// By how much hinges turn, on the mean; creases, which are few, count little.
+double mean_turn(const Points& X, const Topology& topology, const MeshParts& parts) {
+  const Eigen::VectorXd angles = dihedral_angles(X, topology.H);
+  const Eigen::Array2d sums =
+      parallel_sum(angles.size(), Eigen::Array2d(Eigen::Array2d::Zero()), [&](std::int64_t h) {
+        const double share = own_share({topology.H.row(h).data(), 2}, parts);
+        return Eigen::Array2d(share * std::min(std::numbers::pi - angles[h], stage_angle), share);
+      });
+  const double turn = parts.sum(sums[0]), count = parts.sum(sums[1]);
+  return count > 0 ? turn / count : 0;
+}
+
+}  // namespace
+
+std::optional<FlowOptions> first_stage(const Points& X, const Topology& topology,
+                                       const FlowOptions& options, const MeshParts& parts) {
+  if (!options.guarded || options.sharp_angle <= 0 || options.sharp_angle >= stage_angle) {
+    return std::nullopt;
+  }
+  const double edges = stage_edges * std::min(mean_turn(X, topology, parts) / noisy_turn, 1.0);
+  if (edges < 1) {
+    return std::nullopt;
+  }
+  const double time = time_for_cutoff(edges * mean_edge_length(X, topology, parts));
+  FlowOptions stage = options;
+  stage.sharp_angle = stage_angle;
+  stage.total_time = std::min(time_in_flow_units(time, X, topology, options, parts),
+                              most_time * options.total_time);
+  stage.steps = stage_steps;
+  stage.twicing = 0;
+  stage.mend = false;
+  return stage;
+}
+
+}  // namespace ibmfair

@@ -1,0 +1,82 @@
+// The stage that takes spikes of noise before hinges hold that are as sharp: when there is one, and
+// what it is for.
+#include "ibmfair/flow/first_stage.h"
+
+#include <cmath>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "ibmfair/mesh/geometry.h"
+#include "ibmfair/shapes/noise.h"
+#include "ibmfair/shapes/shapes.h"
+#include "support/flow_run.h"
+#include "support/states.h"
+#include "support/thin_states.h"
+
+namespace ibmfair::test {
+namespace {
+
+State noisy(const std::string& shape, double noise_in_edges) {
+  State state(make_shape(shape, {.subdivide = 4}));
+  add_noise(state.X, noise_in_edges * mean_edge_length(state.X, state.topology.E), 3);
+  return state;
+}
+
+FlowOptions keeping_creases(const State& state, double cutoff_edges) {
+  FlowOptions options;
+  options.steps = 8;
+  options.sharp_angle = 20 * degree;
+  const double time = time_for_cutoff(cutoff_edges * mean_edge_length(state.X, state.topology.E));
+  options.total_time = time_in_flow_units(time, state.X, state.topology, options);
+  return options;
+}
+
+TEST(FirstStage, IsForNoiseWhereCreasesAreKept) {
+  for (const char* shape : {"icosphere", "cube", "icosahedron"}) {
+    const State clean = noisy(shape, 0), rough = noisy(shape, 0.2);
+    const auto stage_of = [](const State& state, const FlowOptions& options) {
+      return first_stage(state.X, state.topology, options, MeshParts::one());
+    };
+    EXPECT_FALSE(stage_of(clean, keeping_creases(clean, 8))) << shape;
+    FlowOptions options = keeping_creases(rough, 8);
+    ASSERT_TRUE(stage_of(rough, options)) << shape;
+    for (const double cutoff : {3, 8, 20}) {
+      const FlowOptions whole = keeping_creases(rough, cutoff);
+      const auto stage = stage_of(rough, whole);
+      EXPECT_LE(stage->total_time, 0.25 * whole.total_time * (1 + 1e-12)) << shape;
+      EXPECT_LE(stage->total_time, keeping_creases(rough, 3).total_time) << shape;
+      EXPECT_GT(stage->sharp_angle, whole.sharp_angle);
+    }
+    options.guarded = false;
+    EXPECT_FALSE(stage_of(rough, options));
+    options.guarded = true;
+    for (const double angle : {0.0, 60 * degree, 90 * degree}) {
+      options.sharp_angle = angle;
+      EXPECT_FALSE(stage_of(rough, options)) << angle;
+    }
+  }
+}
+
+TEST(FirstStage, LeavesNoSpikesOfNoiseOnTheFacesOfACube) {
+  const State clean = noisy("cube", 0);
+  const Eigen::VectorXd flat = dihedral_angles(clean.X, clean.topology.H);
+  for (const double noise : {0.1, 0.2, 0.3}) {
+    const State rough = noisy("cube", noise);
+    const FlowRun run = run_flow(rough, 8, keeping_creases(rough, 8));
+    const Eigen::VectorXd angles = dihedral_angles(run.X, clean.topology.H);
+    Index spiky = 0, edges = 0, round = 0;
+    for (Eigen::Index h = 0; h < angles.size(); ++h) {
+      const bool on_face = flat[h] > 135 * degree;
+      spiky += on_face && angles[h] < 140 * degree;
+      edges += !on_face;
+      round += !on_face && angles[h] > 120 * degree;
+    }
+    EXPECT_LE(spiky, angles.size() / 200) << noise;
+    EXPECT_LE(round, edges / 5) << noise;
+    EXPECT_LE(run.report.energy_after, run.report.energy_before);
+  }
+}
+
+}  // namespace
+}  // namespace ibmfair::test
