@@ -12,6 +12,7 @@
 #include "commands/signals.h"
 #include "ibmfair/base/errors.h"
 #include "ibmfair/base/stopwatch.h"
+#include "ibmfair/flow/crease_choice.h"
 #include "ibmfair/flow/held_vertices.h"
 #include "ibmfair/flow/part_measures.h"
 #include "ibmfair/flow/time_scale.h"

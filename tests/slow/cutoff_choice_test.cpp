@@ -12,6 +12,7 @@
 
 #include "ibmfair/base/errors.h"
 #include "ibmfair/base/threads.h"
+#include "ibmfair/flow/crease_choice.h"
 #include "ibmfair/measure/exact_surface.h"
 #include "ibmfair/mesh/geometry.h"
 #include "ibmfair/shapes/noise.h"

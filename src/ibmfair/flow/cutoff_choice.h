@@ -7,7 +7,6 @@
 
 #include <cstdint>
 #include <functional>
-#include <optional>
 #include <vector>
 
 #include "ibmfair/flow/cutoff_trials.h"
@@ -43,19 +42,5 @@ struct CutoffSearch {
 CutoffChoice choose_cutoff(const Points& X, const Topology& topology,
                            const std::vector<std::uint8_t>& held, const FlowOptions& options,
                            const CutoffSearch& search);
-
-/// Which hinges are to hold, and the cut-off that goes with it.
-struct CreaseChoice {
-  double sharp_angle = 0;  ///< FlowOptions::sharp_angle, radians
-  CutoffChoice cutoff;
-};
-
-/// Whether flows that keep creases, as `options` say but for the angle, leave clearly less risk
-/// than the choice that was made `without` them; if so the best of a few angles. Where the first of
-/// them does not, no other is tried. Throws as choose_cutoff.
-std::optional<CreaseChoice> choose_creases(const Points& X, const Topology& topology,
-                                           const std::vector<std::uint8_t>& held,
-                                           const FlowOptions& options, const CutoffChoice& without,
-                                           const CutoffSearch& search);
 
 }  // namespace ibmfair

@@ -1,0 +1,53 @@
+#include "ibmfair/flow/crease_choice.h"
+
+#include <numbers>
+#include <utility>
+
+namespace ibmfair {
+namespace {
+
+/// Of sharp hinges, degrees: with less noise a smaller one keeps blunter creases.
+constexpr double first_angle = 20, blunter_angles[] = {14, 10, 7};
+constexpr double clear_gain = 0.02;  // of risk by a smaller one, in variances of the noise
+/// Of the risk without creases: on parts with creases, next to nothing is left by those that keep
+/// them (0.12 of it at most, by noise of 0.05 to 0.3 edges); scans have little to gain (0.5 or more
+/// is left), and are changed more than need be.
+constexpr double clear_share = 0.4;
+constexpr double crease_edges = 4;   // of the first cut-off: with less, noise makes creases
+constexpr double least_risk = 0.06;  // without creases, in variances of the noise: else all is well
+
+constexpr double radians_of_degree = std::numbers::pi / 180;
+
+}  // namespace
+
+std::optional<CreaseChoice> choose_creases(const Points& X, const Topology& topology,
+                                           const std::vector<std::uint8_t>& held,
+                                           const FlowOptions& options, const CutoffChoice& without,
+                                           const CutoffSearch& search) {
+  const double before = without.best().risk, variance = without.noise * without.noise;
+  if (!(before > least_risk * variance)) {
+    return std::nullopt;
+  }
+  CutoffSearch same_noise = search;
+  same_noise.noise = without.noise;
+  same_noise.shortest_edges = crease_edges;
+  const auto with_angle = [&](double angle) {
+    FlowOptions sharp = options;
+    sharp.sharp_angle = angle * radians_of_degree;
+    return CreaseChoice{sharp.sharp_angle, choose_cutoff(X, topology, held, sharp, same_noise)};
+  };
+  CreaseChoice best = with_angle(first_angle);
+  if (!(best.cutoff.best().risk < clear_share * before)) {
+    return std::nullopt;
+  }
+  for (const double angle : blunter_angles) {
+    CreaseChoice blunter = with_angle(angle);
+    if (!(best.cutoff.best().risk - blunter.cutoff.best().risk > clear_gain * variance)) {
+      break;
+    }
+    best = std::move(blunter);
+  }
+  return best;
+}
+
+}  // namespace ibmfair
