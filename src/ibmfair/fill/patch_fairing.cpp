@@ -151,13 +151,7 @@ class PatchFairing {
     const FlowReport& part = flow().report();
     FlowReport& all = report_.flow;
     all.unknowns = part.unknowns;
-    all.solves += part.solves;
-    all.factorizations += part.factorizations;
-    all.seconds.assemble += part.seconds.assemble;
-    all.seconds.analyse += part.seconds.analyse;
-    all.seconds.factor += part.seconds.factor;
-    all.seconds.gradient += part.seconds.gradient;
-    all.seconds.solve += part.seconds.solve;
+    all.add_effort(part);
   }
 
   void conclude() {
