@@ -72,8 +72,7 @@ void add_denoise_flag(CLI::App& app, SmoothArguments& arguments) {
                                     words(&DefaultValue::with_creases, &DefaultValue::value)));
 }
 
-FlowOptions crease_options(const SmoothArguments& arguments) {
-  FlowOptions options = arguments.flow;
+FlowOptions crease_options(const SmoothArguments& arguments, FlowOptions options) {
   options.laplacian = crease_laplacian;
   options.twicing = 0;
   options.relax = arguments.tangential != "none";  // or folds of noise would be taken for creases

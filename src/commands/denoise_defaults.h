@@ -22,7 +22,7 @@ void add_denoise_flag(CLI::App& app, SmoothArguments& arguments);
 /// it from being held exactly.
 bool keeps_volume_of(const Topology& topology, const SmoothArguments& arguments);
 
-/// The flow's options in place of the arguments', but for the angle, where there are creases.
-FlowOptions crease_options(const SmoothArguments& arguments);
+/// The options of a flow in place of these, but for the angle, where there are creases.
+FlowOptions crease_options(const SmoothArguments& arguments, FlowOptions options);
 
 }  // namespace ibmfair::commands

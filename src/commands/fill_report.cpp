@@ -1,13 +1,12 @@
 #include "commands/fill_report.h"
 
-#include <numbers>
-
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "commands/figure_list.h"
 #include "commands/hole_json.h"
 #include "commands/stage_times.h"
+#include "ibmfair/base/angle.h"
 
 namespace ibmfair::commands {
 namespace {
@@ -15,10 +14,6 @@ namespace {
 using nlohmann::ordered_json;
 
 constexpr int first_few = 20;
-
-double degrees(double radians) {
-  return radians * 180 / std::numbers::pi;
-}
 
 ordered_json bends_json(const Bends& bends) {
   return {{"median", degrees(bends.median)}, {"largest", degrees(bends.largest)}};

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include <fmt/format.h>
 
@@ -10,6 +9,7 @@
 #include "commands/signals.h"
 #include "commands/sparkline.h"
 #include "commands/stage_times.h"
+#include "ibmfair/base/angle.h"
 #include "ibmfair/base/process_memory.h"
 #include "ibmfair/energy/bending_energy.h"
 #include "ibmfair/energy/mass_matrices.h"
@@ -110,10 +110,6 @@ std::string curve(const FlowReport& flow) {
              : fmt::format("  {:<16}{} {:.4g} to {:.4g}{}\n", "energy by step",
                            sparkline(energies, columns, locale_is_utf8()), energies.front(),
                            energies.back(), drawn_logarithmically(energies) ? ", logarithmic" : "");
-}
-
-double degrees(double radians) {
-  return radians * 180 / std::numbers::pi;
 }
 
 /// The distance to the surface without noise that a trial of a cut-off is expected to leave.

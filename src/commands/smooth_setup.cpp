@@ -10,6 +10,7 @@
 #include "commands/denoise_defaults.h"
 #include "commands/report/report_formats.h"
 #include "commands/signals.h"
+#include "ibmfair/base/angle.h"
 #include "ibmfair/base/errors.h"
 #include "ibmfair/base/stopwatch.h"
 #include "ibmfair/flow/crease_choice.h"
@@ -72,14 +73,13 @@ std::string remark_on_default_cutoff(const SmoothFigures& figures) {
 
 /// Where keeping creases leaves less than the choice among the figures, makes that the choice.
 void resolve_creases(SmoothArguments& arguments, const Points& X, const Topology& topology,
-                     const std::vector<std::uint8_t>& held, const CutoffSearch& search,
-                     SmoothFigures& figures) {
-  FlowOptions options = crease_options(arguments);
-  set_scale(arguments, X, topology, MeshParts::one(), options, figures);
+                     const std::vector<std::uint8_t>& held, const FlowOptions& without,
+                     const CutoffSearch& search, SmoothFigures& figures) {
+  const FlowOptions options = crease_options(arguments, without);
   const auto creases = choose_creases(X, topology, held, options, *figures.choice, search);
   if (creases) {
-    options.sharp_angle = creases->sharp_angle;
     arguments.flow = options;
+    arguments.flow.sharp_angle = creases->sharp_angle;
     figures.creases = {creases->sharp_angle, *figures.choice};
     figures.choice = creases->cutoff;
   }
@@ -127,7 +127,7 @@ void set_flow_options(const SmoothArguments& arguments, bool has_texture_coordin
                     options.laplacian));
   }
   if (arguments.keep_sharp) {
-    options.sharp_angle = *arguments.keep_sharp * std::numbers::pi / 180;
+    options.sharp_angle = radians(*arguments.keep_sharp);
   }
 }
 
@@ -157,7 +157,7 @@ void resolve_cutoff(SmoothArguments& arguments, const Points& X, const Topology&
   const CutoffSearch search{.largest = figures.diagonal / 2, .observer = tell};
   figures.choice = choose_cutoff(X, topology, held, options, search);
   if (arguments.finds_creases) {
-    resolve_creases(arguments, X, topology, held, search, figures);
+    resolve_creases(arguments, X, topology, held, options, search, figures);
   }
   arguments.cutoff = Length{figures.choice->cutoff, Length::Unit::absolute};
 }

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "ibmfair/base/angle.h"
 #include "ibmfair/flow/folds.h"
 #include "ibmfair/flow/part_measures.h"
 #include "ibmfair/mesh/geometry.h"
@@ -37,7 +38,7 @@ double smallest_angle(const Topology& topology, const MeshPiece& piece, const Po
       largest_negative = std::max(largest_negative, -angles[t]);
     }
   }
-  return -parts.max(largest_negative) * 180 / std::numbers::pi;
+  return degrees(-parts.max(largest_negative));
 }
 
 std::int64_t folds(const Topology& topology, const Points& X, const PetscParts& parts) {

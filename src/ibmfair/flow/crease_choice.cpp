@@ -1,7 +1,8 @@
 #include "ibmfair/flow/crease_choice.h"
 
-#include <numbers>
 #include <utility>
+
+#include "ibmfair/base/angle.h"
 
 namespace ibmfair {
 namespace {
@@ -15,8 +16,6 @@ constexpr double clear_gain = 0.02;  // of risk by a smaller one, in variances o
 constexpr double clear_share = 0.4;
 constexpr double crease_edges = 4;   // of the first cut-off: with less, noise makes creases
 constexpr double least_risk = 0.06;  // without creases, in variances of the noise: else all is well
-
-constexpr double radians_of_degree = std::numbers::pi / 180;
 
 }  // namespace
 
@@ -33,7 +32,7 @@ std::optional<CreaseChoice> choose_creases(const Points& X, const Topology& topo
   same_noise.shortest_edges = crease_edges;
   const auto with_angle = [&](double angle) {
     FlowOptions sharp = options;
-    sharp.sharp_angle = angle * radians_of_degree;
+    sharp.sharp_angle = radians(angle);
     return CreaseChoice{sharp.sharp_angle, choose_cutoff(X, topology, held, sharp, same_noise)};
   };
   CreaseChoice best = with_angle(first_angle);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <numbers>
 
+#include "ibmfair/base/angle.h"
 #include "ibmfair/base/parallel.h"
 #include "ibmfair/flow/part_measures.h"
 #include "ibmfair/flow/time_scale.h"
@@ -17,7 +18,7 @@ constexpr double most_time = 0.25;  // of the flow's
 
 /// The cut-off in mean edge lengths, where hinges turn by so much on the mean as they do with noise
 /// of a fifth of the edges. It falls with that angle; none is below one edge, which does nothing.
-constexpr double stage_edges = 2.8, noisy_turn = std::numbers::pi * 25 / 180;
+constexpr double stage_edges = 2.8, noisy_turn = radians(25);
 
 /// By how much hinges turn, on the mean; creases, which are few, count little.
 double mean_turn(const Points& X, const Topology& topology, const MeshParts& parts) {

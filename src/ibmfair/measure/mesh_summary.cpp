@@ -1,8 +1,8 @@
 #include "ibmfair/measure/mesh_summary.h"
 
 #include <algorithm>
-#include <numbers>
 
+#include "ibmfair/base/angle.h"
 #include "ibmfair/mesh/geometry.h"
 
 namespace ibmfair {
@@ -51,7 +51,7 @@ void measure(const Points& X, const Topology& topology, MeshSummary& summary) {
     summary.longest_edge = lengths.maxCoeff();
   }
   if (topology.F.rows() > 0) {
-    summary.smallest_angle = smallest_angles(X, topology.F).minCoeff() * 180.0 / std::numbers::pi;
+    summary.smallest_angle = degrees(smallest_angles(X, topology.F).minCoeff());
   }
   summary.area = surface_area(X, topology.F);
   if (summary.closed && summary.orientable) {

@@ -2,8 +2,9 @@
 
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <vector>
+
+#include "ibmfair/base/angle.h"
 
 namespace ibmfair {
 
@@ -15,7 +16,7 @@ double degrees_between(const Vec3& a, const Vec3& b) {
   }
   const Vec3 u = a / size_a;
   const Vec3 v = b / size_b;
-  return std::atan2(u.cross(v).norm(), u.dot(v)) * 180.0 / std::numbers::pi;
+  return degrees(std::atan2(u.cross(v).norm(), u.dot(v)));
 }
 
 NormalAngles summarise_angles(const Eigen::VectorXd& degrees) {

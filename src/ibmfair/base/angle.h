@@ -1,0 +1,16 @@
+// Angles are in radians, but for people.
+#pragma once
+
+#include <numbers>
+
+namespace ibmfair {
+
+constexpr double degrees(double radians) {
+  return radians * 180 / std::numbers::pi;
+}
+
+constexpr double radians(double degrees) {
+  return degrees * std::numbers::pi / 180;
+}
+
+}  // namespace ibmfair
