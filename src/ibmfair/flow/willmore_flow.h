@@ -10,8 +10,8 @@
 // with the predicted one: a step is shortened, the Jacobian renewed or the time step cut where the
 // mesh asks for it, and noise is given a few short steps first, where creases are kept a stage of
 // its own (flow/first_stage.h). On clean input none of this happens.
-// It promises: the energy never rises, no coordinate becomes infinite or NaN, and no hinge folds over
-// that was not folded before.
+// It promises: the energy never rises, no coordinate becomes infinite or NaN, and no hinge folds
+// over that was not folded before.
 #pragma once
 
 #include <cstdint>
