@@ -222,6 +222,30 @@ TEST(CutoffChoice, ComparesWhatIsLeftWhereCreasesAreKept) {
   }
 }
 
+TEST(CutoffChoice, ForgetsTheCreasesOfTheLastOne) {
+  const NoisyPolyhedron noisy("icosahedron", 0.2);
+  const auto held = held_vertices(noisy.state.topology, BoundaryCondition::fixed);
+  const auto chooser = [&] {
+    return CutoffChooser(noisy.state.X, noisy.state.topology, held, keeping_creases(0),
+                         {.largest = 6 * noisy.edge, .noise = noisy.noise});
+  };
+  const auto risks_of = [](const CutoffChoice& choice) {
+    std::vector<double> risks;
+    for (const CutoffTrial& trial : choice.trials) {
+      risks.push_back(trial.risk);
+    }
+    return risks;
+  };
+  CutoffChooser used = chooser();
+  used.choose(0.15, 3 * noisy.edge);
+  for (const double angle : {0.3, 0.0}) {
+    CutoffChooser unused = chooser();
+    EXPECT_EQ(risks_of(used.choose(angle, 4 * noisy.edge)),
+              risks_of(unused.choose(angle, 4 * noisy.edge)))
+        << angle;
+  }
+}
+
 FlowOptions without_creases() {
   return {.laplacian = "umbrella", .steps = 8, .relax = false, .twicing = 1};
 }

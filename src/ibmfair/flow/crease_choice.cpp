@@ -29,18 +29,17 @@ std::optional<CreaseChoice> choose_creases(const Points& X, const Topology& topo
   }
   CutoffSearch same_noise = search;
   same_noise.noise = without.noise;
-  same_noise.shortest_edges = crease_edges;
-  const auto with_angle = [&](double angle) {
-    FlowOptions sharp = options;
-    sharp.sharp_angle = radians(angle);
-    return CreaseChoice{sharp.sharp_angle, choose_cutoff(X, topology, held, sharp, same_noise)};
+  CutoffChooser chooser(X, topology, held, options, same_noise);
+  const auto with_angle = [&](double angle, double shortest) {
+    return CreaseChoice{radians(angle), chooser.choose(radians(angle), shortest)};
   };
-  CreaseChoice best = with_angle(first_angle);
+  CreaseChoice best = with_angle(first_angle, crease_edges * chooser.mean_edge_length());
   if (!(best.cutoff.best().risk < clear_share * before)) {
     return std::nullopt;
   }
   for (const double angle : blunter_angles) {
-    CreaseChoice blunter = with_angle(angle);
+    // Where more of the noise's hinges hold, it takes a longer flow to be rid of them.
+    CreaseChoice blunter = with_angle(angle, best.cutoff.before_best());
     if (!(best.cutoff.best().risk - blunter.cutoff.best().risk > clear_gain * variance)) {
       break;
     }

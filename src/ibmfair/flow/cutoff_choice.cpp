@@ -2,15 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
-#include "ibmfair/flow/local_mesh.h"
 #include "ibmfair/flow/sample_of_mesh.h"
 #include "ibmfair/mesh/geometry.h"
 
 namespace ibmfair {
 namespace {
 
-constexpr double noise_edges = 2;     // of the first cut-off where the second tells the noise
+constexpr double shortest_edges = 2;  // cut-off; the second one tells the noise
 constexpr double clear_rise = 0.03;   // of the risk over the least, in variances of the noise
 constexpr double small_gain = 0.002;  // of risk by twice the cut-off, in these
 constexpr double many_more = 1.5;     // vertices than are enough, for a sample to pay
@@ -41,79 +41,88 @@ bool is_enough(const std::vector<CutoffTrial>& trials, double noise) {
           std::abs(trials[trials.size() - 3].risk - last) <= small_gain * variance);
 }
 
-/// One mesh to try cut-offs on, and its vertices that count.
-struct Subject {
-  const Points& X;
-  const Topology& topology;
-  const std::vector<std::uint8_t>& held;
-  const FlowOptions& options;
-  const std::vector<std::uint8_t>& counted;
-};
-
-template <class Done>
-void try_cutoffs(CutoffTrials& trials, double first, const TrialObserver& observer,
-                 const Done& done) {
-  for (double cutoff = first;; cutoff *= std::sqrt(2.0)) {
-    if (observer) {
-      observer(cutoff);
-    }
-    trials.run(cutoff);
-    if (trials.tell_noise() && done(std::sqrt(2.0) * cutoff)) {
-      return;
-    }
-  }
-}
-
-/// By flows that keep no creases.
-double tell_noise(const Subject& s, double first, const TrialObserver& observer) {
-  FlowOptions options = s.options;
-  options.sharp_angle = 0;
-  CutoffTrials trials(s.X, s.topology, s.held, options, s.counted);
-  try_cutoffs(trials, first, observer, [](double) { return true; });
-  return trials.noise();
-}
-
-CutoffChoice choose(const Subject& s, double edge, const CutoffSearch& search) {
-  const bool tells_noise_first = search.noise == 0 && s.options.sharp_angle > 0;
-  CutoffTrials trials(
-      s.X, s.topology, s.held, s.options, s.counted,
-      tells_noise_first ? tell_noise(s, noise_edges * edge, search.observer) : search.noise);
-  CutoffChoice choice;
-  try_cutoffs(trials, search.shortest_edges * edge, search.observer, [&](double next) {
-    choice.noise = trials.noise();
-    choice.trials = trials.risks();
-    return is_enough(choice.trials, choice.noise) || next > search.largest;
-  });
-  choice.cutoff = between(choice.trials, least(choice.trials));
-  return choice;
-}
-
 }  // namespace
 
 const CutoffTrial& CutoffChoice::best() const {
   return trials[least(trials)];
 }
 
+double CutoffChoice::before_best() const {
+  return trials[std::max<std::size_t>(least(trials), 1) - 1].cutoff;
+}
+
+CutoffChooser::CutoffChooser(const Points& X, const Topology& topology,
+                             const std::vector<std::uint8_t>& held, const FlowOptions& options,
+                             CutoffSearch search)
+    : mean_edge_length_(ibmfair::mean_edge_length(X, topology.E)), search_(std::move(search)) {
+  FlowOptions unbound = options;
+  unbound.keep_volume = unbound.keep_area = false;
+  if (std::count(held.begin(), held.end(), 0) > many_more * search_.enough) {
+    take_sample(X, topology, held, unbound);
+  }
+  if (!local_ && is_scattered(topology)) {
+    local_ = local_mesh(X, topology, held, unbound);
+  }
+  if (local_) {
+    trials_.emplace(local_->X, local_->topology, local_->held, local_->options, counted_,
+                    search_.noise);
+  } else {
+    trials_.emplace(X, topology, held, unbound, counted_, search_.noise);
+  }
+}
+
+/// But of a mesh in pieces so small that the sample would be little but rim.
+void CutoffChooser::take_sample(const Points& X, const Topology& topology,
+                                const std::vector<std::uint8_t>& held, const FlowOptions& options) {
+  MeshSample sample = sample_of_mesh(X, topology, held, options, search_.enough);
+  if (4 * std::count(sample.inner.begin(), sample.inner.end(), 1) <= search_.enough) {
+    return;
+  }
+  if (is_scattered(sample.mesh.topology)) {
+    const LocalMesh& s = sample.mesh;
+    local_ = local_mesh(s.X, s.topology, s.held, s.options);
+    for (const Index v : local_->vertex) {
+      counted_.push_back(sample.inner[v]);
+    }
+  } else {
+    local_ = std::move(sample.mesh);
+    counted_ = std::move(sample.inner);
+  }
+}
+
+template <class Done>
+void CutoffChooser::try_cutoffs(double shortest, const Done& done) {
+  for (double cutoff = shortest;; cutoff *= std::sqrt(2.0)) {
+    if (search_.observer) {
+      search_.observer(cutoff);
+    }
+    trials_->run(cutoff);
+    if (trials_->tell_noise() && done(std::sqrt(2.0) * cutoff)) {
+      return;
+    }
+  }
+}
+
+CutoffChoice CutoffChooser::choose(double sharp_angle, double shortest) {
+  if (sharp_angle > 0 && !trials_->tell_noise()) {
+    try_cutoffs(shortest_edges * mean_edge_length_, [](double) { return true; });
+  }
+  trials_->restart(sharp_angle);
+  CutoffChoice choice;
+  try_cutoffs(shortest, [&](double next) {
+    choice.noise = trials_->noise();
+    choice.trials = trials_->risks();
+    return is_enough(choice.trials, choice.noise) || next > search_.largest;
+  });
+  choice.cutoff = between(choice.trials, least(choice.trials));
+  return choice;
+}
+
 CutoffChoice choose_cutoff(const Points& X, const Topology& topology,
                            const std::vector<std::uint8_t>& held, const FlowOptions& options,
                            const CutoffSearch& search) {
-  const double edge = mean_edge_length(X, topology.E);
-  const auto choose_on = [&](const LocalMesh& mesh, const std::vector<std::uint8_t>& counted) {
-    return choose({mesh.X, mesh.topology, mesh.held, mesh.options, counted}, edge, search);
-  };
-  FlowOptions unbound = options;
-  unbound.keep_volume = unbound.keep_area = false;
-  if (std::count(held.begin(), held.end(), 0) > many_more * search.enough) {
-    const MeshSample sample = sample_of_mesh(X, topology, held, unbound, search.enough);
-    // Not of a mesh in pieces so small that they are little but rim.
-    if (4 * std::count(sample.inner.begin(), sample.inner.end(), 1) > search.enough) {
-      return choose_on(sample.mesh, sample.inner);
-    }
-  }
-  if (is_scattered(topology)) {
-    return choose_on(local_mesh(X, topology, held, unbound), {});
-  }
-  return choose({X, topology, held, unbound, {}}, edge, search);
+  CutoffChooser chooser(X, topology, held, options, search);
+  return chooser.choose(options.sharp_angle, shortest_edges * chooser.mean_edge_length());
 }
 
 }  // namespace ibmfair

@@ -2,15 +2,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "ibmfair/base/errors.h"
 #include "ibmfair/base/random_numbers.h"
+#include "ibmfair/flow/first_stage.h"
 #include "ibmfair/flow/flow_problem.h"
 #include "ibmfair/flow/linear_flow.h"
+#include "ibmfair/flow/run_flow.h"
 #include "ibmfair/flow/time_scale.h"
 #include "ibmfair/flow/twicing.h"
 #include "ibmfair/flow/unknown_normals.h"
-#include "ibmfair/flow/willmore_flow.h"
 #include "ibmfair/mesh/geometry.h"
 #include "ibmfair/mesh/select.h"
 
@@ -53,16 +55,23 @@ CutoffTrials::CutoffTrials(const Points& X, const Topology& topology,
           unknowns_.size(),
           [&](Index u) { return counted.empty() || counted[unknowns_.vertex[u]] != 0; })),
       white_noise_(white_noise(unknowns_.size())),
-      mesh_{X, X},
+      mesh_{.start = X},
       noise_(noise) {
   if (counted_.empty()) {
     throw BadMesh("no vertex moves, so that no cut-off can be chosen");
   }
   leg_.twicing = 0;
-  if (options.sharp_angle > 0) {
-    little_ = std::max(little_noise * noise, little_edge * mean_edge_);
-    moved_ = mesh_;
-    moved_.start(unknowns_.vertex, Eigen::all) += little_ * white_noise_;
+  options_.sharp_angle = leg_.sharp_angle = 0;
+}
+
+void CutoffTrials::restart(double sharp_angle) {
+  outcomes_.clear();
+  trace_falls_ = false;
+  options_.sharp_angle = leg_.sharp_angle = sharp_angle;
+  if (keeps_creases() && moved_.start.size() == 0) {
+    const double little = std::max(little_noise * noise_, little_edge * mean_edge_);
+    moved_.start = mesh_.start;
+    moved_.start(unknowns_.vertex, Eigen::all) += little * white_noise_;
   }
 }
 
@@ -73,7 +82,7 @@ void CutoffTrials::run(double cutoff) {
   const Points normals = unknown_normals(problem.X, topology_, unknowns_);
   Points taken;  // of white noise
   double trace = 0;
-  if (options_.sharp_angle > 0) {
+  if (keeps_creases()) {
     trace = trace_by_second_flow(problem.X, normals);
   } else if (trace_falls_) {
     trace = trace_by_law(cutoff);
@@ -103,20 +112,44 @@ std::vector<CutoffTrial> CutoffTrials::risks() const {
 void CutoffTrials::flow_to(double cutoff) {
   options_.total_time =
       time_in_flow_units(time_for_cutoff(cutoff), mesh_.start, topology_, options_);
-  const bool goes_on =
-      !outcomes_.empty() && options_.steps > leg_steps && options_.sharp_angle == 0;
+  const bool goes_on = !outcomes_.empty() && options_.steps > leg_steps && !keeps_creases();
   leg_.total_time = options_.total_time - (goes_on ? time_ : 0);
   leg_.steps = goes_on ? leg_steps : options_.steps;
   if (!goes_on) {
-    mesh_.state = mesh_.start;
-    moved_.state = moved_.start;
     smooth_ = white_noise_;
   }
-  willmore_flow(mesh_.state, topology_, held_, leg_);
-  if (options_.sharp_angle > 0) {
-    willmore_flow(moved_.state, topology_, held_, leg_);
+  flow_on(mesh_, goes_on);
+  if (keeps_creases()) {
+    flow_on(moved_, goes_on);
   }
   time_ = options_.total_time;
+}
+
+void CutoffTrials::flow_on(Way& way, bool goes_on) const {
+  const Points& start = goes_on ? way.state : way.start;
+  require_usable(start, held_, leg_, MeshParts::one());
+  FlowProblem problem(start, topology_, held_, leg_, MeshParts::one());
+  if (!goes_on) {
+    begin(way, problem);
+  }
+  run_flow(problem);
+  way.state = std::move(problem.X);
+}
+
+/// The first stage depends on neither the cut-off, where that is not short, nor the angle.
+void CutoffTrials::begin(Way& way, FlowProblem& problem) const {
+  const auto stage = first_stage(way.start, topology_, leg_, MeshParts::one());
+  if (!stage) {
+    return;
+  }
+  if (way.first_stage_time == stage->total_time) {
+    Points state = way.after_first_stage;
+    problem.move_to(state);
+  } else {
+    run_first_stage(problem, held_);
+    way.after_first_stage = problem.X;
+    way.first_stage_time = stage->total_time;
+  }
 }
 
 /// Makes the problem's state the end of a flow to the cut-off.

@@ -36,16 +36,21 @@ struct CutoffTrial {
 
 /// Each flow goes on where the last one ended, as of a cut-off's time three quarters lie behind one
 /// shorter by the square root of two; but for those of few steps, which begin anew: long steps of
-/// backward Euler are not what shorter ones come to.
+/// backward Euler are not what shorter ones come to. Those that keep creases, where it matters
+/// when which hinges hold, begin anew at the end of their first stage (flow/first_stage.h).
 class CutoffTrials {
  public:
-  /// Refers to all but the options, which must keep neither volume nor area. Only what becomes of
-  /// `counted` vertices is looked at (#V, or empty for all). `noise` is its standard deviation
-  /// along the normals, length; 0: told by the second trial. Where creases are kept that cannot
-  /// tell it, as noise makes creases, too. Throws BadMesh where no vertex moves.
+  /// Refers to all but the options, which must keep neither volume nor area; whatever they say, all
+  /// hinges bend at first. Only what becomes of `counted` vertices is looked at (#V, or empty for
+  /// all). `noise` is its standard deviation along the normals, length; 0: told by the second
+  /// trial. Throws BadMesh where no vertex moves.
   CutoffTrials(const Points& X, const Topology& topology, const std::vector<std::uint8_t>& held,
                const FlowOptions& options, const std::vector<std::uint8_t>& counted,
                double noise = 0);
+
+  /// Forgets all trials, but not the noise; FlowOptions::sharp_angle of those to come is this one.
+  /// Where it is positive, the noise must be known: as it makes creases, too, they cannot tell it.
+  void restart(double sharp_angle);
 
   /// Cut-offs (length) must increase. Throws what the flow throws.
   void run(double cutoff);
@@ -69,10 +74,15 @@ class CutoffTrials {
 
   /// A mesh on its way through the cut-offs.
   struct Way {
-    Points start, state;
+    Points start, state = {};
+    Points after_first_stage = {};
+    double first_stage_time = 0;
   };
 
+  bool keeps_creases() const { return options_.sharp_angle > 0; }
   void flow_to(double cutoff);
+  void flow_on(Way& way, bool goes_on) const;
+  void begin(Way& way, FlowProblem& problem) const;
   void end_at(const Way& way, FlowProblem& problem) const;
   Points taken_of_noise(FlowProblem& problem);
   double trace_by_second_flow(const Points& end, const Points& normals) const;
@@ -88,8 +98,7 @@ class CutoffTrials {
   std::vector<Index> counted_;  // among the unknowns
   Points white_noise_;  // #unknowns x 3: three at once take little longer to smooth than one
   Points smooth_;       // what the flow has left of it
-  Way mesh_, moved_;    // the second one by `little_` of the white noise, where needed
-  double little_ = 0;   // length
+  Way mesh_, moved_;    // the second one by a little of the white noise, where needed
   double time_ = 0;     // at which they are
   std::vector<Outcome> outcomes_;
   bool trace_falls_ = false;  // by the law

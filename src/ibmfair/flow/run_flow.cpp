@@ -1,0 +1,55 @@
+#include "ibmfair/flow/run_flow.h"
+
+#include <cmath>
+#include <utility>
+
+#include "ibmfair/base/errors.h"
+#include "ibmfair/flow/first_stage.h"
+#include "ibmfair/flow/guarded_flow.h"
+#include "ibmfair/flow/plain_flow.h"
+
+namespace ibmfair {
+
+void require_usable(const Points& X, const std::vector<std::uint8_t>& held,
+                    const FlowOptions& options, const MeshParts& parts) {
+  options.validate();
+  if (!parts.is_whole() && (options.keep_volume || options.keep_area)) {
+    throw BadOption("volume and area can be kept of a mesh in one piece only");
+  }
+  const Eigen::VectorXd& factor = options.cutoff_factor;
+  if (factor.size() > 0 && factor.size() != X.rows()) {
+    throw BadOption("there must be a weight for every vertex");
+  }
+  for (Eigen::Index v = 0; v < factor.size(); ++v) {
+    if (!held[v] && !(factor[v] > 0 && std::isfinite(factor[v]))) {
+      throw BadOption("the weights of moving vertices must be positive and finite");
+    }
+  }
+  if (!X.allFinite()) {
+    throw BadMesh("a coordinate is not finite");
+  }
+}
+
+FlowReport run_first_stage(FlowProblem& problem, const std::vector<std::uint8_t>& held) {
+  const auto options =
+      first_stage(problem.start(), problem.topology, problem.options, problem.parts);
+  if (!options) {
+    return {};
+  }
+  FlowProblem stage(problem.start(), problem.topology, held, *options, problem.parts);
+  run_guarded(stage, {});
+  problem.move_to(stage.X);
+  problem.update_gradient();
+  if (problem.energy() > problem.report.energy_before) {
+    problem.move_to(stage.X);
+    problem.update_gradient();
+  }
+  problem.report.energy_after = problem.energy();
+  return std::move(stage.report);
+}
+
+void run_flow(FlowProblem& problem, const StepObserver& observer) {
+  (problem.options.guarded ? run_guarded : run_plain)(problem, observer);
+}
+
+}  // namespace ibmfair
