@@ -48,6 +48,11 @@ TEST(FirstStage, IsForNoiseWhereCreasesAreKept) {
       EXPECT_LE(stage->total_time, keeping_creases(rough, 3).total_time) << shape;
       EXPECT_GT(stage->sharp_angle, whole.sharp_angle);
     }
+    for (const bool relax : {true, false}) {
+      options.relax_first = relax;
+      options.relax = !relax;
+      EXPECT_EQ(stage_of(rough, options)->relax, relax);
+    }
     options.guarded = false;
     EXPECT_FALSE(stage_of(rough, options));
     options.guarded = true;
@@ -62,19 +67,24 @@ TEST(FirstStage, LeavesNoSpikesOfNoiseOnTheFacesOfACube) {
   const State clean = noisy("cube", 0);
   const Eigen::VectorXd flat = dihedral_angles(clean.X, clean.topology.H);
   for (const double noise : {0.1, 0.2, 0.3}) {
-    const State rough = noisy("cube", noise);
-    const FlowRun run = run_flow(rough, 8, keeping_creases(rough, 8));
-    const Eigen::VectorXd angles = dihedral_angles(run.X, clean.topology.H);
-    Index spiky = 0, edges = 0, round = 0;
-    for (Eigen::Index h = 0; h < angles.size(); ++h) {
-      const bool on_face = flat[h] > 135 * degree;
-      spiky += on_face && angles[h] < 140 * degree;
-      edges += !on_face;
-      round += !on_face && angles[h] > 120 * degree;
+    for (const bool relax_later : {true, false}) {
+      SCOPED_TRACE(std::to_string(noise) + (relax_later ? ", relaxed" : ", relaxed at first"));
+      const State rough = noisy("cube", noise);
+      FlowOptions options = keeping_creases(rough, 8);
+      options.relax = relax_later;
+      const FlowRun run = run_flow(rough, 8, options);
+      const Eigen::VectorXd angles = dihedral_angles(run.X, clean.topology.H);
+      Index spiky = 0, edges = 0, round = 0;
+      for (Eigen::Index h = 0; h < angles.size(); ++h) {
+        const bool on_face = flat[h] > 135 * degree;
+        spiky += on_face && angles[h] < 140 * degree;
+        edges += !on_face;
+        round += !on_face && angles[h] > 120 * degree;
+      }
+      EXPECT_LE(spiky, angles.size() / 200);
+      EXPECT_LE(round, edges / 5);
+      EXPECT_LE(run.report.energy_after, run.report.energy_before);
     }
-    EXPECT_LE(spiky, angles.size() / 200) << noise;
-    EXPECT_LE(round, edges / 5) << noise;
-    EXPECT_LE(run.report.energy_after, run.report.energy_before);
   }
 }
 

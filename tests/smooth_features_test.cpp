@@ -315,6 +315,32 @@ TEST_F(SmoothFeatures, DenoiseKeepsCreasesWhereThatLeavesLess) {
   EXPECT_LT(degrees_off(), 1);
 }
 
+TEST_F(SmoothFeatures, DenoiseKeepsCreasesUnderTexturesWithLittleSliding) {
+  const Mesh truth = make_shape("cube", {.subdivide = 4});
+  const Mesh mesh = read_mesh(noisy("cube", {"--subdivide", "4", "--noise", "0.2"})).mesh();
+  std::string text;
+  for (const auto& x : mesh.X.rowwise()) {
+    text += fmt::format("v {} {} {}\nvt {} {}\n", x[0], x[1], x[2], x[0] + x[2], x[1]);
+  }
+  const Triangles F = triangulate(mesh).F;
+  for (const auto& x : F.rowwise()) {
+    text += fmt::format("f {0}/{0} {1}/{1} {2}/{2}\n", x[0] + 1, x[1] + 1, x[2] + 1);
+  }
+  const std::string input = files_ / "textured.obj";
+  write_bytes(input, text);
+  const auto off_truth = [&](const Smoothed& result) { return (result.X - truth.X).norm(); };
+  const Smoothed kept = smooth(input, {"--denoise"});
+  ASSERT_EQ(kept.exit_code, 0) << kept.err;
+  EXPECT_TRUE(kept.report["cutoff_choice"].contains("keep_sharp"));
+  EXPECT_EQ(kept.report["options"]["tangential"], "first");
+  EXPECT_TRUE(contains(kept.err, "relaxation only before creases are kept")) << kept.err;
+  const Smoothed slid = smooth(input, {"--denoise", "--tangential", "relax"});
+  EXPECT_EQ(slid.report["options"]["tangential"], "relax");
+  EXPECT_LT(off_truth(kept), 0.9 * off_truth(slid));
+  const Smoothed stiff = smooth(input, {"--denoise", "--tangential", "none"});
+  EXPECT_EQ(stiff.report["options"]["tangential"], "none");
+}
+
 TEST_F(SmoothFeatures, DenoiseKeepsNoVolumeWhereNoneCanBe) {
   const std::string open = noisy("cylinder", {"--noise", "0.2"});
   EXPECT_EQ(smooth(open, {"--denoise"}).exit_code, 0);

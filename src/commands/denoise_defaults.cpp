@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "commands/smooth_arguments.h"
+#include "commands/smooth_setup.h"
 #include "ibmfair/mesh/topology.h"
 
 namespace ibmfair::commands {
@@ -75,7 +76,7 @@ void add_denoise_flag(CLI::App& app, SmoothArguments& arguments) {
 FlowOptions crease_options(const SmoothArguments& arguments, FlowOptions options) {
   options.laplacian = crease_laplacian;
   options.twicing = 0;
-  options.relax = arguments.tangential != "none";  // or folds of noise would be taken for creases
+  set_relaxation(arguments, options);
   return options;
 }
 

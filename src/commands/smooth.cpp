@@ -132,10 +132,9 @@ void write_and_tell(const SmoothArguments& arguments, const OutputOptions& outpu
 }
 
 /// The options of the flow as the mesh and other options have them.
-FlowOptions flow_options(const SmoothArguments& arguments, const Smoothing& s,
-                         const Console& console) {
+FlowOptions flow_options(const SmoothArguments& arguments, const Smoothing& s) {
   FlowOptions options = arguments.flow;
-  set_flow_options(arguments, s.file.has_texture_coordinates(), console, options);
+  set_flow_options(arguments, options);
   options.keep_volume |= keeps_volume_of(s.topology, arguments);
   if (!arguments.weights.empty()) {
     options.cutoff_factor = vertex_values(s.file, arguments.weights, 0, "--weights");
@@ -167,8 +166,8 @@ ExitCode run_smooth(SmoothArguments arguments, const CLI::App& app, Console& con
   warn_of_defects(s.topology, arguments.strict, console);
   Report report(app);
   report.warnings = defect_list(s.before(), s.topology);
-  arguments.flow = flow_options(arguments, s, console);
-  arguments.finds_creases &= !s.file.has_texture_coordinates();  // which relaxation would drag
+  arguments.textured = s.file.has_texture_coordinates();
+  arguments.flow = flow_options(arguments, s);
   const FlowOptions& options = arguments.flow;
   s.figures.mean_edge_length = mean_edge_length(s.before(), s.topology.E);
   if (options.steps > 0) {

@@ -95,10 +95,11 @@ void add_flow_options(CLI::App& app, SmoothArguments& a) {
       app.add_option(
              "--tangential", a.tangential,
              "after each step, even out vertices within the surface and lay down those that "
-             "stick out of it (relax), or do not")
-          ->check(CLI::IsMember({"relax", "none"}));
+             "stick out of it (relax), only while much noise is taken off before creases are kept "
+             "(first), or do not")
+          ->check(CLI::IsMember({"relax", "first", "none"}));
   note_of(app, *tangential).default_text =
-      "relax, or none where the mesh has texture coordinates, with --plain and with "
+      "relax; first where the mesh has texture coordinates; none with --plain and with "
       "--laplacian umbrella";
   app.add_flag("--plain", a.plain, "the published scheme: no guard, no relaxation");
 }

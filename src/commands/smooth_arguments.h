@@ -27,6 +27,7 @@ struct SmoothArguments {
   std::string engine;
   bool denoise = false;
   bool finds_creases = false;  // with --denoise, and keeps them
+  bool textured = false;       // the mesh has texture coordinates
   FlowOptions flow;
   std::optional<double> time_step;
   std::optional<Length> cutoff;

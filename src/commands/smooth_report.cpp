@@ -35,6 +35,11 @@ const char* name_of(FlowStatus status) {
   return "unknown";
 }
 
+const char* tangential(const FlowOptions& options) {
+  const bool at_first = options.relax_first && options.sharp_angle > 0;
+  return !options.guarded ? "none" : options.relax ? "relax" : at_first ? "first" : "none";
+}
+
 std::string row(const char* name, const char* unit, double before, double after) {
   return fmt::format("  {:<16}{:<10}{:>12.5g}{:>12.5g}{:>13}\n", name, unit, before, after,
                      change_text(before, after));
@@ -285,7 +290,7 @@ void add_smooth_figures(const SmoothFigures& figures, const FlowOptions& options
       {"twicing", options.twicing},
       {"solver_tolerance", options.solver_tolerance},
       {"guarded", options.guarded},
-      {"tangential", options.guarded && options.relax ? "relax" : "none"}};
+      {"tangential", tangential(options)}};
   add_cutoff_choice(figures, report);
   json["mesh"] = {{"vertices", figures.vertices},
                   {"triangles", figures.triangles},

@@ -85,6 +85,27 @@ void resolve_creases(SmoothArguments& arguments, const Points& X, const Topology
   }
 }
 
+/// What became of the texture, or empty.
+std::string remark_on_texture(const SmoothArguments& arguments) {
+  const FlowOptions& options = arguments.flow;
+  if (!arguments.textured) {
+    return {};
+  }
+  if (bending_model(options.laplacian).evens_edges) {
+    return fmt::format(
+        "the mesh has texture coordinates, and by --laplacian {} vertices slide under them a "
+        "little",
+        options.laplacian);
+  }
+  if (arguments.tangential.empty() && options.guarded) {
+    return fmt::format("the mesh has texture coordinates: {} (--tangential relax)",
+                       options.sharp_angle > 0
+                           ? "tangential relaxation only before creases are kept"
+                           : "no tangential relaxation");
+  }
+  return {};
+}
+
 BoundaryCondition boundary_condition(const std::string& name) {
   return name == "fixed"      ? BoundaryCondition::fixed
          : name == "position" ? BoundaryCondition::position
@@ -108,24 +129,18 @@ OutputOptions checkpoint_of(const SmoothArguments& arguments) {
   return checkpoint;
 }
 
-void set_flow_options(const SmoothArguments& arguments, bool has_texture_coordinates,
-                      const Console& console, FlowOptions& options) {
+void set_relaxation(const SmoothArguments& arguments, FlowOptions& options) {
+  const bool by_default = !bending_model(options.laplacian).evens_edges && !arguments.textured;
+  options.relax = arguments.tangential == "relax" || (arguments.tangential.empty() && by_default);
+  options.relax_first = arguments.tangential != "none";
+}
+
+void set_flow_options(const SmoothArguments& arguments, FlowOptions& options) {
   options.mass = arguments.mass.mass();
   options.mass_matrix = arguments.mass.name;
   options.metric = arguments.metric == "mass" ? Metric::mass : Metric::identity;
   options.guarded = !arguments.plain;
-  const bool evens_edges = bending_model(options.laplacian).evens_edges;
-  options.relax = arguments.tangential == "relax" || (arguments.tangential.empty() && !evens_edges);
-  if (arguments.tangential.empty() && has_texture_coordinates && options.guarded && options.relax) {
-    console.note("the mesh has texture coordinates: no tangential relaxation (--tangential relax)");
-    options.relax = false;
-  }
-  if (has_texture_coordinates && evens_edges) {
-    console.note(
-        fmt::format("the mesh has texture coordinates, and by --laplacian {} vertices slide under "
-                    "them a little",
-                    options.laplacian));
-  }
+  set_relaxation(arguments, options);
   if (arguments.keep_sharp) {
     options.sharp_angle = radians(*arguments.keep_sharp);
   }
@@ -235,6 +250,9 @@ void measure_moves(const Points& before, const Points& after, SmoothFigures& fig
 void tell_of_smoothing(const SmoothArguments& arguments, const SmoothFigures& figures,
                        const std::string& output, const WriteReport& written, std::string_view by,
                        const Console& console, Report& report) {
+  if (const std::string remark = remark_on_texture(arguments); !remark.empty()) {
+    console.note(remark);
+  }
   if (!arguments.cutoff && !arguments.time_step) {
     if (const std::string remark = remark_on_default_cutoff(figures); !remark.empty()) {
       console.note(remark);

@@ -23,10 +23,12 @@ void check_outputs(const SmoothArguments& arguments);
 OutputOptions checkpoint_of(const SmoothArguments& arguments);
 
 /// Sets the options of the flow that other arguments name in words, but for those that are a value
-/// for every vertex or triangle. Without --tangential, vertices slide within the surface unless
-/// that would drag a texture over it.
-void set_flow_options(const SmoothArguments& arguments, bool has_texture_coordinates,
-                      const Console& console, FlowOptions& options);
+/// for every vertex or triangle.
+void set_flow_options(const SmoothArguments& arguments, FlowOptions& options);
+
+/// Those of them that --tangential names. Without it, vertices slide within the surface unless that
+/// would drag a texture over it.
+void set_relaxation(const SmoothArguments& arguments, FlowOptions& options);
 
 /// Sets the total time and the bound on moves of `options`, and the cut-off among the figures.
 /// Throws BadMesh where edges are too long or short for the flow's time to be a number.

@@ -117,10 +117,9 @@ Eigen::VectorXd values_of(const SharedMesh& mesh, const SmoothArguments& argumen
   return Eigen::Map<const Eigen::VectorXd>(values.data(), std::ssize(values));
 }
 
-FlowOptions flow_options(const SmoothArguments& arguments, const SharedMesh& mesh,
-                         const Console& console) {
+FlowOptions flow_options(const SmoothArguments& arguments, const SharedMesh& mesh) {
   FlowOptions options = arguments.flow;
-  commands::set_flow_options(arguments, mesh.source->has_texture_coordinates(), console, options);
+  commands::set_flow_options(arguments, options);
   if (!arguments.weights.empty()) {
     options.cutoff_factor = values_of(mesh, arguments, arguments.weights, 0, "--weights");
   }
@@ -214,7 +213,8 @@ class SharedSmooth {
       mesh.parts->set_solver(LinearSolver::mumps);
     }
     arguments_.flow.solver = "auto";  // which is the parts' choice
-    arguments_.flow = flow_options(arguments_, mesh, console_);
+    arguments_.textured = mesh.source->has_texture_coordinates();
+    arguments_.flow = flow_options(arguments_, mesh);
     figures_.mean_edge_length = mean_edge_length(mesh.X, mesh.topology, *mesh.parts);
     const auto held_vertices = held(arguments_, mesh, arguments_.flow.cutoff_factor);
     commands::lay_directions(arguments_, mesh.X, mesh.topology, held_vertices, *mesh.parts,

@@ -49,6 +49,7 @@ std::optional<FlowOptions> first_stage(const Points& X, const Topology& topology
   stage.total_time = std::min(time_in_flow_units(time, X, topology, options, parts),
                               most_time * options.total_time);
   stage.steps = stage_steps;
+  stage.relax = options.relax_first;
   stage.twicing = 0;
   stage.mend = false;
   return stage;

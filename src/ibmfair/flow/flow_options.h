@@ -44,6 +44,7 @@ struct FlowOptions {
   /// A sweep of tangential relaxation after each guarded step, and before the first one where there
   /// are needles.
   bool relax = true;
+  bool relax_first = true;  ///< the same in the first stage, where there is one
   double max_move = std::numeric_limits<double>::infinity();  ///< from the start, length
   std::string solver = "auto";  ///< a name from jacobian_backends(), or "auto"
   /// Of the residual, for iterative solvers; below 1. Below 1e-4 factors are float64.
