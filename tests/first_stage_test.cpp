@@ -2,6 +2,7 @@
 // what it is for.
 #include "ibmfair/flow/first_stage.h"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -85,6 +86,28 @@ TEST(FirstStage, LeavesNoSpikesOfNoiseOnTheFacesOfACube) {
       EXPECT_LE(round, edges / 5);
       EXPECT_LE(run.report.energy_after, run.report.energy_before);
     }
+  }
+}
+
+TEST(FirstStage, EndsWhereTheObserverAsksForIt) {
+  const State rough = noisy("cube", 0.2);
+  const auto held = held_vertices(rough.topology, BoundaryCondition::fixed);
+  const FlowOptions options = keeping_creases(rough, 8);
+  for (const int last : {1, 3, 5}) {
+    Points X = rough.X;
+    int first = 0, all = 0;
+    const FlowReport report =
+        willmore_flow(X, rough.topology, held, options, [&](const StepRecord& step) {
+          first += step.step == 0;
+          EXPECT_EQ(step.time == 0, step.step == 0);
+          return ++all < last;
+        });
+    EXPECT_EQ(report.status, FlowStatus::interrupted);
+    EXPECT_EQ(all, last);
+    EXPECT_EQ(first + static_cast<int>(report.steps.size()), last);
+    EXPECT_GE(first, std::min(last, 3));
+    EXPECT_LT(report.energy_after, report.energy_before);
+    EXPECT_NE(X, rough.X);
   }
 }
 

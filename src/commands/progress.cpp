@@ -146,7 +146,9 @@ void Progress::advance(const StepRecord& step, int steps, double total_time) {
       state_.first_share = step.time / total_time;
     }
     // A guarded flow may take more steps than were asked for, as it shortens them.
-    state_.stage = fmt::format("step {} of {}", step.step, std::max(step.step, steps));
+    state_.stage = step.step > 0
+                       ? fmt::format("step {} of {}", step.step, std::max(step.step, steps))
+                       : "first stage";
     state_.share = step.time / total_time;
     state_.energy = step.energy;
     changed_.notify_one();

@@ -129,7 +129,8 @@ struct FlowReport {
   void add_effort(const FlowReport& more);
 };
 
-/// Called after each step; returning false ends the flow there.
+/// Called after each step; returning false ends the flow there. The steps of a first stage
+/// (flow/first_stage.h) have the number and the time 0.
 using StepObserver = std::function<bool(const StepRecord&)>;
 
 }  // namespace ibmfair

@@ -30,14 +30,19 @@ void require_usable(const Points& X, const std::vector<std::uint8_t>& held,
   }
 }
 
-FlowReport run_first_stage(FlowProblem& problem, const std::vector<std::uint8_t>& held) {
+FlowReport run_first_stage(FlowProblem& problem, const std::vector<std::uint8_t>& held,
+                           const StepObserver& observer) {
   const auto options =
       first_stage(problem.start(), problem.topology, problem.options, problem.parts);
   if (!options) {
     return {};
   }
   FlowProblem stage(problem.start(), problem.topology, held, *options, problem.parts);
-  run_guarded(stage, {});
+  run_guarded(stage, [&](StepRecord record) {
+    record.step = 0;
+    record.time = 0;
+    return !observer || observer(record);
+  });
   problem.move_to(stage.X);
   problem.update_gradient();
   if (problem.energy() > problem.report.energy_before) {
@@ -45,6 +50,9 @@ FlowReport run_first_stage(FlowProblem& problem, const std::vector<std::uint8_t>
     problem.update_gradient();
   }
   problem.report.energy_after = problem.energy();
+  if (stage.report.status == FlowStatus::interrupted) {
+    problem.report.status = FlowStatus::interrupted;
+  }
   return std::move(stage.report);
 }
 

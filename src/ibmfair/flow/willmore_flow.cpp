@@ -14,8 +14,10 @@ FlowReport flow_as_numbered(Points& X, const Topology& topology,
                             const StepObserver& observer, const MeshParts& parts) {
   FlowProblem problem(X, topology, held, options, parts);
   if (problem.report.unknowns > 0) {
-    const FlowReport first = run_first_stage(problem, held);
-    run_flow(problem, observer);
+    const FlowReport first = run_first_stage(problem, held, observer);
+    if (problem.report.status != FlowStatus::interrupted) {
+      run_flow(problem, observer);
+    }
     if (options.twicing > 0 && problem.report.status == FlowStatus::completed) {
       twice(problem);
     }
