@@ -31,6 +31,9 @@ constexpr double more_left = 1.02;  // times that, where the neighbours are no w
 /// stay, too; from 90 degrees on, creases are rounded.
 constexpr double crease = 0.7;  // tan^2 of half the angle
 
+/// Where more is left than of normals that lean by 2 degrees, there is no crease to look for.
+constexpr double all_left = 0.9995;
+
 constexpr double needle = std::numbers::pi / 180;  // the smallest angle of wider triangles
 
 }  // namespace
@@ -70,7 +73,7 @@ void TangentialRelaxation::moves(const Points& X, Points& move) {
         step += (X.row(q) - X.row(v)).transpose();
       }
       step /= 2 * static_cast<double>(ring.size());
-      if (keeps_creases_) {
+      if (keeps_creases_ && left_[v] < all_left) {
         step = along_surface(v, along_creases(X, v, step));
       } else if (!sticks_out(v)) {
         step = along_surface(v, step);
