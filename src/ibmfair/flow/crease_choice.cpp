@@ -9,7 +9,7 @@ namespace {
 
 /// Of sharp hinges, degrees: with less noise a smaller one keeps blunter creases.
 constexpr double first_angle = 20, blunter_angles[] = {14, 10, 7};
-constexpr double clear_gain = 0.02;  // of risk by a smaller one, in variances of the noise
+constexpr double clear_gain = 0.008;  // of risk by a smaller one, in variances of the noise
 /// Of the risk without creases: on parts with creases, next to nothing is left by those that keep
 /// them (0.12 of it at most, by noise of 0.05 to 0.3 edges); scans have little to gain (0.5 or more
 /// is left), and are changed more than need be.

@@ -22,14 +22,18 @@ std::size_t least(const std::vector<CutoffTrial>& trials) {
 }
 
 /// Where the parabola through the least risk and those beside it, over the logarithm of the
-/// cut-off, is least.
-double between(const std::vector<CutoffTrial>& trials, std::size_t i) {
+/// cut-off, is least. Where creases are kept, the risk rises more steeply as they go than it fell
+/// before: half of the way to a shorter one is enough.
+double between(const std::vector<CutoffTrial>& trials, std::size_t i, bool keeps_creases) {
   if (i == 0 || i + 1 == trials.size()) {
     return trials[i].cutoff;
   }
   const double left = trials[i - 1].risk - trials[i].risk;
   const double right = trials[i + 1].risk - trials[i].risk;
-  const double shift = left + right > 0 ? (left - right) / (2 * (left + right)) : 0;
+  double shift = left + right > 0 ? (left - right) / (2 * (left + right)) : 0;
+  if (keeps_creases && shift < 0) {
+    shift /= 2;
+  }
   return trials[i].cutoff * std::pow(trials[i + 1].cutoff / trials[i].cutoff, shift);
 }
 
@@ -114,7 +118,7 @@ CutoffChoice CutoffChooser::choose(double sharp_angle, double shortest) {
     choice.trials = trials_->risks();
     return is_enough(choice.trials, choice.noise) || next > search_.largest;
   });
-  choice.cutoff = between(choice.trials, least(choice.trials));
+  choice.cutoff = between(choice.trials, least(choice.trials), sharp_angle > 0);
   return choice;
 }
 
