@@ -252,7 +252,7 @@ FlowOptions without_creases() {
 
 TEST(CreaseChoice, KeepsThoseOfPolyhedra) {
   for (const char* shape : {"cube", "icosahedron"}) {
-    for (const double noise : {0.05, 0.2}) {
+    for (const double noise : {0.05, 0.2, 0.3}) {
       SCOPED_TRACE(std::string(shape) + ", noise " + std::to_string(noise));
       const NoisyPolyhedron noisy(shape, noise);
       const auto held = held_vertices(noisy.state.topology, BoundaryCondition::fixed);

@@ -14,6 +14,7 @@ constexpr double clear_gain = 0.008;  // of risk by a smaller one, in variances 
 /// them (0.12 of it at most, by noise of 0.05 to 0.3 edges); scans have little to gain (0.5 or more
 /// is left), and are changed more than need be.
 constexpr double clear_share = 0.4;
+constexpr double some_share = 0.8;   // by the first angle, to go on
 constexpr double crease_edges = 4;   // of the first cut-off: with less, noise makes creases
 constexpr double least_risk = 0.06;  // without creases, in variances of the noise: else all is well
 
@@ -34,7 +35,7 @@ std::optional<CreaseChoice> choose_creases(const Points& X, const Topology& topo
     return CreaseChoice{radians(angle), chooser.choose(radians(angle), shortest)};
   };
   CreaseChoice best = with_angle(first_angle, crease_edges * chooser.mean_edge_length());
-  if (!(best.cutoff.best().risk < clear_share * before)) {
+  if (!(best.cutoff.best().risk < some_share * before)) {
     return std::nullopt;
   }
   for (const double angle : blunter_angles) {
@@ -44,6 +45,9 @@ std::optional<CreaseChoice> choose_creases(const Points& X, const Topology& topo
       break;
     }
     best = std::move(blunter);
+  }
+  if (!(best.cutoff.best().risk < clear_share * before)) {
+    return std::nullopt;
   }
   return best;
 }

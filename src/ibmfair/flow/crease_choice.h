@@ -17,8 +17,8 @@ struct CreaseChoice {
 };
 
 /// Whether flows that keep creases, as `options` say but for the angle, leave clearly less risk
-/// than the choice that was made `without` them. If so, smaller angles are tried as long as they
-/// leave less yet. Throws as choose_cutoff.
+/// than the choice that was made `without` them. Where some is to be gained, smaller angles are
+/// tried as long as they leave less yet. Throws as choose_cutoff.
 std::optional<CreaseChoice> choose_creases(const Points& X, const Topology& topology,
                                            const std::vector<std::uint8_t>& held,
                                            const FlowOptions& options, const CutoffChoice& without,
