@@ -120,7 +120,7 @@ struct FlowReport {
   int iterations = 0;          ///< of conjugate gradients, in all
   int twicings = 0;            ///< passes that were made
   std::int64_t caught_up = 0;  ///< vertices that flowed on where some had to be slowed down
-  std::int64_t unfolded = 0;   ///< vertices that were moved where flaps were
+  std::int64_t unfolded = 0;   ///< vertices that were moved where flaps or specks were
   FactorForecast forecast;
   FlowSeconds seconds;
   std::vector<StepRecord> steps;

@@ -63,14 +63,19 @@ bool unfolding_moves(const FlowProblem& problem, const Rows& rings, Points& move
   const std::vector<VertexPatch> flaps =
       find_flaps(problem.X, problem.topology, rings, problem.unknowns, problem.parts,
                  bends ? flat_enough : flat_enough_without_curvature);
-  if (!problem.parts.any(!flaps.empty())) {
+  return even_out_and_flow(problem, rings, flaps, move);
+}
+
+bool even_out_and_flow(const FlowProblem& problem, const Rows& rings,
+                       const std::vector<VertexPatch>& patches, Points& move) {
+  if (!problem.parts.any(!patches.empty())) {
     return false;
   }
   Points X = problem.X;
   Flags wanted(static_cast<std::size_t>(problem.topology.vertex_count), 0);
-  for (const VertexPatch& flap : flaps) {
-    even_out(flap, rings, X);
-    for (const Index v : flap) {
+  for (const VertexPatch& patch : patches) {
+    even_out(patch, rings, X);
+    for (const Index v : patch) {
       wanted[v] = 1;
     }
   }

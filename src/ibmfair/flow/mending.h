@@ -19,4 +19,8 @@ bool catch_up_moves(const FlowProblem& problem, const Rows& rings, const Eigen::
 /// leaves less energy than there is now.
 bool unfolding_moves(const FlowProblem& problem, const Rows& rings, Points& move);
 
+/// The same for any patches.
+bool even_out_and_flow(const FlowProblem& problem, const Rows& rings,
+                       const std::vector<VertexPatch>& patches, Points& move);
+
 }  // namespace ibmfair

@@ -32,7 +32,7 @@ class FlapFinder {
     want_vertices_at_folds();
     std::vector<VertexPatch> found = patches_of(wanted_, rings_, unknowns_, parts_);
     std::erase_if(found, [&](const VertexPatch& patch) {
-      return patch.size() > most_vertices || !is_flat_around(patch);
+      return patch.size() > most_vertices || !is_flat_around(patch, X_, topology_, rings_, flat_);
     });
     return found;
   }
@@ -62,33 +62,6 @@ class FlapFinder {
     }
   }
 
-  /// Of the triangles at the rim that the patch does not move.
-  bool is_flat_around(const VertexPatch& patch) const {
-    const auto inside = [&](Index v) { return std::binary_search(patch.begin(), patch.end(), v); };
-    std::vector<Index> around;
-    for (const Index v : patch) {
-      for (const Index q : rings_[v]) {
-        if (!inside(q)) {
-          const auto star = topology_.stars[q];
-          around.insert(around.end(), star.begin(), star.end());
-        }
-      }
-    }
-    std::sort(around.begin(), around.end());
-    around.erase(std::unique(around.begin(), around.end()), around.end());
-    Vec3 sum = Vec3::Zero();
-    double length = 0;
-    for (const Index t : around) {
-      const auto x = topology_.F.row(t);
-      if (std::none_of(x.begin(), x.end(), inside)) {
-        const Vec3 N = double_area_vector(X_, topology_.F, t);
-        sum += N;
-        length += N.norm();
-      }
-    }
-    return sum.norm() > flat_ * length;
-  }
-
   const Points& X_;
   const Topology& topology_;
   const Rows& rings_;
@@ -103,6 +76,33 @@ class FlapFinder {
 std::vector<VertexPatch> find_flaps(const Points& X, const Topology& topology, const Rows& rings,
                                     const Unknowns& unknowns, const MeshParts& parts, double flat) {
   return FlapFinder(X, topology, rings, unknowns, parts, flat).flaps();
+}
+
+bool is_flat_around(const VertexPatch& patch, const Points& X, const Topology& topology,
+                    const Rows& rings, double flat) {
+  const auto inside = [&](Index v) { return std::binary_search(patch.begin(), patch.end(), v); };
+  std::vector<Index> around;
+  for (const Index v : patch) {
+    for (const Index q : rings[v]) {
+      if (!inside(q)) {
+        const auto star = topology.stars[q];
+        around.insert(around.end(), star.begin(), star.end());
+      }
+    }
+  }
+  std::sort(around.begin(), around.end());
+  around.erase(std::unique(around.begin(), around.end()), around.end());
+  Vec3 sum = Vec3::Zero();
+  double length = 0;
+  for (const Index t : around) {
+    const auto x = topology.F.row(t);
+    if (std::none_of(x.begin(), x.end(), inside)) {
+      const Vec3 N = double_area_vector(X, topology.F, t);
+      sum += N;
+      length += N.norm();
+    }
+  }
+  return sum.norm() > flat * length;
 }
 
 void even_out(const VertexPatch& patch, const Rows& rings, Points& X) {

@@ -15,6 +15,10 @@ namespace ibmfair {
 std::vector<VertexPatch> find_flaps(const Points& X, const Topology& topology, const Rows& rings,
                                     const Unknowns& unknowns, const MeshParts& parts, double flat);
 
+/// Whether the triangles around a patch that it does not move are so flat.
+bool is_flat_around(const VertexPatch& patch, const Points& X, const Topology& topology,
+                    const Rows& rings, double flat);
+
 /// Brings each vertex of a patch to the mean of its neighbours: a map that folds nothing over where
 /// the rim is convex (Tutte 1963).
 void even_out(const VertexPatch& patch, const Rows& rings, Points& X);

@@ -4,10 +4,22 @@
 #include "ibmfair/flow/flow_problem.h"
 #include "ibmfair/flow/local_mesh.h"
 #include "ibmfair/flow/run_flow.h"
+#include "ibmfair/flow/specks.h"
 #include "ibmfair/flow/twicing.h"
 
 namespace ibmfair {
 namespace {
+
+/// `took_noise`: in a first stage.
+void finish(FlowProblem& problem, bool took_noise) {
+  const FlowOptions& options = problem.options;
+  if (took_noise && options.mend) {
+    flatten_specks(problem);
+  }
+  if (options.twicing > 0) {
+    twice(problem);
+  }
+}
 
 FlowReport flow_as_numbered(Points& X, const Topology& topology,
                             const std::vector<std::uint8_t>& held, const FlowOptions& options,
@@ -18,8 +30,8 @@ FlowReport flow_as_numbered(Points& X, const Topology& topology,
     if (problem.report.status != FlowStatus::interrupted) {
       run_flow(problem, observer);
     }
-    if (options.twicing > 0 && problem.report.status == FlowStatus::completed) {
-      twice(problem);
+    if (problem.report.status == FlowStatus::completed) {
+      finish(problem, first.solves > 0);
     }
     problem.report.add_effort(first);
     X.swap(problem.X);

@@ -1,0 +1,95 @@
+#include "ibmfair/flow/specks.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <numbers>
+
+#include "ibmfair/base/stopwatch.h"
+#include "ibmfair/flow/fold_free_move.h"
+#include "ibmfair/flow/folds.h"
+#include "ibmfair/flow/mending.h"
+#include "ibmfair/flow/unfolding.h"
+#include "ibmfair/mesh/geometry.h"
+#include "ibmfair/mesh/select.h"
+
+namespace ibmfair {
+namespace {
+
+constexpr std::size_t most_of_a_speck = 19;  // a vertex and two rings
+constexpr double half_sharp =
+    0.5;  // of the sharp angle: from there on hinges bend less than others
+constexpr double flat_around = 0.9;  // what normals keep of their lengths when they are added
+
+/// `sharp_at`: #V, how many sharp hinges there are at each vertex.
+bool is_a_line(const VertexPatch& patch, const std::vector<Index>& sharp_at) {
+  Index ends = 0;
+  for (const Index v : patch) {
+    if (sharp_at[v] > 2) {
+      return false;
+    }
+    ends += sharp_at[v] == 1;
+  }
+  return ends > 0;
+}
+
+/// Whether sharp hinges lead on from a patch to where vertices are held, or of another part.
+bool leads_on(const VertexPatch& patch, const Rows& rings, const std::vector<Index>& sharp_at) {
+  return std::ranges::any_of(patch, [&](Index v) {
+    return std::ranges::any_of(rings[v], [&](Index q) {
+      return sharp_at[q] > 0 && !std::ranges::binary_search(patch, q);
+    });
+  });
+}
+
+}  // namespace
+
+std::vector<VertexPatch> find_specks(const Points& X, const Topology& topology, const Rows& rings,
+                                     const Unknowns& unknowns, const MeshParts& parts,
+                                     double sharp_angle) {
+  const Eigen::VectorXd angles = dihedral_angles(X, topology.H);
+  const std::vector<Index> sharp = indices_where(topology.H.rows(), [&](Index h) {
+    return std::numbers::pi - angles[h] > half_sharp * sharp_angle;
+  });
+  std::vector<Index> sharp_at(static_cast<std::size_t>(topology.vertex_count), 0);
+  std::vector<std::uint8_t> wanted(sharp_at.size(), 0);
+  for (const Index h : sharp) {
+    for (const Index v : {topology.H(h, 0), topology.H(h, 1)}) {
+      ++sharp_at[v];
+      wanted[v] = 1;
+    }
+  }
+  std::vector<VertexPatch> found = patches_of(wanted, rings, unknowns, parts);
+  std::erase_if(found, [&](const VertexPatch& patch) {
+    return patch.size() > most_of_a_speck || is_a_line(patch, sharp_at) ||
+           leads_on(patch, rings, sharp_at) ||
+           !is_flat_around(patch, X, topology, rings, flat_around);
+  });
+  return found;
+}
+
+void flatten_specks(FlowProblem& problem) {
+  const Stopwatch watch(problem.report.seconds.guard);
+  const Rows rings = vertex_rings(problem.topology);
+  const std::vector<VertexPatch> specks =
+      find_specks(problem.X, problem.topology, rings, problem.unknowns, problem.parts,
+                  problem.options.sharp_angle);
+  Points move, Y;
+  if (!even_out_and_flow(problem, rings, specks, move)) {
+    return;
+  }
+  FoldWatch folds(problem.X, problem.topology, problem.unknowns);
+  const FoldFreeLanding landing = displace_without_folds(
+      problem, folds, move, Y, [&](const Points& X) { return problem.energy_at(X); });
+  if (landing.leads_somewhere() && landing.energy <= problem.report.energy_after) {
+    problem.move_to(Y);
+    problem.report.energy_after = landing.energy;
+    const auto moved = (move.array() != 0).rowwise().any().count();
+    problem.report.unfolded +=
+        static_cast<std::int64_t>(problem.parts.sum(static_cast<double>(moved)));
+    if (!problem.report.steps.empty()) {
+      problem.report.steps.back().energy = landing.energy;
+    }
+  }
+}
+
+}  // namespace ibmfair

@@ -1,0 +1,105 @@
+// What noise leaves where creases are kept: what counts as that, and that it goes.
+#include "ibmfair/flow/specks.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "ibmfair/base/angle.h"
+#include "ibmfair/flow/flow_problem.h"
+#include "ibmfair/flow/time_scale.h"
+#include "ibmfair/flow/willmore_flow.h"
+#include "ibmfair/mesh/geometry.h"
+#include "ibmfair/shapes/noise.h"
+#include "ibmfair/shapes/shapes.h"
+#include "support/states.h"
+
+namespace ibmfair::test {
+namespace {
+
+constexpr double sharp_angle = radians(20);
+
+/// A cube with a spike in the middle of a face.
+class Spike : public testing::Test {
+ protected:
+  Spike() {
+    (cube_.X.rowwise() - Vec3(0, 0, 1).transpose()).rowwise().norm().minCoeff(&middle_);
+    X_.row(middle_) += edge_ * Vec3(0, 0, 0.5).transpose();
+  }
+
+  std::vector<VertexPatch> specks(const Points& X, const std::vector<std::uint8_t>& held) const {
+    return find_specks(X, cube_.topology, rings_, Unknowns(held), MeshParts::one(), sharp_angle);
+  }
+
+  const State cube_{make_shape("cube", {.subdivide = 4})};
+  const Rows rings_ = vertex_rings(cube_.topology);
+  const double edge_ = mean_edge_length(cube_.X, cube_.topology.E);
+  const std::vector<std::uint8_t> free_ =
+      std::vector<std::uint8_t>(static_cast<std::size_t>(cube_.topology.vertex_count), 0);
+  Index middle_ = 0;
+  Points X_ = cube_.X;
+};
+
+TEST_F(Spike, IsASpeckAndEdgesAndCornersAreNot) {
+  EXPECT_TRUE(specks(cube_.X, free_).empty());
+  const std::vector<VertexPatch> found = specks(X_, free_);
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_EQ(found[0].size(), rings_[middle_].size() + 1);
+  EXPECT_TRUE(std::ranges::binary_search(found[0], middle_));
+}
+
+TEST_F(Spike, IsLeftWhereItIsHeldInPart) {
+  std::vector<std::uint8_t> held = free_;
+  held[rings_[middle_][0]] = 1;
+  EXPECT_TRUE(specks(X_, held).empty());
+}
+
+TEST_F(Spike, OnAnEdgeIsPartOfIt) {
+  Points X = cube_.X;
+  Index on_edge = 0;
+  (cube_.X.rowwise() - Vec3(0, 1, 1).transpose()).rowwise().norm().minCoeff(&on_edge);
+  X.row(on_edge) += edge_ * Vec3(0, 0, 0.5).transpose();
+  EXPECT_TRUE(specks(X, free_).empty());
+}
+
+TEST_F(Spike, IsEvenedOutWithNothingElse) {
+  FlowOptions options;
+  options.steps = 8;
+  options.sharp_angle = sharp_angle;
+  options.total_time =
+      time_in_flow_units(time_for_cutoff(6 * edge_), cube_.X, cube_.topology, options);
+  FlowProblem problem(X_, cube_.topology, free_, options, MeshParts::one());
+  flatten_specks(problem);
+  EXPECT_GT(problem.report.unfolded, 0);
+  EXPECT_LT(problem.report.energy_after, problem.report.energy_before);
+  EXPECT_NEAR(problem.X(middle_, 2), 1, 0.02 * edge_);
+  const std::vector<std::uint8_t> near = around(cube_.topology, {middle_}, 2);
+  for (Index v = 0; v < X_.rows(); ++v) {
+    EXPECT_TRUE(near[v] || problem.X.row(v) == X_.row(v)) << v;
+  }
+}
+
+TEST_F(Spike, IsADetailWithoutNoise) {
+  FlowOptions options;
+  options.steps = 8;
+  options.sharp_angle = sharp_angle;
+  options.total_time =
+      time_in_flow_units(time_for_cutoff(4 * edge_), cube_.X, cube_.topology, options);
+  Points clean = X_, noisy = X_;
+  EXPECT_EQ(willmore_flow(clean, cube_.topology, free_, options).unfolded, 0);
+  EXPECT_GT(clean(middle_, 2), 1 + 0.05 * edge_);
+  std::int64_t unfolded = 0;
+  for (const int seed : {1, 2, 3, 4}) {
+    noisy = X_;
+    noisy.row(middle_) += edge_ * Vec3(0, 0, 1.5).transpose();
+    add_noise(noisy, 0.3 * edge_, seed);
+    unfolded += willmore_flow(noisy, cube_.topology, free_, options).unfolded;
+    EXPECT_TRUE(specks(noisy, free_).empty()) << seed;
+  }
+  EXPECT_GT(unfolded, 0);
+}
+
+}  // namespace
+}  // namespace ibmfair::test
