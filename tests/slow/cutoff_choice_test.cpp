@@ -110,6 +110,17 @@ TEST(CutoffChoice, FindsAndTakesNextToNothingWithoutNoise) {
   }
 }
 
+TEST(CutoffChoice, IsMadeForAPlane) {
+  const State plane(make_shape("plane", {}));
+  for (const double angle : {0.0, 0.35}) {
+    FlowOptions options;
+    options.sharp_angle = angle;
+    const CutoffChoice choice = choice_for(plane, 1, options);
+    EXPECT_EQ(choice.noise, 0) << angle;
+    EXPECT_EQ(choice.best().risk, 0) << angle;
+  }
+}
+
 TEST(CutoffChoice, IsOfTheMeshAndNotOfItsUnitNumbersOrThreads) {
   const Noisy noisy("torus", {.ratio = 2.5, .rows = 24}, nullptr, 0.2);
   const int before = thread_count();

@@ -101,14 +101,14 @@ void CutoffChooser::try_cutoffs(double shortest, const Done& done) {
       search_.observer(cutoff);
     }
     trials_->run(cutoff);
-    if (trials_->tell_noise() && done(std::sqrt(2.0) * cutoff)) {
+    if (trials_->know_noise() && done(std::sqrt(2.0) * cutoff)) {
       return;
     }
   }
 }
 
 CutoffChoice CutoffChooser::choose(double sharp_angle, double shortest) {
-  if (sharp_angle > 0 && !trials_->tell_noise()) {
+  if (sharp_angle > 0 && !trials_->know_noise()) {
     try_cutoffs(shortest_edges * mean_edge_length_, [](double) { return true; });
   }
   trials_->restart(sharp_angle);

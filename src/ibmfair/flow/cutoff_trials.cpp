@@ -56,7 +56,8 @@ CutoffTrials::CutoffTrials(const Points& X, const Topology& topology,
           [&](Index u) { return counted.empty() || counted[unknowns_.vertex[u]] != 0; })),
       white_noise_(white_noise(unknowns_.size())),
       mesh_{.start = X},
-      noise_(noise) {
+      noise_(noise),
+      knows_noise_(noise > 0) {
   if (counted_.empty()) {
     throw BadMesh("no vertex moves, so that no cut-off can be chosen");
   }
@@ -94,8 +95,9 @@ void CutoffTrials::run(double cutoff) {
   }
   const Eigen::VectorXd height =
       heights_along(normals, problem.X, mesh_.start, unknowns_)(counted_);
-  if (!tell_noise() && outcomes_.size() == noise_trial) {
+  if (!knows_noise_ && outcomes_.size() == noise_trial) {
     noise_ = median(height.cwiseAbs()) / median(taken.reshaped().cwiseAbs());
+    knows_noise_ = true;
   }
   outcomes_.push_back({cutoff, height.squaredNorm() / static_cast<double>(height.size()), trace});
 }

@@ -55,8 +55,8 @@ class CutoffTrials {
   /// Cut-offs (length) must increase. Throws what the flow throws.
   void run(double cutoff);
 
-  /// Whether the noise is known.
-  bool tell_noise() const { return noise_ > 0 || outcomes_.size() > noise_trial; }
+  /// It may be 0, too.
+  bool know_noise() const { return knows_noise_; }
   double noise() const { return noise_; }
 
   /// Of all trials; needs the noise.
@@ -103,6 +103,7 @@ class CutoffTrials {
   std::vector<Outcome> outcomes_;
   bool trace_falls_ = false;  // by the law
   double noise_;
+  bool knows_noise_;
 };
 
 }  // namespace ibmfair
