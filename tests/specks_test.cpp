@@ -33,6 +33,15 @@ class Spike : public testing::Test {
     return find_specks(X, cube_.topology, rings_, Unknowns(held), MeshParts::one(), sharp_angle);
   }
 
+  FlowOptions keeping_creases(double cutoff_edges) const {
+    FlowOptions options;
+    options.steps = 8;
+    options.sharp_angle = sharp_angle;
+    const double time = time_for_cutoff(cutoff_edges * edge_);
+    options.total_time = time_in_flow_units(time, cube_.X, cube_.topology, options);
+    return options;
+  }
+
   const State cube_{make_shape("cube", {.subdivide = 4})};
   const Rows rings_ = vertex_rings(cube_.topology);
   const double edge_ = mean_edge_length(cube_.X, cube_.topology.E);
@@ -65,11 +74,7 @@ TEST_F(Spike, OnAnEdgeIsPartOfIt) {
 }
 
 TEST_F(Spike, IsEvenedOutWithNothingElse) {
-  FlowOptions options;
-  options.steps = 8;
-  options.sharp_angle = sharp_angle;
-  options.total_time =
-      time_in_flow_units(time_for_cutoff(6 * edge_), cube_.X, cube_.topology, options);
+  const FlowOptions options = keeping_creases(6);
   FlowProblem problem(X_, cube_.topology, free_, options, MeshParts::one());
   flatten_specks(problem);
   EXPECT_GT(problem.report.unfolded, 0);
@@ -82,11 +87,7 @@ TEST_F(Spike, IsEvenedOutWithNothingElse) {
 }
 
 TEST_F(Spike, IsADetailWithoutNoise) {
-  FlowOptions options;
-  options.steps = 8;
-  options.sharp_angle = sharp_angle;
-  options.total_time =
-      time_in_flow_units(time_for_cutoff(4 * edge_), cube_.X, cube_.topology, options);
+  const FlowOptions options = keeping_creases(4);
   Points clean = X_, noisy = X_;
   EXPECT_EQ(willmore_flow(clean, cube_.topology, free_, options).unfolded, 0);
   EXPECT_GT(clean(middle_, 2), 1 + 0.05 * edge_);
