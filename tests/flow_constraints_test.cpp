@@ -175,6 +175,22 @@ TEST(BoundedMoves, AreHeldAndEndInGoodOrder) {
   }
 }
 
+/// The energy of the umbrella Laplacian falls as a polyhedron shrinks, without end.
+TEST(BoundedMoves, AreCompleteWhereAllVerticesHaveComeAsFarAsTheyMay) {
+  for (const char* shape : {"icosahedron", "cube"}) {
+    const State state(make_shape(shape, {}));
+    FlowOptions options;
+    options.laplacian = "umbrella";
+    options.max_move = 0.1;
+    options.relax = false;
+    const FlowRun run = run_flow(state, 8, options);
+    EXPECT_EQ(run.report.status, FlowStatus::completed) << shape;
+    for (const auto& moved : (run.X - state.X).rowwise()) {
+      EXPECT_NEAR(moved.norm(), options.max_move, 1e-12) << shape;
+    }
+  }
+}
+
 TEST(CutoffFactor, OfOneChangesNothingAndSmallOnesHold) {
   const State smooth(make_shape("icosphere", {.subdivide = 3}));
   State state = smooth;

@@ -66,12 +66,22 @@ class GuardedFlow {
         p_.options.mend ? 200 + 20 * p_.options.steps : 20 + 4 * p_.options.steps;
     while (!is_at_the_end()) {
       if (h_ < smallest_time_step * h_target_ || p_.report.solves >= most_solves) {
-        p_.report.status = FlowStatus::stalled;
+        end_early();
         return;
       }
       if (!take_step()) {
         return;
       }
+    }
+  }
+
+  /// A state in which all vertices have come as far as they may go, and would go on, is stationary.
+  void end_early() {
+    const auto free = p_.unknowns.size() - static_cast<Index>(p_.stopped().size());
+    if (count(static_cast<double>(free)) == 0) {
+      stay_to_the_end();
+    } else {
+      p_.report.status = FlowStatus::stalled;
     }
   }
 
