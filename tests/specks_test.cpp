@@ -65,6 +65,29 @@ TEST_F(Spike, IsLeftWhereItIsHeldInPart) {
   EXPECT_TRUE(specks(X_, held).empty());
 }
 
+TEST_F(Spike, IsLeftAtABoundary) {
+  const State plane(make_shape("plane", {}));
+  const Rows rings = vertex_rings(plane.topology);
+  const double height = 0.5 * mean_edge_length(plane.X, plane.topology.E);
+  int inside = 0, at_boundary = 0;
+  for (Index v = 0; v < plane.topology.vertex_count; ++v) {
+    Points X = plane.X;
+    X.row(v) += height * Vec3(0, 0, 1).transpose();
+    const auto found =
+        find_specks(X, plane.topology, rings,
+                    Unknowns(std::vector<std::uint8_t>(plane.topology.vertex_count, 0)),
+                    MeshParts::one(), sharp_angle);
+    const bool is_inside = plane.topology.kind[v] == VertexKind::interior &&
+                           std::ranges::all_of(rings[v], [&](Index q) {
+                             return plane.topology.kind[q] == VertexKind::interior;
+                           });
+    EXPECT_EQ(found.size(), is_inside ? 1U : 0U) << v;
+    (is_inside ? inside : at_boundary) += 1;
+  }
+  EXPECT_GT(inside, 0);
+  EXPECT_GT(at_boundary, 0);
+}
+
 TEST_F(Spike, OnAnEdgeIsPartOfIt) {
   Points X = cube_.X;
   Index on_edge = 0;

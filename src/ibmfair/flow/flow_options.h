@@ -53,7 +53,8 @@ struct FlowOptions {
   Ordering ordering = Ordering::automatic;
   StageObserver on_stage = {};  ///< told when a stage begins that may take long
   int twicing = 0;  ///< times that the residual is smoothed and put back: flow/twicing.h
-  /// At the end of a guarded flow, what it had to leave behind is seen to: flow/mending.h.
+  /// At the end of a guarded flow, what it had to leave behind is seen to: flow/mending.h, and
+  /// where creases are kept flow/specks.h.
   bool mend = true;
 
   /// Throws BadOption where a value cannot be used.

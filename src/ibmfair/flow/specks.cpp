@@ -16,8 +16,7 @@ namespace ibmfair {
 namespace {
 
 constexpr std::size_t most_of_a_speck = 19;  // a vertex and two rings
-constexpr double half_sharp =
-    0.5;  // of the sharp angle: from there on hinges bend less than others
+constexpr double half_held = 0.5;    // of the sharp angle, from which on hinges hold in part
 constexpr double flat_around = 0.9;  // what normals keep of their lengths when they are added
 
 /// `sharp_at`: #V, how many sharp hinges there are at each vertex.
@@ -32,7 +31,8 @@ bool is_a_line(const VertexPatch& patch, const std::vector<Index>& sharp_at) {
   return ends > 0;
 }
 
-/// Whether sharp hinges lead on from a patch to where vertices are held, or of another part.
+/// Whether sharp hinges lead on from a patch to vertices that are held, at a boundary or of another
+/// part.
 bool leads_on(const VertexPatch& patch, const Rows& rings, const std::vector<Index>& sharp_at) {
   return std::ranges::any_of(patch, [&](Index v) {
     return std::ranges::any_of(rings[v], [&](Index q) {
@@ -48,14 +48,14 @@ std::vector<VertexPatch> find_specks(const Points& X, const Topology& topology, 
                                      double sharp_angle) {
   const Eigen::VectorXd angles = dihedral_angles(X, topology.H);
   const std::vector<Index> sharp = indices_where(topology.H.rows(), [&](Index h) {
-    return std::numbers::pi - angles[h] > half_sharp * sharp_angle;
+    return std::numbers::pi - angles[h] > half_held * sharp_angle;
   });
   std::vector<Index> sharp_at(static_cast<std::size_t>(topology.vertex_count), 0);
   std::vector<std::uint8_t> wanted(sharp_at.size(), 0);
   for (const Index h : sharp) {
     for (const Index v : {topology.H(h, 0), topology.H(h, 1)}) {
       ++sharp_at[v];
-      wanted[v] = 1;
+      wanted[v] = topology.kind[v] == VertexKind::interior && !topology.twisted[v] ? 1 : 0;
     }
   }
   std::vector<VertexPatch> found = patches_of(wanted, rings, unknowns, parts);
