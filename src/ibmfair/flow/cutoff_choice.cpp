@@ -12,6 +12,7 @@ namespace {
 
 constexpr double shortest_edges = 2;  // cut-off; the second one tells the noise
 constexpr double clear_rise = 0.03;   // of the risk over the least, in variances of the noise
+constexpr double clear_rise_with_creases = 0.015;
 constexpr double small_gain = 0.002;  // of risk by twice the cut-off, in these
 constexpr double many_more = 1.5;     // vertices than are enough, for a sample to pay
 
@@ -38,9 +39,10 @@ double between(const std::vector<CutoffTrial>& trials, std::size_t i, bool keeps
 }
 
 /// Whether longer cut-offs have nothing to gain.
-bool is_enough(const std::vector<CutoffTrial>& trials, double noise) {
+bool is_enough(const std::vector<CutoffTrial>& trials, double noise, bool keeps_creases) {
   const double variance = noise * noise, last = trials.back().risk;
-  return last - trials[least(trials)].risk > clear_rise * variance ||
+  const double rise = keeps_creases ? clear_rise_with_creases : clear_rise;
+  return last - trials[least(trials)].risk > rise * variance ||
          (trials.size() > 2 &&
           std::abs(trials[trials.size() - 3].risk - last) <= small_gain * variance);
 }
@@ -108,7 +110,8 @@ void CutoffChooser::try_cutoffs(double shortest, const Done& done) {
 }
 
 CutoffChoice CutoffChooser::choose(double sharp_angle, double shortest) {
-  if (sharp_angle > 0 && !trials_->know_noise()) {
+  const bool keeps_creases = sharp_angle > 0;
+  if (keeps_creases && !trials_->know_noise()) {
     try_cutoffs(shortest_edges * mean_edge_length_, [](double) { return true; });
   }
   trials_->restart(sharp_angle);
@@ -116,9 +119,9 @@ CutoffChoice CutoffChooser::choose(double sharp_angle, double shortest) {
   try_cutoffs(shortest, [&](double next) {
     choice.noise = trials_->noise();
     choice.trials = trials_->risks();
-    return is_enough(choice.trials, choice.noise) || next > search_.largest;
+    return is_enough(choice.trials, choice.noise, keeps_creases) || next > search_.largest;
   });
-  choice.cutoff = between(choice.trials, least(choice.trials), sharp_angle > 0);
+  choice.cutoff = between(choice.trials, least(choice.trials), keeps_creases);
   return choice;
 }
 
