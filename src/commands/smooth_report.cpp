@@ -36,8 +36,10 @@ const char* name_of(FlowStatus status) {
 }
 
 const char* tangential(const FlowOptions& options) {
-  const bool at_first = options.relax_first && options.sharp_angle > 0;
-  return !options.guarded ? "none" : options.relax ? "relax" : at_first ? "first" : "none";
+  if (options.guarded && options.relax) {
+    return "relax";
+  }
+  return options.guarded && options.relax_first && options.sharp_angle > 0 ? "first" : "none";
 }
 
 std::string row(const char* name, const char* unit, double before, double after) {

@@ -175,6 +175,11 @@ double FlowProblem::longest(const Points& move) const {
   return parts.max(move.rows() > 0 ? std::sqrt(move.rowwise().squaredNorm().maxCoeff()) : 0);
 }
 
+std::int64_t FlowProblem::moved(const Points& move) const {
+  const auto here = (move.array() != 0).rowwise().any().count();
+  return static_cast<std::int64_t>(parts.sum(static_cast<double>(here)));
+}
+
 double FlowProblem::gradient_norm() {
   const Eigen::VectorXd& D = jacobian_->metric();
   conserved_.speed(g_, D, scratch_);

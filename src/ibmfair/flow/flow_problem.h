@@ -86,6 +86,9 @@ class FlowProblem {
   /// The longest row of a move.
   double longest(const Points& move) const;
 
+  /// How many rows of a move are not zero, over all parts.
+  std::int64_t moved(const Points& move) const;
+
   /// The rate of the flow, sqrt(<g, D^-1 g>).
   double gradient_norm();
 

@@ -337,10 +337,9 @@ class GuardedFlow {
 
   /// How many vertices have moved.
   std::int64_t sweep_and_count() {
-    const bool moved = sweep();
-    const auto rows = (move_.array() != 0).rowwise().any().count();
+    const std::int64_t moved = sweep() ? p_.moved(move_) : 0;
     energy_before_step_ = p_.report.energy_after;
-    return moved ? count(static_cast<double>(rows)) : 0;
+    return moved;
   }
 
   /// Moves by `move_`, shortened until the energy is no more than before the step; false where even

@@ -83,9 +83,7 @@ void flatten_specks(FlowProblem& problem) {
   if (landing.leads_somewhere() && landing.energy <= problem.report.energy_after) {
     problem.move_to(Y);
     problem.report.energy_after = landing.energy;
-    const auto moved = (move.array() != 0).rowwise().any().count();
-    problem.report.unfolded +=
-        static_cast<std::int64_t>(problem.parts.sum(static_cast<double>(moved)));
+    problem.report.unfolded += problem.moved(move);
     if (!problem.report.steps.empty()) {
       problem.report.steps.back().energy = landing.energy;
     }

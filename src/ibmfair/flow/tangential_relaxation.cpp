@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include <Eigen/Eigenvalues>
 
+#include "ibmfair/base/angle.h"
 #include "ibmfair/base/parallel.h"
 #include "ibmfair/mesh/corners.h"
 #include "ibmfair/mesh/geometry.h"
@@ -34,7 +34,7 @@ constexpr double crease = 0.7;  // tan^2 of half the angle
 /// Where more is left than of normals that lean by 2 degrees, there is no crease to look for.
 constexpr double all_left = 0.9995;
 
-constexpr double needle = std::numbers::pi / 180;  // the smallest angle of wider triangles
+constexpr double needle = radians(1);  // the smallest angle of wider triangles
 
 }  // namespace
 
