@@ -146,12 +146,19 @@ TEST(EnergyBlocks, WholeStarsMissNoTriangleOfACorner) {
       vertex.push_back(blocks.owned[position]);
     }
     std::vector<int> triangles(filler_vertices + vertex.size(), 0);
-    for (const Index corner : b.corners) {
-      ++triangles[corner / vertex_size];
-    }
-    const auto corners_end = b.corners.begin() + b.groups * 3 * lanes_per_group;
-    for (auto corner = b.corners.begin(); corner != corners_end; ++corner) {
-      EXPECT_LT(*corner / vertex_size, filler_vertices + b.owned + b.rim);
+    for (std::int64_t g = 0; g < b.outer_groups; ++g) {
+      const FanGroup& group = b.fans[g];
+      for (Index fan = 0; fan < lanes_per_group; ++fan) {
+        const auto corner = [&](std::int64_t row) {
+          return b.corners[group.first_place + lanes_per_group * row + fan] / vertex_size;
+        };
+        for (Index i = 0; i < group.triangles; ++i) {
+          for (const Index v : {corner(0), corner(i + 1), corner(i + 2)}) {
+            ++triangles[v];
+            EXPECT_TRUE(g >= b.groups || v < filler_vertices + b.owned + b.rim);
+          }
+        }
+      }
     }
     for (Index i = 0; i < b.owned + b.rim; ++i) {
       const auto star = topology.stars[vertex[i]];

@@ -15,6 +15,7 @@ namespace ibmfair {
 struct BlockScratch {
   BlockVertices vertices;
   std::vector<BlockRow> triangles;
+  std::vector<FanFrame> frames;
 };
 
 class BlockLoop {

@@ -1,5 +1,7 @@
 #include "ibmfair/energy/lagrange.h"
 
+#include <array>
+
 #include "ibmfair/base/parallel.h"
 #include "ibmfair/energy/block_prefetch.h"
 #include "ibmfair/energy/complete_stars.h"
@@ -24,6 +26,15 @@ std::vector<std::uint8_t> triangles_around(const Topology& topology,
     around[t] = topology.usable[t] && (centre[x[0]] || centre[x[1]] || centre[x[2]]);
   }
   return around;
+}
+
+FanFrame* frames_for(const MeshBlock& b, std::vector<FanFrame>& frames) {
+  const FanGroup& last = b.fans.back();
+  const auto count = static_cast<std::size_t>(last.first_row + last.triangles + 1);
+  if (frames.size() < count) {
+    frames.resize(count);
+  }
+  return frames.data();
 }
 
 struct VertexEnergy {
@@ -101,8 +112,10 @@ double Lagrange::energy(const Points& X) {
   return loop_.sum(blocks_, [&](const MeshBlock& b, BlockScratch& scratch) {
     BlockVertices& vertices = scratch.vertices;
     load(b, X, vertices);
+    std::array<FanFrame, longest_fan + 1> frames;
     compute_and_prefetch(blocks_, b, b.groups, {X}, [&](std::int64_t first, std::int64_t groups) {
-      lagrange_curvature(b.corners_from(first), groups, !spontaneous_.empty(), vertices.data());
+      lagrange_curvature({b, first, groups}, !spontaneous_.empty(), false, vertices.data(),
+                         frames.data());
     });
     return own_energy(b, vertices);
   });
@@ -113,10 +126,12 @@ double Lagrange::energy_and_gradient(const Points& X, Points& G) {
   return loop_.sum(blocks_, [&](const MeshBlock& b, BlockScratch& scratch) {
     BlockVertices& vertices = scratch.vertices;
     load(b, X, vertices);
-    lagrange_curvature(b.corners_from(0), b.outer_groups, !spontaneous_.empty(), vertices.data());
+    FanFrame* frames = frames_for(b, scratch.frames);
+    const bool spontaneous = !spontaneous_.empty();
+    lagrange_curvature({b, 0, b.outer_groups}, spontaneous, true, vertices.data(), frames);
     const double E = own_energy_and_y(b, vertices);
     const auto add_forces = [&](std::int64_t first, std::int64_t groups) {
-      lagrange_forces(b.corners_from(first), groups, !spontaneous_.empty(), vertices.data());
+      lagrange_forces({b, first, groups}, spontaneous, vertices.data(), frames);
     };
     compute_and_prefetch(blocks_, b, b.groups, {X, &G}, add_forces);
     blocks_.store(b, vertices, G);

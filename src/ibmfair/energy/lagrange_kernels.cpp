@@ -5,77 +5,109 @@
 namespace ibmfair {
 namespace {
 
-/// What both loops need of a few triangles.
+// Of the triangle x0, x1, x2 with x0 at the centre of the fan, p = x1 - x0, q = x2 - x0.
 template <class Lanes>
 struct Frame {
-  Lanes3<Lanes> e1, e2;  // the edges opposite x1 and x2
-  Lanes3<Lanes> n;       // half the unit normal
-  Lanes size;            // the area; for the forces 1 / (4 area)
+  Lanes3<Lanes> p;  // also q of the triangle before; what follows is not there behind the last one
+  Lanes3<Lanes> n;  // half the unit normal
+  Lanes inverse;    // 1 / (4 area)
 };
 
+/// A few fans side by side.
 template <class Lanes>
-using Frames = Frame<Lanes>[run_length / lane_count<Lanes>];
+struct Fans {
+  const Index* centre;
+  Index triangles;
+  Frame<Lanes>* frames;  // triangles + 1
 
-/// The edges of a frame. Returns the double area vector N and |N|^2.
-template <class Lanes>
-IBMFAIR_INLINE Lanes4<Lanes> begin_frame(const Index* corners, const double* X,
-                                         Frame<Lanes>& frame) {
-  const auto [x0, x1, x2] = gather_three<Lanes>(X, corners);
-  frame.e1 = x0.xyz - x2.xyz;
-  frame.e2 = x1.xyz - x0.xyz;
-  const Lanes3<Lanes> N = cross(frame.e1, frame.e2);
-  return {N, dot(N, N)};
-}
-
-template <class Kernel, class Lanes>
-IBMFAIR_INLINE void find_frames(const Index* corners, std::int64_t first, std::int64_t last,
-                                const double* X, Frames<Lanes>& frames) {
-  constexpr int n = lane_count<Lanes>;
-  Frame<Lanes>* frame = frames;
-  Lanes4<Lanes> N = begin_frame(places_of(corners, first), X, *frame);
-  for (std::int64_t t = first + n; t < last; t += n) {
-    const Lanes4<Lanes> next = begin_frame(places_of(corners, t), X, frame[1]);
-    Kernel::finish_frame(N, *frame);  // while the next are under way
-    ++frame;
-    N = next;
+  IBMFAIR_INLINE const Index* rim(std::int64_t i) const {
+    return centre + lanes_per_group * (i + 1);
   }
-  Kernel::finish_frame(N, *frame);
+};
+
+/// Calls Kernel::add(fans, vertices) for all fans of the groups.
+template <class Kernel, class Lanes>
+IBMFAIR_INLINE void add_all(const FanRange& range, bool keep, BlockVertex* vertices,
+                            FanFrame* frames) {
+  static_assert(lanes_per_group / lane_count<Lanes> * sizeof(Frame<Lanes>) == sizeof(FanFrame));
+  const FanGroup* group = range.block.fans.data() + range.first;
+  for (const FanGroup* end = group + range.groups; group != end; ++group) {
+    const Index* centres = range.block.corners.data() + group->first_place;
+    auto* kept = reinterpret_cast<Frame<Lanes>*>(frames + (keep ? group->first_row : 0));
+    for (int first = 0; first < lanes_per_group; first += lane_count<Lanes>) {
+      Kernel::add(Fans<Lanes>{centres + first, group->triangles, kept}, vertices);
+      kept += group->triangles + 1;
+    }
+  }
 }
 
 // With spontaneous curvature H0_v, h_v - H0_v a_v takes the place of h_v, where a_v is the gradient
 // of the enclosed volume: a sixth of N, the double area vector, from every triangle at v.
 template <bool spontaneous>
 struct Curvature {
+  /// From N and |N|^2. Returns the area.
   template <class Lanes>
-  IBMFAIR_INLINE static void finish_frame(const Lanes4<Lanes>& N, Frame<Lanes>& frame) {
+  IBMFAIR_INLINE static Lanes finish_frame(const Lanes4<Lanes>& N, Frame<Lanes>& frame) {
     const Lanes length = sqrt(N.w);
-    // Divided, not multiplied by an inverse: in a plane z = 0 it is 1/2 to the last digit.
-    frame.n = N.xyz / (2.0 * length);
-    frame.size = 0.5 * length;
+    frame.inverse = 0.5 / length;
+    const Lanes3<Lanes> n = frame.inverse * N.xyz;
+    // Half of the unit's length to the last digit: in a plane z = 0 it is 1/2, and h_v is 0.
+    frame.n = n + (0.5 - 2.0 * dot(n, n)) * n;
+    return 0.5 * length;
   }
 
   template <class Lanes>
-  IBMFAIR_INLINE static void run(const Index* corners, std::int64_t triangles,
-                                 BlockVertex* vertices) {
-    const double* X = &vertices->x.x;
-    Frames<Lanes> frames;
-    for (std::int64_t first = 0; first < triangles; first += run_length) {
-      const std::int64_t last = first + run_length < triangles ? first + run_length : triangles;
-      find_frames<Curvature, Lanes>(corners, first, last, X, frames);
-      for (std::int64_t t = first; t < last; t += lane_count<Lanes>) {
-        const auto& [e1, e2, n, area] = frames[(t - first) / lane_count<Lanes>];
-        Lanes3<Lanes> h1 = cross(n, e1), h2 = cross(n, e2), h0 = -(h1 + h2);
-        const Index* x = places_of(corners, t);
-        if (spontaneous) {
-          const auto [x0, x1, x2] = gather_three<Lanes>(X, x);
-          const Lanes3<Lanes> a = 2.0 / 3.0 * area * n;
-          h0 = h0 - x0.w * a;
-          h1 = h1 - x1.w * a;
-          h2 = h2 - x2.w * a;
-        }
-        scatter_add(h0, h1, h2, area, &vertices->sum.x, x);
+  IBMFAIR_INLINE static void find_frames(const Fans<Lanes>& fans, const double* X, Lanes* areas) {
+    const Lanes3<Lanes> centre = gather<Lanes>(X, fans.centre).xyz;
+    Frame<Lanes>* frame = fans.frames;
+    frame->p = gather<Lanes>(X, fans.rim(0)).xyz - centre;
+    Lanes4<Lanes> N = {};
+    for (Index i = 0; i < fans.triangles; ++i) {
+      frame[1].p = gather<Lanes>(X, fans.rim(i + 1)).xyz - centre;
+      const Lanes3<Lanes> next = cross(frame[0].p, frame[1].p);
+      if (i > 0) {
+        *areas++ = finish_frame(N, frame[-1]);  // while the next are under way
       }
+      N = {next, dot(next, next)};
+      ++frame;
     }
+    *areas = finish_frame(N, frame[-1]);
+  }
+
+  template <class Lanes>
+  IBMFAIR_INLINE static void add(const Fans<Lanes>& fans, BlockVertex* vertices) {
+    const double* X = &vertices->x.x;
+    double* sums = &vertices->sum.x;
+    Lanes areas[longest_fan];
+    find_frames(fans, X, areas);
+    const Lanes H0 = spontaneous ? gather<Lanes>(X, fans.centre).w : Lanes{};
+    Lanes3<Lanes> h = {}, h0 = {};
+    Lanes area = {}, area0 = {};
+    for (Index i = 0; i < fans.triangles; ++i) {
+      const auto& [p, n, inverse] = fans.frames[i];
+      h = h + cross(fans.frames[i + 1].p, n);
+      Lanes3<Lanes> next = cross(n, p);
+      if (spontaneous) {
+        const Lanes3<Lanes> a = 2.0 / 3.0 * areas[i] * n;
+        const Lanes H1 = gather<Lanes>(X, fans.rim(i)).w, H2 = gather<Lanes>(X, fans.rim(i + 1)).w;
+        h = h - H1 * a;
+        next = next - H2 * a;
+        h0 = h0 - (H0 + H1 + H2) * a;
+      }
+      scatter_add(h, area + areas[i], sums, fans.rim(i));
+      h0 = h0 - h;
+      area0 = area0 + areas[i];
+      h = next;
+      area = areas[i];
+    }
+    scatter_add(h, area, sums, fans.rim(fans.triangles));
+    scatter_add(h0 - h, area0, sums, fans.centre);
+  }
+
+  template <class Lanes>
+  IBMFAIR_INLINE static void run(const FanRange* range, bool keep, BlockVertex* vertices,
+                                 FanFrame* frames) {
+    add_all<Curvature, Lanes>(*range, keep, vertices, frames);
   }
 };
 
@@ -84,57 +116,64 @@ struct Curvature {
 template <bool spontaneous>
 struct Forces {
   template <class Lanes>
-  IBMFAIR_INLINE static void finish_frame(const Lanes4<Lanes>& N, Frame<Lanes>& frame) {
-    frame.size = 0.5 / sqrt(N.w);
-    frame.n = frame.size * N.xyz;
+  IBMFAIR_INLINE static void add(const Fans<Lanes>& fans, BlockVertex* vertices) {
+    const double *X = &vertices->x.x, *Y = &vertices->y.x;
+    double* sums = &vertices->sum.x;
+    const Lanes H0 = spontaneous ? gather<Lanes>(X, fans.centre).w : Lanes{};
+    const Lanes4<Lanes> y0 = gather<Lanes>(Y, fans.centre);
+    Lanes4<Lanes> y1 = gather<Lanes>(Y, fans.rim(0));
+    Lanes3<Lanes> f = y1.xyz - y0.xyz;  // the change of p along y
+    Lanes3<Lanes> force = {}, force0 = {};
+    for (Index i = 0; i < fans.triangles; ++i) {
+      const auto& [p, n, s] = fans.frames[i];
+      const Lanes3<Lanes>& q = fans.frames[i + 1].p;
+      const Lanes4<Lanes> y2 = gather<Lanes>(Y, fans.rim(i + 1));
+      const Lanes3<Lanes> g = y2.xyz - y0.xyz;  // of q
+      // The change of the normal is that of a plane over which the triangle's corners rise by
+      // 2 <n, y>, and the gradient of the area changes along the normal by its slope.
+      const Lanes3<Lanes> slope = 4.0 * s * (dot(n, g) * p - dot(n, f) * q);
+      const Lanes by_mass = y0.w + y1.w + y2.w;
+      force = force + (cross(g - by_mass * q, n) - dot(slope, q) * n);
+      Lanes3<Lanes> next = cross(n, f - by_mass * p) + dot(slope, p) * n;
+      if (spontaneous) {
+        const Lanes H1 = gather<Lanes>(X, fans.rim(i)).w, H2 = gather<Lanes>(X, fans.rim(i + 1)).w;
+        const Lanes3<Lanes> H0_y = (H0 * y0.xyz + H1 * y1.xyz + H2 * y2.xyz) / (Lanes{} + 6.0);
+        force = force - cross(q, H0_y);
+        next = next - cross(H0_y, p);
+      }
+      scatter_add(force, Lanes{}, sums, fans.rim(i));
+      force0 = force0 - force;
+      force = next;
+      f = g;
+      y1 = y2;
+    }
+    scatter_add(force, Lanes{}, sums, fans.rim(fans.triangles));
+    scatter_add(force0 - force, Lanes{}, sums, fans.centre);
   }
 
   template <class Lanes>
-  IBMFAIR_INLINE static void run(const Index* corners, std::int64_t triangles,
-                                 BlockVertex* vertices) {
-    const double *X = &vertices->x.x, *y = &vertices->y.x;
-    Frames<Lanes> frames;
-    for (std::int64_t first = 0; first < triangles; first += run_length) {
-      const std::int64_t last = first + run_length < triangles ? first + run_length : triangles;
-      find_frames<Forces, Lanes>(corners, first, last, X, frames);
-      for (std::int64_t t = first; t < last; t += lane_count<Lanes>) {
-        const auto& [e1, e2, n, s] = frames[(t - first) / lane_count<Lanes>];
-        const Index* x = places_of(corners, t);
-        const auto [y0, y1, y2] = gather_three<Lanes>(y, x);
-        const Lanes3<Lanes> f1 = y0.xyz - y2.xyz, f2 = y1.xyz - y0.xyz;
-        const Lanes3<Lanes> dN = cross(f1, e2) + cross(e1, f2);
-        const Lanes along_n = 4.0 * s * dot(n, dN) + y0.w + y1.w + y2.w;
-        Lanes3<Lanes> p = s * dN - along_n * n;
-        if (spontaneous) {
-          const auto [x0, x1, x2] = gather_three<Lanes>(X, x);
-          const Lanes3<Lanes> H0_y = x0.w * y0.xyz + x1.w * y1.xyz + x2.w * y2.xyz;
-          p = p - H0_y / (Lanes{} + 6.0);
-        }
-        // At each corner p x e + n x f, e the opposite edge and f its change along y.
-        scatter_add_balanced(cross(p, e1) + cross(n, f1), cross(p, e2) + cross(n, f2),
-                             &vertices->sum.x, places_of(corners, t));
-      }
-    }
+  IBMFAIR_INLINE static void run(const FanRange* range, BlockVertex* vertices, FanFrame* frames) {
+    add_all<Forces, Lanes>(*range, true, vertices, frames);
   }
 };
 
 }  // namespace
 
-void lagrange_curvature(const Index* corners, std::int64_t groups, bool spontaneous,
-                        BlockVertex* vertices) {
+void lagrange_curvature(const FanRange& fans, bool spontaneous, bool keep, BlockVertex* vertices,
+                        FanFrame* frames) {
   if (spontaneous) {
-    run_in_lanes<Curvature<true>>(corners, lanes_per_group * groups, vertices);
+    run_in_lanes<Curvature<true>>(&fans, keep, vertices, frames);
   } else {
-    run_in_lanes<Curvature<false>>(corners, lanes_per_group * groups, vertices);
+    run_in_lanes<Curvature<false>>(&fans, keep, vertices, frames);
   }
 }
 
-void lagrange_forces(const Index* corners, std::int64_t groups, bool spontaneous,
-                     BlockVertex* vertices) {
+void lagrange_forces(const FanRange& fans, bool spontaneous, BlockVertex* vertices,
+                     FanFrame* frames) {
   if (spontaneous) {
-    run_in_lanes<Forces<true>>(corners, lanes_per_group * groups, vertices);
+    run_in_lanes<Forces<true>>(&fans, vertices, frames);
   } else {
-    run_in_lanes<Forces<false>>(corners, lanes_per_group * groups, vertices);
+    run_in_lanes<Forces<false>>(&fans, vertices, frames);
   }
 }
 

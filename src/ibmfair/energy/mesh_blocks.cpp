@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cstring>
+#include <initializer_list>
 #include <utility>
 
 #include "ibmfair/base/parallel.h"
@@ -92,32 +93,19 @@ class Builder {
   MeshBlock build(std::int64_t first_owned, std::int64_t last_owned) {
     vertex_.clear();
     triangle_.clear();
-    slots_.clear();
     block_ = {};
     block_.first_owned = first_owned;
     block_.owned = static_cast<Index>(last_owned - first_owned);
     find_triangles();
-    place(own_);
-    block_.own_groups = groups();
-    place(shared_);
-    block_.groups = groups();
-    write_corners(0);
-    block_.rim = static_cast<Index>(block_.halo.size());
-    const std::size_t count = slots_.size();
-    if (!mesh_.surroundings.neighbours.empty()) {
-      find_neighbours();
-    }
     if (mesh_.surroundings.whole_stars) {
-      find_stars();
+      make_fans();
+    } else {
+      make_groups();
     }
-    block_.outer_groups = groups();
-    write_corners(count);
     return std::move(block_);
   }
 
  private:
-  std::int64_t groups() const { return static_cast<std::int64_t>(slots_.size() / lanes); }
-
   bool is_own(Index v) const {
     const std::int64_t position = mesh_.position[v] - block_.first_owned;
     return position >= 0 && position < block_.owned;
@@ -134,6 +122,44 @@ class Builder {
         }
       }
     }
+  }
+
+  void make_groups() {
+    const auto groups = [&] { return static_cast<std::int64_t>(slots_.size() / lanes); };
+    slots_.clear();
+    place(own_);
+    block_.own_groups = groups();
+    place(shared_);
+    block_.groups = groups();
+    write_corners(0);
+    block_.rim = static_cast<Index>(block_.halo.size());
+    const std::size_t count = slots_.size();
+    if (!mesh_.surroundings.neighbours.empty()) {
+      find_neighbours();
+    }
+    block_.outer_groups = groups();
+    write_corners(count);
+  }
+
+  void make_fans() {
+    append_fans({own_, shared_});
+    block_.groups = static_cast<std::int64_t>(block_.fans.size());
+    block_.rim = static_cast<Index>(block_.halo.size());
+    find_stars();
+    append_fans({shared_});
+    block_.outer_groups = static_cast<std::int64_t>(block_.fans.size());
+  }
+
+  void append_fans(std::initializer_list<std::span<const Index>> lists) {
+    triples_.clear();
+    for (const std::span<const Index> triangles : lists) {
+      for (const Index t : triangles) {
+        const auto x = mesh_.topology.F.row(t);
+        triples_.push_back({number_of(x[0]), number_of(x[1]), number_of(x[2])});
+      }
+    }
+    const auto vertices = filler_vertices + block_.owned + static_cast<Index>(block_.halo.size());
+    cover_.append(triples_, vertices, vertex_size, block_.corners, block_.fans);
   }
 
   /// Spreads neighbours, which follow each other in the list, over different groups: what is added
@@ -188,7 +214,6 @@ class Builder {
         }
       }
     }
-    place(shared_);
   }
 
   /// Whether the block has not had this triangle before.
@@ -201,32 +226,33 @@ class Builder {
     return true;
   }
 
-  Index place_of_vertex(Index v) {
+  /// In the block.
+  Index number_of(Index v) {
     const Index position = mesh_.position[v];
     if (is_own(v)) {
-      return vertex_size * (filler_vertices + static_cast<Index>(position - block_.first_owned));
+      return filler_vertices + static_cast<Index>(position - block_.first_owned);
     }
     Index& number = vertex_[v];
     if (number < 0) {
       number = filler_vertices + block_.owned + static_cast<Index>(block_.halo.size());
       block_.halo.push_back(position);
     }
-    return vertex_size * number;
+    return number;
   }
 
   void write_corners(std::size_t first_slot) {
     block_.corners.resize(3 * slots_.size());
     for (std::size_t slot = first_slot; slot < slots_.size(); ++slot) {
-      std::array<Index, 3> x{0, vertex_size, 2 * vertex_size};
+      std::array<Index, 3> x{0, 1, 2};
       if (const Index t = slots_[slot]; t != no_triangle) {
         const auto corners = mesh_.topology.F.row(t >= 0 ? t : ~t);
-        x = {place_of_vertex(corners[0]), place_of_vertex(corners[1]), place_of_vertex(corners[2])};
+        x = {number_of(corners[0]), number_of(corners[1]), number_of(corners[2])};
         if (t < 0) {
           std::swap(x[1], x[2]);
         }
       }
       for (int i = 0; i < 3; ++i) {
-        block_.corners[place_of_corner(slot, i)] = x[i];
+        block_.corners[place_of_corner(slot, i)] = vertex_size * x[i];
       }
     }
   }
@@ -235,6 +261,8 @@ class Builder {
   LocalNumbers vertex_;    // those it does not own
   LocalNumbers triangle_;  // slots
   std::vector<Index> own_, shared_, slots_;
+  CornerTriples triples_;
+  FanCover cover_;
   MeshBlock block_;
 };
 

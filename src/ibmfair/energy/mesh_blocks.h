@@ -1,8 +1,8 @@
 // The triangles of a mesh as the kernels of the energies take them: block by block, in groups of
-// eight. A sum over the triangles around a vertex is added up in the block that owns the vertex,
-// which computes every triangle there, also those that other blocks compute for their vertices. So
-// no two threads write the same place, the order of every sum is fixed, and nothing per triangle is
-// kept from one pass to the next.
+// eight, or of eight fans. A sum over the triangles around a vertex is added up in the block that
+// owns the vertex, which computes every triangle there, also those that other blocks compute for
+// their vertices. So no two threads write the same place, the order of every sum is fixed, and
+// nothing per triangle is kept from one pass to the next.
 #pragma once
 
 #include <cstdint>
@@ -12,6 +12,7 @@
 
 #include "ibmfair/base/parallel.h"
 #include "ibmfair/base/types.h"
+#include "ibmfair/energy/triangle_fans.h"
 #include "ibmfair/mesh/topology.h"
 
 namespace ibmfair {
@@ -37,7 +38,7 @@ inline constexpr Index no_triangle = std::numeric_limits<Index>::max();
 /// The first vertices of every block are those of a triangle of unit size, which fills up groups.
 inline constexpr Index filler_vertices = 3;
 
-/// Triangles in a group: those that a kernel takes at a time, or twice as many.
+/// Triangles, or fans, in a group: as many as a kernel takes at a time, or twice as many.
 inline constexpr Index lanes_per_group = 8;
 
 /// One block. Its vertices are the filler's, then those it owns, then the other corners of its
@@ -47,14 +48,17 @@ struct MeshBlock {
   Index owned = 0;                ///< vertices
   std::vector<Index> halo;        ///< the others, as positions in MeshBlocks::owned
   Index rim = 0;                  ///< the first of these are corners of the first `groups`
-  std::vector<Index> corners;     ///< 3 x 8 for each group: `vertex_size` times the vertex
+  std::vector<Index> corners;     ///< 3 x 8 for each group, or those of its fans: `vertex_size`
+                                  ///< times the vertex
+  std::vector<FanGroup> fans;     ///< the groups, where they are of fans
   std::vector<Index> neighbours;  ///< 3 x 8 for each group at its own vertices: `row_size` times
                                   ///< the triangle, itself where it has no neighbour
-  std::int64_t own_groups = 0;    ///< of triangles: each that counts is in these of one block
+  std::int64_t own_groups = 0;    ///< of triangles: each that counts is in these of one block; of
+                                  ///< fans none
   std::int64_t groups = 0;        ///< and of all others at its own vertices
   std::int64_t outer_groups = 0;  ///< and of what is wanted around both
 
-  /// From this group on.
+  /// From this group of triangles on.
   const Index* corners_from(std::int64_t group) const {
     return corners.data() + group * 3 * lanes_per_group;
   }
@@ -93,7 +97,7 @@ struct MeshBlocks {
 /// What blocks have besides the triangles at their own vertices.
 struct BlockSurroundings {
   Neighbours neighbours = {};  ///< where given, the triangles next to those; these must be kept
-  bool whole_stars = false;    ///< all that are kept around the corners of those
+  bool whole_stars = false;    ///< all that are kept around the corners of those, and in fans
 };
 
 /// Blocks of the triangles that are `kept` (#F). Those that are not `counted` (#F, or empty for

@@ -53,19 +53,19 @@ IBMFAIR_INLINE void add_rows(const Four (&a)[count], const Four (&b)[count], con
 
 }  // namespace simd_detail
 
-/// Adds a, b and c, each with w, to the rows of the three corners.
+/// Adds a, with w, to the rows `rows + at[i]`, which may coincide.
 template <class Lanes>
-IBMFAIR_INLINE void scatter_add(const Lanes3<Lanes>& a, const Lanes3<Lanes>& b,
-                                const Lanes3<Lanes>& c, const Lanes& w, double* rows,
+IBMFAIR_INLINE void scatter_add(const Lanes3<Lanes>& a, const Lanes& w, double* rows,
                                 const Index* at) {
-  Four row_a[lane_count<Lanes>], row_b[lane_count<Lanes>], row_c[lane_count<Lanes>];
-  rows_of(a, w, row_a);
-  rows_of(b, w, row_b);
-  rows_of(c, w, row_c);
-  simd_detail::add_rows(row_a, row_b, row_c, rows, at);
+  Four row[lane_count<Lanes>];
+  rows_of(a, w, row);
+  for (int i = 0; i < lane_count<Lanes>; ++i) {
+    simd_detail::add(row[i], rows + at[i]);
+  }
 }
 
-/// The same for a = -(b + c) and no w: three forces that sum to 0.
+/// Adds b and c to the rows of the second and the third corner, and -(b + c) to those of the first:
+/// three forces that sum to 0.
 template <class Lanes>
 IBMFAIR_INLINE void scatter_add_balanced(const Lanes3<Lanes>& b, const Lanes3<Lanes>& c,
                                          double* rows, const Index* at) {

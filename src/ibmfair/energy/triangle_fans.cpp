@@ -1,0 +1,167 @@
+#include "ibmfair/energy/triangle_fans.h"
+
+#include "ibmfair/energy/mesh_blocks.h"
+
+namespace ibmfair {
+
+void FanCover::append(const CornerTriples& triangles, Index vertex_count, Index place_of_vertex,
+                      std::vector<Index>& places, std::vector<FanGroup>& groups) {
+  find_stars(triangles, vertex_count);
+  for (std::vector<Index>& fans : fans_) {
+    fans.clear();
+  }
+  take_whole_stars();
+  take_what_is_left();
+  std::size_t more_groups = 0, more_places = 0;
+  for (Index length = longest_fan; length > 0; --length) {
+    more_groups += groups_of(length);
+    more_places += groups_of(length) * lanes_per_group * (static_cast<std::size_t>(length) + 2);
+  }
+  groups.reserve(groups.size() + more_groups);
+  places.reserve(places.size() + more_places);
+  for (Index length = longest_fan; length > 0; --length) {
+    append_groups(length, place_of_vertex, places, groups);
+  }
+}
+
+void FanCover::find_stars(const CornerTriples& triangles, Index vertex_count) {
+  const auto vertices = static_cast<std::size_t>(vertex_count);
+  left_.assign(vertices, 0);
+  taken_.assign(triangles.size(), 0);
+  met_.assign(vertices, 0);
+  leaving_.assign(vertices, -1);
+  entered_.assign(vertices, 0);
+  for (const auto& x : triangles) {
+    for (const Index v : x) {
+      ++left_[v];
+    }
+  }
+  first_.resize(vertices + 1);
+  first_[0] = 0;
+  for (std::size_t v = 0; v < vertices; ++v) {
+    first_[v + 1] = first_[v] + left_[v];
+  }
+  corners_.resize(3 * triangles.size());
+  for (std::size_t t = 0; t < triangles.size(); ++t) {
+    const auto& [a, b, c] = triangles[t];
+    const auto number = static_cast<Index>(t);
+    corners_[first_[a]++] = {b, c, number};
+    corners_[first_[b]++] = {c, a, number};
+    corners_[first_[c]++] = {a, b, number};
+  }
+  for (std::size_t v = vertices; v > 0; --v) {  // each has come to where the next one began
+    first_[v] = first_[v - 1];
+  }
+  first_[0] = 0;
+}
+
+/// Stars with no triangle in common. The one after a star is sought across the edges of its rim:
+/// where six triangles meet at every vertex, such stars leave no gaps, and others would.
+void FanCover::take_whole_stars() {
+  constexpr Index worth_taking = 5;  // a fan of the rest is hardly shorter than a smaller star
+  for (Index seed = 0; seed < static_cast<Index>(left_.size()); ++seed) {
+    if (met_[seed] != 0) {
+      continue;
+    }
+    queue_.assign(1, seed);
+    for (std::size_t i = 0; i < queue_.size(); ++i) {
+      const Index v = queue_[i];
+      if (left_[v] < worth_taking || left_[v] != first_[v + 1] - first_[v]) {
+        continue;
+      }
+      take(v);
+      for (const Corner& of_v : star(v)) {
+        for (const Corner& across : star(of_v.previous)) {
+          if (across.next == of_v.next && met_[across.previous] == 0) {
+            met_[across.previous] = 1;
+            queue_.push_back(across.previous);
+          }
+        }
+      }
+    }
+  }
+}
+
+void FanCover::take_what_is_left() {
+  for (Index enough = 5; enough > 0; --enough) {
+    for (Index v = 0; v < static_cast<Index>(left_.size()); ++v) {
+      if (left_[v] >= enough) {
+        take(v);
+      }
+    }
+  }
+}
+
+/// Makes fans of all triangles at the centre that are in none yet.
+void FanCover::take(Index centre) {
+  const Index first = first_[centre], last = first_[centre + 1];
+  for (Index c = first; c < last; ++c) {
+    if (taken_[corners_[c].triangle] == 0) {
+      leaving_[corners_[c].next] = c;
+      entered_[corners_[c].previous] = 1;
+    }
+  }
+  for (Index c = first; c < last; ++c) {
+    if (entered_[corners_[c].next] == 0) {
+      take_from(c, centre);
+    }
+  }
+  for (Index c = first; left_[centre] > 0 && c < last; ++c) {  // what goes round, or is cut
+    take_from(c, centre);
+  }
+  for (Index c = first; c < last; ++c) {
+    leaving_[corners_[c].next] = -1;
+    entered_[corners_[c].previous] = 0;
+  }
+}
+
+/// Makes a fan that begins with this corner, if none has it yet.
+void FanCover::take_from(Index corner, Index centre) {
+  std::array<Index, longest_fan + 2> fan{centre, corners_[corner].next};
+  Index length = 0;
+  while (corner >= 0 && taken_[corners_[corner].triangle] == 0 && length < longest_fan) {
+    const Corner& of_centre = corners_[corner];
+    taken_[of_centre.triangle] = 1;
+    --left_[centre];
+    --left_[of_centre.next];
+    --left_[of_centre.previous];
+    fan[++length + 1] = of_centre.previous;
+    corner = leaving_[of_centre.previous];
+  }
+  if (length > 0) {
+    fans_[length].insert(fans_[length].end(), fan.begin(), fan.begin() + length + 2);
+  }
+}
+
+/// How many the fans of this length fill.
+std::size_t FanCover::groups_of(Index length) const {
+  const std::size_t fans = fans_[length].size() / (static_cast<std::size_t>(length) + 2);
+  return (fans + lanes_per_group - 1) / lanes_per_group;
+}
+
+/// Neighbours, which follow each other in the list, go to different groups: what is added to a
+/// vertex in one group can then be in memory before the next one adds to it.
+void FanCover::append_groups(Index length, Index place_of_vertex, std::vector<Index>& places,
+                             std::vector<FanGroup>& groups) const {
+  const std::vector<Index>& fans = fans_[length];
+  const auto size = static_cast<std::size_t>(length) + 2;
+  const std::size_t fan_count = fans.size() / size;
+  const std::size_t group_count = groups_of(length);
+  for (std::size_t g = 0; g < group_count; ++g) {
+    FanGroup group{length, static_cast<std::int64_t>(places.size()), 0};
+    if (!groups.empty()) {
+      group.first_row = groups.back().first_row + groups.back().triangles + 1;
+    }
+    groups.push_back(group);
+    places.resize(places.size() + size * lanes_per_group);
+    Index* place = &places[group.first_place];
+    for (std::size_t i = 0; i < size; ++i) {
+      for (std::size_t fan = g; fan < lanes_per_group * group_count; fan += group_count) {
+        const auto of_filler = static_cast<Index>(i == 0 ? 0 : 2 - i % 2);
+        *place++ = place_of_vertex * (fan < fan_count ? fans[size * fan + i] : of_filler);
+      }
+    }
+  }
+}
+
+}  // namespace ibmfair

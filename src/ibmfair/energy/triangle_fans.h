@@ -1,0 +1,78 @@
+// Triangles in fans around a vertex, eight fans of the same length side by side: the kernels take a
+// triangle of each at a time. From one triangle of a fan to the next a single corner is new, and
+// what is added to the corners that they share is added up before it goes to memory. Eight
+// triangles with nothing in common took half as long again.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "ibmfair/base/types.h"
+
+namespace ibmfair {
+
+/// Triangles of a fan, at most: longer ones are cut.
+inline constexpr Index longest_fan = 8;
+
+/// Eight fans. Their places are listed in rows of eight, one for each fan: the centres, and then
+/// the rims, each `triangles` + 1 vertices. Triangle i has the centre and the vertices i and i + 1
+/// of the rim as its corners, in that order.
+struct FanGroup {
+  Index triangles = 0;           ///< in each of the fans
+  std::int64_t first_place = 0;  ///< in the block's list
+  std::int64_t first_row = 0;    ///< counts, over the groups before it, the vertices of a rim
+};
+
+/// Room for seven numbers of a triangle in each of the fans: what one loop over them keeps for the
+/// next.
+struct alignas(64) FanFrame {
+  std::array<std::byte, std::size_t{7} * 8 * sizeof(double)> bytes;
+};
+
+/// Triangles as the numbers of their corners.
+using CornerTriples = std::vector<std::array<Index, 3>>;
+
+/// Covers triangles with fans, block after block: what it keeps is only its memory.
+class FanCover {
+ public:
+  /// Lists groups of fans in which each of the triangles is once, corners in the same circular
+  /// order. Their vertices are less than `vertex_count`, and `place_of_vertex` times the vertex is
+  /// its place. Fans that a group lacks are of the triangle 0, 1, 2, turned over every other time.
+  /// Linear in the number of triangles.
+  void append(const CornerTriples& triangles, Index vertex_count, Index place_of_vertex,
+              std::vector<Index>& places, std::vector<FanGroup>& groups);
+
+ private:
+  /// A triangle as one of its corners sees it.
+  struct Corner {
+    Index next, previous, triangle;
+  };
+
+  void find_stars(const CornerTriples& triangles, Index vertex_count);
+  void take_whole_stars();
+  void take_what_is_left();
+  void take(Index centre);
+  void take_from(Index corner, Index centre);
+  std::size_t groups_of(Index length) const;
+  void append_groups(Index length, Index place_of_vertex, std::vector<Index>& places,
+                     std::vector<FanGroup>& groups) const;
+
+  std::span<const Corner> star(Index v) const {
+    return {corners_.data() + first_[v], corners_.data() + first_[v + 1]};
+  }
+
+  std::vector<Index> first_;         // #V + 1, in corners_
+  std::vector<Corner> corners_;      // by vertex
+  std::vector<Index> left_;          // #V, triangles at the vertex that are in no fan yet
+  std::vector<std::uint8_t> taken_;  // #F
+  std::vector<std::uint8_t> met_;    // #V, for the walk from star to star
+  std::vector<Index> queue_;         // of the same
+  std::vector<Index> leaving_;       // #V, the corner of the current centre whose next it is, or -1
+  std::vector<std::uint8_t> entered_;  // #V, whether it is the previous one of such a corner
+  std::array<std::vector<Index>, longest_fan + 1> fans_;  // by length: the centre and the rim
+};
+
+}  // namespace ibmfair
