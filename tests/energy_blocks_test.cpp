@@ -80,15 +80,30 @@ TEST(EnergyBlocks, ThreadsDoNotChangeAByte) {
   set_thread_count(before);
 }
 
+void expect_any_instruction_set_to_do(const TriangleMesh& mesh, const BendingModel& model,
+                                      bool mass) {
+  choose_kernel_set(InstructionSet::baseline);
+  const Evaluation baseline(mesh, model, {mass, {}});
+  for (const InstructionSet set : {InstructionSet::avx2, InstructionSet::avx512}) {
+    choose_kernel_set(set);
+    expect_same_bytes(Evaluation(mesh, model, {mass, {}}), baseline);
+  }
+}
+
 TEST(EnergyBlocks, TheInstructionSetDoesNotChangeAByte) {
-  for_every_energy([](const TriangleMesh& mesh, const BendingModel& model, bool mass) {
-    choose_kernel_set(InstructionSet::baseline);
-    const Evaluation baseline(mesh, model, {mass, {}});
-    for (const InstructionSet set : {InstructionSet::avx2, InstructionSet::avx512}) {
-      choose_kernel_set(set);
-      expect_same_bytes(Evaluation(mesh, model, {mass, {}}), baseline);
+  for_every_energy(expect_any_instruction_set_to_do);
+}
+
+// In which the kernels meet a vertex several times at once.
+TEST(EnergyBlocks, NorInSmallMeshes) {
+  for (const BendingModel& model : bending_models()) {
+    for (const int level : {0, 1, 2, 3}) {
+      SCOPED_TRACE(std::string(model.name) + ", level " + std::to_string(level));
+      TriangleMesh mesh = make_icosphere({level, {}});
+      add_noise(mesh.X, 0.01, 1);
+      expect_any_instruction_set_to_do(mesh, model, true);
     }
-  });
+  }
 }
 
 TEST(EnergyBlocks, TheNumberingOfTheInputDoesNotMatter) {

@@ -25,6 +25,43 @@ struct Fans {
   }
 };
 
+/// Adds to the vertices of fans, all of four fans before any of the next four, so that sums are
+/// made in the same order however many fit in a register.
+template <class Lanes>
+class VertexSums {
+ public:
+  IBMFAIR_INLINE explicit VertexSums(BlockVertex* vertices) : sums_(&vertices->sum.x) {}
+
+  IBMFAIR_INLINE void add(const Lanes3<Lanes>& a, const Lanes& w, const Index* at) {
+    Four row[lane_count<Lanes>];
+    rows_of(a, w, row);
+    for (int i = 0; i < at_once; ++i) {
+      simd_detail::add(row[i], sums_ + at[i]);
+    }
+    for (int i = at_once; i < lane_count<Lanes>; ++i) {
+      later_[count_++] = {row[i], sums_ + at[i]};
+    }
+  }
+
+  IBMFAIR_INLINE void finish() {
+    for (const Later* one = later_; one != later_ + count_; ++one) {
+      simd_detail::add(one->row, one->to);
+    }
+  }
+
+ private:
+  static constexpr int at_once = 4, rows = longest_fan + 2;
+
+  struct Later {
+    Four row;
+    double* to;
+  };
+
+  Later later_[rows * (lane_count<Lanes> - at_once) + 1];
+  double* sums_;
+  int count_ = 0;
+};
+
 /// Calls Kernel::add(fans, vertices) for all fans of the groups.
 template <class Kernel, class Lanes>
 IBMFAIR_INLINE void add_all(const FanRange& range, bool keep, BlockVertex* vertices,
@@ -77,7 +114,7 @@ struct Curvature {
   template <class Lanes>
   IBMFAIR_INLINE static void add(const Fans<Lanes>& fans, BlockVertex* vertices) {
     const double* X = &vertices->x.x;
-    double* sums = &vertices->sum.x;
+    VertexSums<Lanes> sums(vertices);
     Lanes areas[longest_fan];
     find_frames(fans, X, areas);
     const Lanes H0 = spontaneous ? gather<Lanes>(X, fans.centre).w : Lanes{};
@@ -94,14 +131,15 @@ struct Curvature {
         next = next - H2 * a;
         h0 = h0 - (H0 + H1 + H2) * a;
       }
-      scatter_add(h, area + areas[i], sums, fans.rim(i));
+      sums.add(h, area + areas[i], fans.rim(i));
       h0 = h0 - h;
       area0 = area0 + areas[i];
       h = next;
       area = areas[i];
     }
-    scatter_add(h, area, sums, fans.rim(fans.triangles));
-    scatter_add(h0 - h, area0, sums, fans.centre);
+    sums.add(h, area, fans.rim(fans.triangles));
+    sums.add(h0 - h, area0, fans.centre);
+    sums.finish();
   }
 
   template <class Lanes>
@@ -118,7 +156,7 @@ struct Forces {
   template <class Lanes>
   IBMFAIR_INLINE static void add(const Fans<Lanes>& fans, BlockVertex* vertices) {
     const double *X = &vertices->x.x, *Y = &vertices->y.x;
-    double* sums = &vertices->sum.x;
+    VertexSums<Lanes> sums(vertices);
     const Lanes H0 = spontaneous ? gather<Lanes>(X, fans.centre).w : Lanes{};
     const Lanes4<Lanes> y0 = gather<Lanes>(Y, fans.centre);
     Lanes4<Lanes> y1 = gather<Lanes>(Y, fans.rim(0));
@@ -141,14 +179,15 @@ struct Forces {
         force = force - cross(q, H0_y);
         next = next - cross(H0_y, p);
       }
-      scatter_add(force, Lanes{}, sums, fans.rim(i));
+      sums.add(force, Lanes{}, fans.rim(i));
       force0 = force0 - force;
       force = next;
       f = g;
       y1 = y2;
     }
-    scatter_add(force, Lanes{}, sums, fans.rim(fans.triangles));
-    scatter_add(force0 - force, Lanes{}, sums, fans.centre);
+    sums.add(force, Lanes{}, fans.rim(fans.triangles));
+    sums.add(force0 - force, Lanes{}, fans.centre);
+    sums.finish();
   }
 
   template <class Lanes>

@@ -53,17 +53,6 @@ IBMFAIR_INLINE void add_rows(const Four (&a)[count], const Four (&b)[count], con
 
 }  // namespace simd_detail
 
-/// Adds a, with w, to the rows `rows + at[i]`, which may coincide.
-template <class Lanes>
-IBMFAIR_INLINE void scatter_add(const Lanes3<Lanes>& a, const Lanes& w, double* rows,
-                                const Index* at) {
-  Four row[lane_count<Lanes>];
-  rows_of(a, w, row);
-  for (int i = 0; i < lane_count<Lanes>; ++i) {
-    simd_detail::add(row[i], rows + at[i]);
-  }
-}
-
 /// Adds b and c to the rows of the second and the third corner, and -(b + c) to those of the first:
 /// three forces that sum to 0.
 template <class Lanes>
