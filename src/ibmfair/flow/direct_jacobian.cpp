@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "ibmfair/base/errors.h"
 #include "ibmfair/base/parallel.h"
@@ -15,9 +16,6 @@ constexpr double good_enough = 1e-3;
 
 /// Who asks for a smaller residual than this gets a factor in float64.
 constexpr double float32_tolerance = 1e-4;
-
-/// Where an entry of diag(J) is more than this times that of D, float32 would lose D next to it.
-constexpr double widest_float32 = 1e6;
 
 // Seconds on one core of a machine of 2023; only their ratios matter. tools/solver_table prints
 // what they were chosen by, here and in iterative_jacobian.cpp.
@@ -61,6 +59,26 @@ double relative_residual(const SymmetricMatrix& J, const Points& Y, const Points
   return size > 0 ? std::sqrt(residual / size) : 0;
 }
 
+/// Whether float32 would round off of a row of J, or add to it, more of D than belongs to the part
+/// of the surface around it that moves as one: J might no longer be positive there. That part has
+/// as many vertices as the square of the length that is smoothed over, the cut-off, which the
+/// fourth root of diag(J) / D is proportional to at most of the vertices.
+bool is_too_wide_for_float32(const SymmetricMatrix& J, const Eigen::VectorXd& D) {
+  constexpr double widest = 1e7;  // half a D is rounded off at 2^23
+  std::vector<double> ratio(static_cast<std::size_t>(J.size()));
+  double largest = 0;
+  for (Index u = 0; u < J.size(); ++u) {
+    ratio[u] = J.value[J.column_first[u]] / D[u];
+    largest = std::max(largest, ratio[u]);
+  }
+  if (largest <= widest) {
+    return false;
+  }
+  const auto middle = ratio.begin() + J.size() / 2;
+  std::nth_element(ratio.begin(), middle, ratio.end());
+  return !(largest <= widest * std::sqrt(*middle));
+}
+
 void tell_stage(const FlowOptions& options, FlowStage stage) {
   if (options.on_stage) {
     options.on_stage(stage);
@@ -98,11 +116,8 @@ void DirectJacobian::update(const JacobianParts& parts) {
     symbolic_.emplace(J_, shape_.options.ordering);
     shape_.report.forecast = symbolic_->forecast();
   }
-  double widest = 0;
-  for (Index u = 0; u < J_.size(); ++u) {
-    widest = std::max(widest, J_.value[J_.column_first[u]] / parts.D[u]);
-  }
-  factor(needs_float64_ || !(widest <= widest_float32) ? Precision::float64 : Precision::float32);
+  const bool wide = needs_float64_ || is_too_wide_for_float32(J_, parts.D);
+  factor(wide ? Precision::float64 : Precision::float32);
 }
 
 void DirectJacobian::assemble(const JacobianParts& parts) {
