@@ -64,7 +64,7 @@ double relative_residual(const SymmetricMatrix& J, const Points& Y, const Points
 /// as many vertices as the square of the length that is smoothed over, the cut-off, which the
 /// fourth root of diag(J) / D is proportional to at most of the vertices.
 bool is_too_wide_for_float32(const SymmetricMatrix& J, const Eigen::VectorXd& D) {
-  constexpr double widest = 1e7;  // half a D is rounded off at 2^23
+  constexpr double widest = 1 << 24;  // of which D is less than the last digit
   std::vector<double> ratio(static_cast<std::size_t>(J.size()));
   double largest = 0;
   for (Index u = 0; u < J.size(); ++u) {
