@@ -1,5 +1,7 @@
 #include "ibmfair/energy/triangle_fans.h"
 
+#include <algorithm>
+
 #include "ibmfair/energy/mesh_blocks.h"
 
 namespace ibmfair {
@@ -140,13 +142,14 @@ std::size_t FanCover::groups_of(Index length) const {
 }
 
 /// Neighbours, which follow each other in the list, go to different groups: what is added to a
-/// vertex in one group can then be in memory before the next one adds to it.
+/// vertex in one group can then be in memory before the next one adds to it. But to groups near
+/// each other: then it is still in the cache.
 void FanCover::append_groups(Index length, Index place_of_vertex, std::vector<Index>& places,
                              std::vector<FanGroup>& groups) const {
+  constexpr std::size_t near = 8;
   const std::vector<Index>& fans = fans_[length];
   const auto size = static_cast<std::size_t>(length) + 2;
-  const std::size_t fan_count = fans.size() / size;
-  const std::size_t group_count = groups_of(length);
+  const std::size_t fan_count = fans.size() / size, group_count = groups_of(length);
   for (std::size_t g = 0; g < group_count; ++g) {
     FanGroup group{length, static_cast<std::int64_t>(places.size()), 0};
     if (!groups.empty()) {
@@ -155,8 +158,11 @@ void FanCover::append_groups(Index length, Index place_of_vertex, std::vector<In
     groups.push_back(group);
     places.resize(places.size() + size * lanes_per_group);
     Index* place = &places[group.first_place];
+    const std::size_t first_near = g / near * near;
+    const std::size_t distance = std::min(near, group_count - first_near);
     for (std::size_t i = 0; i < size; ++i) {
-      for (std::size_t fan = g; fan < lanes_per_group * group_count; fan += group_count) {
+      for (std::size_t lane = 0; lane < lanes_per_group; ++lane) {
+        const std::size_t fan = lanes_per_group * first_near + lane * distance + (g - first_near);
         const auto of_filler = static_cast<Index>(i == 0 ? 0 : 2 - i % 2);
         *place++ = place_of_vertex * (fan < fan_count ? fans[size * fan + i] : of_filler);
       }
