@@ -150,15 +150,31 @@ TEST(ConjugateGradients, TheInstructionSetDoesNotChangeAByte) {
   for_every_example([](const Example& example) {
     const Points B = random_directions(example.J.size());
     ConjugateGradients solver(*example.rows);
-    Points baseline, Y;
+    Points baseline;
     choose_kernel_set(InstructionSet::baseline);
     const int iterations = solver.solve(B, baseline, 1e-3, 1000);
     for (const InstructionSet set : {InstructionSet::avx2, InstructionSet::avx512}) {
       choose_kernel_set(set);
+      Points Y;
       EXPECT_EQ(solver.solve(B, Y, 1e-3, 1000), iterations);
       EXPECT_EQ(Y, baseline);
     }
   });
+}
+
+/// What Y may hold before: nothing, what has nothing to do with the solution, what is near it, or
+/// against it, and no numbers.
+std::vector<Points> guesses(const Example& example, const Points& B) {
+  Points solution;
+  ConjugateGradients(*example.rows).solve(B, solution, 1e-4, 1000);
+  const Points other = random_directions(B.rows() + 1).bottomRows(B.rows());
+  const double scale = 0.01 * solution.norm() / other.norm();
+  return {Points(),
+          other,
+          1e6 * (solution + scale * other),
+          -solution,
+          Points::Zero(B.rows(), 3),
+          Points::Constant(B.rows(), 3, std::numeric_limits<double>::quiet_NaN())};
 }
 
 TEST(ConjugateGradients, SolveToTheTolerance) {
@@ -166,10 +182,11 @@ TEST(ConjugateGradients, SolveToTheTolerance) {
     const Points B = random_directions(example.J.size());
     ConjugateGradients solver(*example.rows);
     for (const double tolerance : {1e-1, 1e-3}) {
-      Points Y;
-      EXPECT_LT(solver.solve(B, Y, tolerance, 1000), 200);
-      const Points residual = B - multiply(example.J, Y);
-      EXPECT_LE(example.norm(residual), 1.01 * tolerance * example.norm(B));
+      for (Points Y : guesses(example, B)) {
+        EXPECT_LT(solver.solve(B, Y, tolerance, 1000), 200);
+        const Points residual = B - multiply(example.J, Y);
+        EXPECT_LE(example.norm(residual), 1.05 * tolerance * example.norm(B));
+      }
     }
   });
 }
@@ -180,12 +197,27 @@ TEST(ConjugateGradients, StopAtAMinimumAlongTheirStep) {
     const Points B = random_directions(example.J.size());
     ConjugateGradients solver(*example.rows);
     for (const int iterations : {1, 2, 5}) {
-      Points d;
-      EXPECT_LE(solver.solve(B, d, 1e-12, iterations), iterations);
-      const double slope = d.cwiseProduct(B).sum();
-      EXPECT_NEAR(d.cwiseProduct(multiply(example.J, d)).sum(), slope, 1e-4 * slope);
+      for (Points d : guesses(example, B)) {
+        EXPECT_LE(solver.solve(B, d, 1e-12, iterations), iterations);
+        const double slope = d.cwiseProduct(B).sum();
+        EXPECT_GT(slope, 0);
+        EXPECT_NEAR(d.cwiseProduct(multiply(example.J, d)).sum(), slope, 1e-4 * slope);
+      }
     }
   });
+}
+
+TEST(ConjugateGradients, TakeFewerIterationsFromNearBy) {
+  ShapeSettings settings;
+  settings.subdivide = 4;
+  const Example example(State(Mesh(make_shape("icosphere", settings))), "crouzeix-raviart", false);
+  const Points B = random_directions(example.J.size()), towards = random_directions(B.rows());
+  ConjugateGradients solver(*example.rows);
+  Points Y, next;
+  solver.solve(B, Y, 1e-3, 1000);
+  const Points like_B = 0.7 * B + 0.02 * towards;
+  const int from_zero = solver.solve(like_B, next, 0.05, 1000);
+  EXPECT_LT(2 * solver.solve(like_B, Y, 0.05, 1000), from_zero);
 }
 
 TEST(ConjugateGradients, TurnWithWhatTheySolveFor) {

@@ -30,11 +30,12 @@ class JacobianSolver {
   /// Takes another Jacobian with the same stencils. Throws FactorizationFailed, OutOfMemory.
   virtual void update(const JacobianParts& parts) = 0;
 
-  /// Y = J^-1 B, one row per unknown, Y being another place than B; iterative solvers leave a
-  /// residual of `FlowOptions::solver_tolerance`. The Jacobian is not exact either, and what one
-  /// step leaves the next one takes. On noisy tori a fiftieth gives the same root mean square error
-  /// as the default, to a per cent; with twice the default, a model with needles kept a sixth more
-  /// of its energy.
+  /// Y = J^-1 B, one row per unknown, Y being another place than B; iterative solvers begin along
+  /// what it holds, if that has as many rows, such as the step before, and leave a residual of
+  /// `FlowOptions::solver_tolerance`. The Jacobian is not exact either, and what one step leaves
+  /// the next one takes. On noisy tori a fiftieth gives the same root mean square error as the
+  /// default, to a per cent; with twice the default, a model with needles kept a sixth more of its
+  /// energy.
   virtual void solve(const Points& B, Points& Y) = 0;
 
   /// The same, and takes the seconds that it needs on one core, counted, not timed, off `seconds`;
@@ -69,8 +70,8 @@ struct JacobianBackend {
   bool has_factor;
 };
 
-/// About how many iterations a solve takes with the diagonal for a preconditioner, to the default
-/// tolerance.
+/// About how many iterations a solve takes from zero with the diagonal for a preconditioner, to the
+/// default tolerance.
 double forecast_iterations(const JacobianShape& shape, const JacobianParts& parts);
 
 /// All backends; options.solver names one of them, or "auto".
