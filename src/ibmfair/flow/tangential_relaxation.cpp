@@ -54,11 +54,6 @@ TangentialRelaxation::TangentialRelaxation(const Topology& topology, const Rows&
   }
   near = grow_one_ring(topology, near);
   near_ = indices_where(topology.vertex_count, [&](Index v) { return near[v] != 0; });
-  triangles_ = indices_where(topology.F.rows(), [&](Index t) {
-    const auto x = topology.F.row(t);
-    return near[x[0]] != 0 || near[x[1]] != 0 || near[x[2]] != 0;
-  });
-  areas_.resize(static_cast<std::size_t>(topology.F.rows()));
 }
 
 void TangentialRelaxation::moves(const Points& X, Points& move) {
@@ -102,17 +97,14 @@ bool TangentialRelaxation::moves_at_needles(const Points& X, Points& move) {
 }
 
 void TangentialRelaxation::find_normals(const Points& X) {
-  parallel_for(static_cast<std::int64_t>(triangles_.size()), [&](std::int64_t i) {
-    const Vec3 N = double_area_vector(X, topology_.F, triangles_[i]);
-    areas_[triangles_[i]] = {N, N.norm()};
-  });
   parallel_for(static_cast<std::int64_t>(near_.size()), [&](std::int64_t i) {
     const Index v = near_[i];
     Vec3 sum = Vec3::Zero();
     double lengths = 0;
     for (const Index t : topology_.stars[v]) {
-      sum += areas_[t].vector;
-      lengths += areas_[t].length;
+      const Vec3 N = double_area_vector(X, topology_.F, t);  // as fast as to keep it for all three
+      sum += N;
+      lengths += N.norm();
     }
     normals_.row(v) = sum;
     left_[v] = lengths > 0 ? sum.norm() / lengths : 0;
@@ -143,7 +135,8 @@ Vec3 TangentialRelaxation::along_surface(Index v, const Vec3& step) const {
 Vec3 TangentialRelaxation::along_creases(const Points& X, Index v, const Vec3& step) const {
   Eigen::Matrix3d squared_normals = Eigen::Matrix3d::Zero();
   for (const Index t : topology_.stars[v]) {
-    const auto& [N, length] = areas_[t];
+    const Vec3 N = double_area_vector(X, topology_.F, t);
+    const double length = N.norm();
     if (length > 0) {
       const auto [a, b] = other_corners(topology_.F, t, v);
       const double cosine_side = (X.row(a) - X.row(v)).dot(X.row(b) - X.row(v));

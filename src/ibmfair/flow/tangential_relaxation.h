@@ -32,12 +32,6 @@ class TangentialRelaxation {
   bool moves_at_needles(const Points& X, Points& move);
 
  private:
-  /// The double area vector of a triangle.
-  struct Area {
-    Vec3 vector;
-    double length;
-  };
-
   void find_normals(const Points& X);
 
   /// Whether vertex v has hardly a tangent plane, and its neighbours agree on one.
@@ -54,11 +48,9 @@ class TangentialRelaxation {
   const Unknowns& unknowns_;
   const MeshParts& parts_;
   const bool keeps_creases_;
-  std::vector<Index> near_;       // the vertices that move, and their neighbours
-  std::vector<Index> triangles_;  // around them
-  std::vector<Area> areas_;       // #F, theirs
-  Points normals_;                // #V x 3, where near: the sum of the double area vectors
-  PerVertex left_;                // #V, its share of the sum of their lengths
+  std::vector<Index> near_;  // the vertices that move, and their neighbours
+  Points normals_;           // #V x 3, where near: the sum of the triangles' double area vectors
+  PerVertex left_;           // #V, its share of the sum of their lengths
 };
 
 }  // namespace ibmfair
