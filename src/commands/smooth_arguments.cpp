@@ -124,7 +124,7 @@ void add_solver_options(CLI::App& app, SmoothArguments& a) {
                "residual at which conjugate gradients stop: 0.3 halves the time, and leaves "
                "ripples near the cut-off where there are few steps; below 1e-4 a factor is in "
                "double precision");
-  note_of(app, *tolerance).unit = "times the residual at their start";
+  note_of(app, *tolerance).unit = "times that of no step at all";
   CLI::Option* memory =
       add_bytes(app, "--memory", a.flow.memory_limit,
                 "memory that the program may take, as in 800M or 4G: auto takes a solver that "
