@@ -41,7 +41,7 @@ class FanCover {
   /// Lists groups of fans in which each of the triangles is once, corners in the same circular
   /// order. Their vertices are less than `vertex_count`, and `place_of_vertex` times the vertex is
   /// its place. Fans that a group lacks are of the triangle 0, 1, 2, turned over every other time.
-  /// Linear in the number of triangles.
+  /// Linear in the number of triangles where few meet at a vertex.
   void append(const CornerTriples& triangles, Index vertex_count, Index place_of_vertex,
               std::vector<Index>& places, std::vector<FanGroup>& groups);
 
