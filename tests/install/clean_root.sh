@@ -14,7 +14,7 @@ command -v mmdebstrap >/dev/null && command -v dpkg-shlibdeps >/dev/null || skip
 ((EUID == 0)) || skip "not root"
 release=$(. /etc/os-release && echo "${VERSION_CODENAME:-}")
 
-rm -rf "$work"
+rm -rf --one-file-system "$work"  # no mounts that a killed run has left
 mkdir -p "$work/packages"
 work=$(realpath "$work")
 cpack --config "$build/CPackConfig.cmake" -B "$work/packages" >"$work/cpack.log" || {
@@ -27,7 +27,7 @@ tarball=$(ls "$work"/packages/ibmfair-*.tar.gz)
 mmdebstrap --quiet --variant=minbase --include=ca-certificates "$release" "$work/root"
 inside() { chroot "$work/root" env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin HOME=/root LC_ALL=C "$@"; }
 apt() { inside DEBIAN_FRONTEND=noninteractive apt-get --quiet=2 --yes --no-install-recommends "$@"; }
-trap 'rm -rf "$work/root"' EXIT
+trap 'rm -rf --one-file-system "$work/root"' EXIT
 apt update
 
 # What the demo must show: vertices moved, and a picture that is a PNG file.
