@@ -249,4 +249,12 @@ IBMFAIR_INLINE void store_rows(const Lanes3<Lanes>& a, const Lanes& w, double* r
   }
 }
 
+/// Adds to the row at `to`.
+IBMFAIR_INLINE void add_to_row(const Four& a, double* to) {
+  Four sum;
+  std::memcpy(&sum, to, sizeof sum);
+  sum += a;
+  std::memcpy(to, &sum, sizeof sum);
+}
+
 }  // namespace ibmfair

@@ -1,9 +1,48 @@
 #include "ibmfair/energy/crouzeix_raviart_kernels.h"
 
-#include "ibmfair/energy/triangle_lanes.h"
+#include "ibmfair/base/lanes.h"
 
 namespace ibmfair {
 namespace {
+
+/// How many triangles a kernel takes through one of its stages before the next. Square roots and
+/// divisions take so long that they must be under way for many triangles at once, and of long
+/// stages only the work on a few has room in the processor's queue.
+constexpr std::int64_t run_length = 64;
+
+/// Where a block lists the first places of triangle t and of those after it in its group. The
+/// second ones stand `lanes_per_group` further on, and the third ones as far behind these.
+IBMFAIR_INLINE const Index* places_of(const Index* listed, std::int64_t t) {
+  return listed + 3 * t - 2 * (t % lanes_per_group);
+}
+
+/// The rows of a triangle's three corners, or of what else it has three of.
+template <class Lanes>
+struct ThreeRows {
+  Lanes4<Lanes> first, second, third;
+};
+
+template <class Lanes>
+IBMFAIR_INLINE ThreeRows<Lanes> gather_three(const double* rows, const Index* at) {
+  const Index *at_second = at + lanes_per_group, *at_third = at_second + lanes_per_group;
+  return {gather<Lanes>(rows, at), gather<Lanes>(rows, at_second), gather<Lanes>(rows, at_third)};
+}
+
+/// Adds b and c to the rows of the second and the third corner, and -(b + c) to those of the first:
+/// three forces that sum to 0. One triangle after the other, for their corners may coincide; and
+/// all three of one before the next, so that sums do not depend on which of them comes first.
+template <class Lanes>
+IBMFAIR_INLINE void scatter_add_balanced(const Lanes3<Lanes>& b, const Lanes3<Lanes>& c,
+                                         double* rows, const Index* at) {
+  Four row_b[lane_count<Lanes>], row_c[lane_count<Lanes>];
+  rows_of(b, Lanes{}, row_b);
+  rows_of(c, Lanes{}, row_c);
+  for (int i = 0; i < lane_count<Lanes>; ++i) {
+    add_to_row(-(row_b[i] + row_c[i]), rows + at[i]);
+    add_to_row(row_b[i], rows + at[lanes_per_group + i]);
+    add_to_row(row_c[i], rows + at[2 * lanes_per_group + i]);
+  }
+}
 
 struct FrameKernel {
   /// The double area vectors N and |N|^2.

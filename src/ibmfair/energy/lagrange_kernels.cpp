@@ -1,6 +1,6 @@
 #include "ibmfair/energy/lagrange_kernels.h"
 
-#include "ibmfair/energy/triangle_lanes.h"
+#include "ibmfair/base/lanes.h"
 
 namespace ibmfair {
 namespace {
@@ -36,7 +36,7 @@ class VertexSums {
     Four row[lane_count<Lanes>];
     rows_of(a, w, row);
     for (int i = 0; i < at_once; ++i) {
-      simd_detail::add(row[i], sums_ + at[i]);
+      add_to_row(row[i], sums_ + at[i]);
     }
     for (int i = at_once; i < lane_count<Lanes>; ++i) {
       later_[count_++] = {row[i], sums_ + at[i]};
@@ -45,7 +45,7 @@ class VertexSums {
 
   IBMFAIR_INLINE void finish() {
     for (const Later* one = later_; one != later_ + count_; ++one) {
-      simd_detail::add(one->row, one->to);
+      add_to_row(one->row, one->to);
     }
   }
 
