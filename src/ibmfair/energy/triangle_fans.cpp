@@ -26,6 +26,8 @@ void FanCover::append(const CornerTriples& triangles, Index vertex_count, Index 
   }
 }
 
+/// With the other corners at hand, and in memory that is kept: by positions_by_value the energy of
+/// a large mesh would take a third longer to set up.
 void FanCover::find_stars(const CornerTriples& triangles, Index vertex_count) {
   const auto vertices = static_cast<std::size_t>(vertex_count);
   left_.assign(vertices, 0);

@@ -37,8 +37,10 @@ double ConjugateGradients::begin(const Points& B, double unit) {
   x_.setZero(4, r_.cols());
   p_.resize(4, r_.cols());
   q_.resize(4, r_.cols());
-  parallel_for(r_.cols(), [&](std::int64_t u) { p_.col(u) = N[u] * r_.col(u); });
-  return dot(p_, r_);
+  return parallel_sum(r_.cols(), [&](std::int64_t u) {
+    p_.col(u) = N[u] * r_.col(u);
+    return static_cast<double>((p_.col(u) * r_.col(u)).sum());
+  });
 }
 
 /// Goes along p to the minimum, where `slope` is <p, r>; the next p is conjugate to this one if it
