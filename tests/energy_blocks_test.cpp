@@ -10,6 +10,7 @@
 #include "ibmfair/shapes/grids.h"
 #include "ibmfair/shapes/noise.h"
 #include "ibmfair/shapes/polyhedra.h"
+#include "support/fan_triangles.h"
 #include "support/renumbered.h"
 
 namespace ibmfair::test {
@@ -162,16 +163,10 @@ TEST(EnergyBlocks, WholeStarsMissNoTriangleOfACorner) {
     }
     std::vector<int> triangles(filler_vertices + vertex.size(), 0);
     for (std::int64_t g = 0; g < b.outer_groups; ++g) {
-      const FanGroup& group = b.fans[g];
-      for (Index fan = 0; fan < lanes_per_group; ++fan) {
-        const auto corner = [&](std::int64_t row) {
-          return b.corners[group.first_place + lanes_per_group * row + fan] / vertex_size;
-        };
-        for (Index i = 0; i < group.triangles; ++i) {
-          for (const Index v : {corner(0), corner(i + 1), corner(i + 2)}) {
-            ++triangles[v];
-            EXPECT_TRUE(g >= b.groups || v < filler_vertices + b.owned + b.rim);
-          }
+      for (const auto& corners : triangles_of(b.fans[g], b.corners, vertex_size)) {
+        for (const Index v : corners) {
+          ++triangles[v];
+          EXPECT_TRUE(g >= b.groups || v < filler_vertices + b.owned + b.rim);
         }
       }
     }

@@ -10,6 +10,7 @@
 #include "ibmfair/energy/mesh_blocks.h"
 #include "ibmfair/shapes/grids.h"
 #include "ibmfair/shapes/polyhedra.h"
+#include "support/fan_triangles.h"
 #include "support/meshes.h"
 
 namespace ibmfair::test {
@@ -54,14 +55,9 @@ struct Listed {
 Listed listed(const Fans& fans) {
   Listed result;
   for (const FanGroup& group : fans.groups) {
-    for (Index fan = 0; fan < lanes_per_group; ++fan) {
-      const auto vertex = [&](std::int64_t row) {
-        return fans.places[group.first_place + lanes_per_group * row + fan] / place_of_vertex;
-      };
-      for (Index i = 0; i < group.triangles; ++i) {
-        const auto x = turned({vertex(0), vertex(i + 1), vertex(i + 2)});
-        (x[2] < filler_vertices ? result.fillers : result.triangles).push_back(x);
-      }
+    for (const auto& corners : triangles_of(group, fans.places, place_of_vertex)) {
+      const auto x = turned(corners);
+      (x[2] < filler_vertices ? result.fillers : result.triangles).push_back(x);
     }
   }
   std::sort(result.triangles.begin(), result.triangles.end());
