@@ -1,6 +1,7 @@
 #include "ibmfair/mesh/topology.h"
 
 #include <algorithm>
+#include <array>
 #include <numbers>
 #include <set>
 #include <vector>
@@ -45,6 +46,43 @@ TEST(Topology, EveryHalfEdgeIsCountedOnce) {
     EXPECT_EQ(sides, static_cast<std::size_t>(3 * proper)) << name;
     EXPECT_EQ(topology.stars.value.size(), static_cast<std::size_t>(3 * proper)) << name;
   }
+}
+
+TEST(Topology, RingsFollowTheTriangles) {
+  Index in_turn = 0, in_order = 0;
+  for (const auto& [name, mesh] : all_meshes()) {
+    const Topology topology = topology_of(mesh);
+    const Rows rings = vertex_rings(topology);
+    for (Index v = 0; v < topology.vertex_count; ++v) {
+      const auto ring = rings[v];
+      std::set<Index> neighbours;
+      for (const Index t : topology.stars[v]) {
+        const auto others = other_corners(topology.F, t, v);
+        neighbours.insert(others.begin(), others.end());
+      }
+      EXPECT_EQ(std::set<Index>(ring.begin(), ring.end()), neighbours) << name << ' ' << v;
+      EXPECT_EQ(ring.size(), neighbours.size()) << name << ' ' << v;
+      if (!is_ringed(topology, v)) {
+        EXPECT_TRUE(std::is_sorted(ring.begin(), ring.end())) << name << ' ' << v;
+        ++in_order;
+        continue;
+      }
+      ++in_turn;
+      ASSERT_EQ(ring.size(), topology.stars[v].size()) << name << ' ' << v;
+      for (std::size_t i = 0; i < ring.size(); ++i) {
+        const Index a = ring[i], b = ring[(i + 1) % ring.size()];
+        const auto star = topology.stars[v];
+        EXPECT_EQ(std::count_if(star.begin(), star.end(),
+                                [&](Index t) {
+                                  return other_corners(topology.F, t, v) == std::array{a, b};
+                                }),
+                  1)
+            << name << ' ' << v;
+      }
+    }
+  }
+  EXPECT_GT(in_turn, 0);
+  EXPECT_GT(in_order, 0);
 }
 
 TEST(Topology, ClosedMeshesHaveNoBoundaryAndTheirGenus) {

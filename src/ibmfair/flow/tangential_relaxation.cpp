@@ -57,24 +57,25 @@ TangentialRelaxation::TangentialRelaxation(const Topology& topology, const Rows&
 }
 
 void TangentialRelaxation::moves(const Points& X, Points& move) {
-  find_normals(X);
   move.resize(unknowns_.size(), 3);
+  parallel_for(static_cast<std::int64_t>(near_.size()), [&](std::int64_t i) {
+    const Index v = near_[i], u = unknowns_.unknown[v];
+    const Surroundings around = look_around(X, v);
+    normals_.row(v) = around.normal;
+    left_[v] = around.lengths > 0 ? around.normal.norm() / around.lengths : 0;
+    if (u >= 0 && u < unknowns_.size()) {
+      move.row(u) = may_move(v) ? move_along(X, v, around) : Vec3(Vec3::Zero());
+    }
+  });
+  parts_.refresh(normals_);
+  if (keeps_creases_) {
+    return;
+  }
   parallel_for(move.rows(), [&](std::int64_t u) {
     const Index v = unknowns_.vertex[u];
-    Vec3 step = Vec3::Zero();
-    if (topology_.kind[v] == VertexKind::interior && !topology_.twisted[v]) {
-      const auto ring = rings_[v];
-      for (const Index q : ring) {
-        step += (X.row(q) - X.row(v)).transpose();
-      }
-      step /= 2 * static_cast<double>(ring.size());
-      if (keeps_creases_ && left_[v] < all_left) {
-        step = along_surface(v, along_creases(X, v, step));
-      } else if (!sticks_out(v)) {
-        step = along_surface(v, step);
-      }
+    if (may_move(v) && sticks_out(v)) {
+      move.row(u) = look_around(X, v).half_way;
     }
-    move.row(u) = step;
   });
 }
 
@@ -96,20 +97,46 @@ bool TangentialRelaxation::moves_at_needles(const Points& X, Points& move) {
   return true;
 }
 
-void TangentialRelaxation::find_normals(const Points& X) {
-  parallel_for(static_cast<std::int64_t>(near_.size()), [&](std::int64_t i) {
-    const Index v = near_[i];
-    Vec3 sum = Vec3::Zero();
-    double lengths = 0;
+TangentialRelaxation::Surroundings TangentialRelaxation::look_around(const Points& X,
+                                                                     Index v) const {
+  const auto ring = rings_[v];
+  const Vec3 x = X.row(v);
+  Vec3 normal = Vec3::Zero(), toward = Vec3::Zero();  // in registers
+  double lengths = 0;
+  if (is_ringed(topology_, v)) {
+    Vec3 last = X.row(ring.back()).transpose() - x;
+    for (const Index q : ring) {
+      const Vec3 edge = X.row(q).transpose() - x;
+      const Vec3 N = last.cross(edge);
+      normal += N;
+      lengths += N.norm();
+      toward += edge;
+      last = edge;
+    }
+  } else {
     for (const Index t : topology_.stars[v]) {
-      const Vec3 N = double_area_vector(X, topology_.F, t);  // as fast as to keep it for all three
-      sum += N;
+      const Vec3 N = double_area_vector(X, topology_.F, t);
+      normal += N;
       lengths += N.norm();
     }
-    normals_.row(v) = sum;
-    left_[v] = lengths > 0 ? sum.norm() / lengths : 0;
-  });
-  parts_.refresh(normals_);
+    for (const Index q : ring) {
+      toward += X.row(q).transpose() - x;
+    }
+  }
+  const double half_of_each = 0.5 / std::max(1.0, static_cast<double>(ring.size()));
+  return {.normal = normal, .lengths = lengths, .half_way = half_of_each * toward};
+}
+
+bool TangentialRelaxation::may_move(Index v) const {
+  return topology_.kind[v] == VertexKind::interior && !topology_.twisted[v];
+}
+
+Vec3 TangentialRelaxation::move_along(const Points& X, Index v, const Surroundings& around) const {
+  const bool may_have_crease = keeps_creases_ && left_[v] < all_left;
+  const Vec3 step = may_have_crease ? along_creases(X, v, around.half_way) : around.half_way;
+  const double squared = around.normal.squaredNorm();
+  return squared > 0 ? Vec3(step - around.normal * (around.normal.dot(step) / squared))
+                     : Vec3(Vec3::Zero());
 }
 
 bool TangentialRelaxation::sticks_out(Index v) const {
@@ -124,12 +151,6 @@ bool TangentialRelaxation::sticks_out(Index v) const {
     length += N.norm();
   }
   return sum.norm() > more_left * left_around_edge(left_[v]) * length;
-}
-
-Vec3 TangentialRelaxation::along_surface(Index v, const Vec3& step) const {
-  const Vec3 normal = normals_.row(v);
-  const double squared = normal.squaredNorm();
-  return squared > 0 ? Vec3(step - normal * (normal.dot(step) / squared)) : Vec3::Zero();
 }
 
 Vec3 TangentialRelaxation::along_creases(const Points& X, Index v, const Vec3& step) const {

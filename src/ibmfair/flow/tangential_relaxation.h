@@ -32,13 +32,21 @@ class TangentialRelaxation {
   bool moves_at_needles(const Points& X, Points& move);
 
  private:
-  void find_normals(const Points& X);
+  /// What the triangles and the neighbours around a vertex come to.
+  struct Surroundings {
+    Vec3 normal;     ///< sum of the triangles' double area vectors
+    double lengths;  ///< sum of their lengths
+    Vec3 half_way;   ///< from the vertex toward the mean of its neighbours
+  };
+  Surroundings look_around(const Points& X, Index v) const;
+
+  bool may_move(Index v) const;
+
+  /// The move of v, as long as it does not stick out.
+  Vec3 move_along(const Points& X, Index v, const Surroundings& around) const;
 
   /// Whether vertex v has hardly a tangent plane, and its neighbours agree on one.
   bool sticks_out(Index v) const;
-
-  /// What of a step is along the surface at v.
-  Vec3 along_surface(Index v, const Vec3& step) const;
 
   /// What of a step is along all triangles at v, however little there is of one side of a crease.
   Vec3 along_creases(const Points& X, Index v, const Vec3& step) const;

@@ -12,10 +12,6 @@
 namespace ibmfair {
 namespace {
 
-/// The most triangles of a star that is searched from end to end for each step of a walk; sorting
-/// pays beyond.
-constexpr std::size_t most_in_short_star = 32;
-
 /// Walks around v from its first triangle in both directions, as far as edges lead.
 bool is_one_short_fan(const Topology& topology, Index v) {
   const auto star = topology.stars[v];
@@ -73,6 +69,23 @@ std::vector<Index> first_in_fan(const Topology& topology, Index v) {
 }
 
 }  // namespace
+
+void walk_around(const Topology& topology, Index v, Index* ring) {
+  const auto star = topology.stars[v];
+  std::array<std::array<Index, 2>, most_in_short_star> side;  // of each triangle, opposite v
+  for (std::size_t i = 0; i < star.size(); ++i) {
+    side[i] = other_corners(topology.F, star[i], v);
+  }
+  Index at = side[0][0];
+  for (std::size_t step = 0; step < star.size(); ++step) {
+    ring[step] = at;
+    Index next = at;
+    for (std::size_t i = 0; i < star.size(); ++i) {  // without branches, as above
+      next = side[i][0] == at ? side[i][1] : next;
+    }
+    at = next;
+  }
+}
 
 bool is_one_fan(const Topology& topology, Index v) {
   if (topology.stars[v].size() <= most_in_short_star) {

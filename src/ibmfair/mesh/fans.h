@@ -8,6 +8,13 @@
 
 namespace ibmfair {
 
+/// The most triangles of a star that is searched from end to end for each step of a walk; sorting
+/// pays beyond.
+inline constexpr std::size_t most_in_short_star = 32;
+
+/// Lists the neighbours of v, which is_ringed, in the order of its triangles.
+void walk_around(const Topology& topology, Index v, Index* ring);
+
 /// Whether the triangles at v form one fan. No edge at v may have more than two triangles.
 bool is_one_fan(const Topology& topology, Index v);
 

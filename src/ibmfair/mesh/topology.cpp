@@ -205,12 +205,25 @@ Topology build_topology(const Points& X, Triangles F) {
   return build_topology(static_cast<Index>(X.rows()), std::move(F), std::move(zero_area));
 }
 
+bool is_ringed(const Topology& topology, Index v) {
+  return topology.kind[v] == VertexKind::interior && !topology.twisted[v] &&
+         topology.stars[v].size() <= most_in_short_star;
+}
+
 Rows vertex_rings(const Topology& topology) {
   const std::span<const Index> ends(topology.E.data(), static_cast<std::size_t>(topology.E.size()));
   Rows rings = positions_by_value(ends, topology.vertex_count);
-  for (Index& place : rings.value) {
-    place = ends[place ^ 1];  // the other end of the edge
-  }
+  parallel_for(topology.vertex_count, [&](std::int64_t i) {
+    const auto v = static_cast<Index>(i);
+    Index* const ring = rings.value.data() + rings.first[v];
+    if (is_ringed(topology, v)) {
+      walk_around(topology, v, ring);
+      return;
+    }
+    for (Index* place = ring; place != rings.value.data() + rings.first[v + 1]; ++place) {
+      *place = ends[*place ^ 1];  // the other end of the edge
+    }
+  });
   return rings;
 }
 

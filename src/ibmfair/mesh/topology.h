@@ -87,8 +87,14 @@ Topology build_topology(Index vertex_count, Triangles F, std::vector<Index> zero
 /// The same with the zero-area triangles found by `degenerate_triangles` (mesh/geometry.h).
 Topology build_topology(const Points& X, Triangles F);
 
-/// The vertices that each vertex has an edge to, in increasing order.
+/// The vertices that each vertex has an edge to: where is_ringed, in the order in which its
+/// triangles follow one another, each running from one of them to the next and the last one to the
+/// first; elsewhere in increasing order.
 Rows vertex_rings(const Topology& topology);
+
+/// Whether v is an interior vertex around which all triangles are oriented alike, and not too many
+/// to be put in order one by one.
+bool is_ringed(const Topology& topology, Index v);
 
 /// Grows a vertex set by one ring: true for every vertex that shares a triangle with a true one.
 std::vector<std::uint8_t> grow_one_ring(const Topology& topology,
