@@ -116,7 +116,7 @@ void PetscJacobian::make_solver(const JacobianParts& parts) {
     check(KSPSetNormType(ksp_, KSP_NORM_NONE));
     check(PCSetType(pc, PCCHOLESKY));
     check(PCFactorSetMatSolverType(pc, MATSOLVERMUMPS));
-  } else if (comm_.max(forecast_iterations(shape_, parts)) < many_iterations) {
+  } else if (comm_.max(forecast_iterations(shape_, parts).of_cutoff) < many_iterations) {
     check(PCSetType(pc, PCSOR));
   } else {
     check(PCSetType(pc, PCHYPRE));

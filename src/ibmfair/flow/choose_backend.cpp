@@ -14,11 +14,11 @@ namespace {
 
 /// Of the seconds forecast for a backend without a factor, to compare: where it takes more, one
 /// with a factor follows before long (Jacobian::solve), where less, nobody would know.
-constexpr double doubt = 0.5;
+constexpr double doubt = 0.6;
 
 /// The same for any number of iterations.
 double bytes_of(const JacobianBackend& backend, const JacobianShape& shape) {
-  return backend.forecast(shape, 0).bytes;
+  return backend.forecast(shape, {}).bytes;
 }
 
 bool fits(double bytes, const FlowOptions& options) {
@@ -54,7 +54,7 @@ const JacobianBackend& choose_backend(const JacobianShape& shape, const Jacobian
     }
     return named;
   }
-  const double iterations = forecast_iterations(shape, parts);
+  const IterationForecast iterations = forecast_iterations(shape, parts);
   const JacobianBackend* best = nullptr;
   const JacobianBackend* smallest = &jacobian_backends().front();
   double least_seconds = 0, least_bytes = std::numeric_limits<double>::infinity();

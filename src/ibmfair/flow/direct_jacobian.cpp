@@ -32,10 +32,12 @@ double factorizations(double iterations) {
 // and the factor, which may have to be float64, with what factoring it needs.
 constexpr double bytes_per_unknown = 1630, bytes_per_entry = 8.5;
 
-// By minimum degree, and from where on round surfaces are dissected, too (solve/cholesky.cpp).
+// By minimum degree, and from where on round surfaces are dissected, too (solve/cholesky.cpp). One
+// core does that while others wait: counted as on two, as the choice must not depend on how many
+// there are.
 double ordering_seconds(double n) {
   constexpr double by_degree = 1.1e-6, dissected = 6e-6, least_dissected = 60'000;
-  return n * (n < least_dissected ? by_degree : dissected);
+  return 2 * n * (n < least_dissected ? by_degree : dissected);
 }
 
 // Surfaces have small separators: nested dissection leaves about this much.
@@ -87,12 +89,13 @@ void tell_stage(const FlowOptions& options, FlowStage stage) {
 
 }  // namespace
 
-SolverForecast forecast_direct(const JacobianShape& shape, double iterations) {
+SolverForecast forecast_direct(const JacobianShape& shape, const IterationForecast& iterations) {
   const double n = shape.unknowns.size(), entries = factor_entries(n);
   const double left = shape.steps_left();
   const double factors =
-      shape.options.guarded ? std::max(1.0, factorizations(iterations) * left / shape.options.steps)
-                            : 1;
+      shape.options.guarded
+          ? std::max(1.0, factorizations(iterations.of_cutoff) * left / shape.options.steps)
+          : 1;
   return {.seconds = ordering_seconds(n) + per_flop * factor_flops(n) * factors +
                      per_entry * entries * left,
           .bytes = bytes_per_unknown * n + bytes_per_entry * entries,

@@ -35,6 +35,6 @@ class DirectJacobian final : public JacobianSolver {
 };
 
 /// The cost of a DirectJacobian: the iterations tell how often it is factored anew.
-SolverForecast forecast_direct(const JacobianShape& shape, double iterations);
+SolverForecast forecast_direct(const JacobianShape& shape, const IterationForecast& iterations);
 
 }  // namespace ibmfair

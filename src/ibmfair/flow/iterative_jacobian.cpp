@@ -32,13 +32,14 @@ int most_iterations(double tolerance) {
 }
 
 /// A square root of a condition number, which the larger ones of diag(J) / D make. The largest of
-/// all belong to needles, of which there are few, or which a noisy mesh has for the first steps
-/// only. But where triangles vary in size, the smaller ones count: there the middle is far above
-/// the tenth from below, which noise leaves where it is. Within half of what was counted on tori,
-/// noisy and not, and on models; needles can make it three times as many. A sample of the unknowns
-/// is enough for that.
-double forecast_iterations(const JacobianShape& shape, const JacobianParts& parts) {
+/// all belong to needles, which a noisy mesh has for the first steps only; but where triangles vary
+/// in size, the smaller ones count: there the middle is far above the tenth from below, which noise
+/// leaves where it is. Within half of what was counted on tori, noisy and not, and on models;
+/// thinner needles than noise makes, of which a scan may have some, cost about as many iterations
+/// for each digit again, whatever the cut-off. A sample of the unknowns is enough for that.
+IterationForecast forecast_iterations(const JacobianShape& shape, const JacobianParts& parts) {
   constexpr Index enough = 4'000;
+  constexpr double by_noise = 1e3, for_each_digit = 40;
   const Index stride = 1 + shape.unknowns.size() / enough;
   std::vector<double> ratio;  // h diag(S) / D
   for (Index u = 0; u < shape.unknowns.size(); u += stride) {
@@ -50,13 +51,15 @@ double forecast_iterations(const JacobianShape& shape, const JacobianParts& part
     std::nth_element(ratio.begin(), place, ratio.end());
     return ratio.empty() ? 0 : *place;
   };
-  return 3.2 * (1 + smallest(0.5)) / std::sqrt(1 + smallest(0.1));
+  const double middle = smallest(0.5), needles = smallest(0.999) / (by_noise * middle);
+  return {.of_cutoff = 3.2 * (1 + middle) / std::sqrt(1 + smallest(0.1)),
+          .of_needles = needles > 1 ? for_each_digit * std::log10(needles) : 0};
 }
 
-SolverForecast forecast_iterative(const JacobianShape& shape, double iterations) {
+SolverForecast forecast_iterative(const JacobianShape& shape, const IterationForecast& iterations) {
   const auto places = static_cast<double>(shape.terms.vertices_in_stencils());
   const int steps = shape.steps_left();
-  return {.seconds = seconds_per_row * shape.unknowns.size() * iterations * steps *
+  return {.seconds = seconds_per_row * shape.unknowns.size() * iterations.all() * steps *
                      share_of_iterations(steps),
           .bytes = bytes_per_place * places + bytes_per_row * shape.unknowns.size()};
 }

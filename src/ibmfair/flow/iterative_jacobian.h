@@ -28,6 +28,6 @@ class IterativeJacobian final : public JacobianSolver {
 int most_iterations(double tolerance);
 
 /// The cost of an IterativeJacobian.
-SolverForecast forecast_iterative(const JacobianShape& shape, double iterations);
+SolverForecast forecast_iterative(const JacobianShape& shape, const IterationForecast& iterations);
 
 }  // namespace ibmfair

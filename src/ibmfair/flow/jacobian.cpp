@@ -108,7 +108,7 @@ void Jacobian::take(const JacobianBackend& backend) {
 
 std::vector<BackendForecast> Jacobian::forecasts(const Points& X, double h) {
   const JacobianParts parts = linearise(X, h);
-  const double iterations = forecast_iterations(shape(), parts);
+  const IterationForecast iterations = forecast_iterations(shape(), parts);
   std::vector<BackendForecast> result;
   for (const JacobianBackend& backend : jacobian_backends()) {
     result.push_back({backend.name, backend.forecast(shape(), iterations)});

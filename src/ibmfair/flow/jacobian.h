@@ -74,7 +74,7 @@ class Jacobian {
   int failures_ = 0;
   bool settled_ = false;                    // on this backend, whatever it takes
   const JacobianBackend* rival_ = nullptr;  // with a factor, to take over where solves take long
-  double iterations_ = 0;                   // forecast for a solve without one
+  IterationForecast iterations_;            // of a solve without one
   double grace_ = std::numeric_limits<double>::infinity();  // seconds that solves may take longer
 };
 

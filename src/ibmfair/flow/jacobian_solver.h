@@ -59,20 +59,27 @@ struct JacobianShape {
   int steps_left() const { return std::max(0, options.steps - report.solves); }
 };
 
+/// About how many iterations a solve takes from zero with the diagonal for a preconditioner, to the
+/// default tolerance.
+struct IterationForecast {
+  double of_cutoff = 0;   ///< more, the farther smoothing reaches
+  double of_needles = 0;  ///< in addition, however far that is
+
+  double all() const { return of_cutoff + of_needles; }
+};
+
 /// A row of the table of backends.
 struct JacobianBackend {
   std::string_view name;     ///< as the command line takes it
   std::string_view summary;  ///< one line
   std::unique_ptr<JacobianSolver> (*make)(const JacobianShape& shape);
-  /// For the steps that are left, where each solve takes about so many iterations without a factor
-  /// (forecast_iterations).
-  SolverForecast (*forecast)(const JacobianShape& shape, double iterations);
+  /// For the steps that are left, where each solve takes about so many iterations without a factor.
+  SolverForecast (*forecast)(const JacobianShape& shape, const IterationForecast& iterations);
   bool has_factor;
 };
 
-/// About how many iterations a solve takes from zero with the diagonal for a preconditioner, to the
-/// default tolerance.
-double forecast_iterations(const JacobianShape& shape, const JacobianParts& parts);
+/// For a Jacobian of these parts.
+IterationForecast forecast_iterations(const JacobianShape& shape, const JacobianParts& parts);
 
 /// All backends; options.solver names one of them, or "auto".
 std::span<const JacobianBackend> jacobian_backends();
@@ -82,7 +89,7 @@ const JacobianBackend& jacobian_backend(std::string_view name);
 
 /// The backend that options.solver names; for "auto", of those that fit into the memory the one
 /// that is predicted to take the least time for a Jacobian of these parts, those without a factor
-/// half of it, as they can be left. Throws OutOfMemory where the named one, or none of them, fits.
+/// less of it, as they can be left. Throws OutOfMemory where the named one, or none of them, fits.
 const JacobianBackend& choose_backend(const JacobianShape& shape, const JacobianParts& parts);
 
 /// A backend with a factor, or one without, to go on with where the options leave the choice open
