@@ -7,21 +7,18 @@
 
 namespace ibmfair {
 
-/// The part of each unknown's move that its neighbours do not share: `step` (one row per unknown,
-/// those of other parts included, length) minus the mean of the neighbours' moves, held ones being
-/// 0. `rings` are those of vertex_rings.
-void own_moves(const Points& step, const Rows& rings, const Unknowns& unknowns, Points& own);
-
-/// A measure of what `step` does to the triangles; 1 is as much as one time step should. It is the
-/// larger of
+/// A measure of what `step` (one row per unknown, those of other parts included, length) does to
+/// the triangles; 1 is as much as one time step should. It is the larger of
 ///   roughness: the own part of the moves over the edge length, root mean square, over 0.15: noise
 ///              being removed is rough;
 ///   strain:    the difference of the moves along each edge over its length, root mean square, over
 ///              0.4: large smooth moves stretch and turn the surface without being rough.
 /// Steps beyond let noise grow into volume; the two limits were chosen on noisy spheres, tori and
 /// scans (tools/denoise_table) and on smooth shapes that change a lot (tools/figure9_table).
-/// `own` is what own_moves gives, `edge_length` (#V) the mean length of the edges at each vertex.
-double distortion(const Points& step, const Points& own, const Rows& rings,
-                  const Unknowns& unknowns, const PerVertex& edge_length, const MeshParts& parts);
+/// `rings` are those of vertex_rings, `edge_length` (#V) the mean length of the edges at each
+/// vertex. `own` becomes the part of each unknown's move that its neighbours do not share: the move
+/// minus the mean of theirs, held ones being 0.
+double distortion(const Points& step, const Rows& rings, const Unknowns& unknowns,
+                  const PerVertex& edge_length, const MeshParts& parts, Points& own);
 
 }  // namespace ibmfair

@@ -142,14 +142,18 @@ FlowProblem::Landing FlowProblem::displace(const Points& move, Points& Y) const 
   Y.resize(X.rows(), 3);
   const bool bounded = bound_.bounds();
   const double stopped = parallel_sum(X.rows(), [&](std::int64_t v) {
-    const Vec3 from = X.row(v);
-    Y.row(v) = from;
     const Index u = unknowns.unknown[v];
+    const Vec3 from = X.row(v);
     if (u < 0 || u >= unknowns.size()) {
+      Y.row(v) = from;
       return 0;
     }
     const Vec3 to = from + move.row(u).transpose();
-    const Vec3 reached = bounded ? bound_.within(static_cast<Index>(v), to) : to;
+    if (!bounded) {
+      Y.row(v) = to;
+      return 0;
+    }
+    const Vec3 reached = bound_.within(static_cast<Index>(v), to);
     Y.row(v) = reached;
     return reached != to ? 1 : 0;
   });

@@ -216,8 +216,7 @@ class GuardedFlow {
   bool distorts() {
     const Stopwatch watch(p_.report.seconds.guard);
     const Points& all = p_.with_others(step_);
-    own_moves(all, rings_, p_.unknowns, own_);
-    distortion_ = fraction_ * distortion(all, own_, rings_, p_.unknowns, edge_length_, p_.parts);
+    distortion_ = fraction_ * distortion(all, rings_, p_.unknowns, edge_length_, p_.parts, own_);
     return distortion_ > 1;
   }
 
