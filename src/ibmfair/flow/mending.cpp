@@ -1,7 +1,9 @@
 #include "ibmfair/flow/mending.h"
 
 #include <algorithm>
+#include <atomic>
 
+#include "ibmfair/base/parallel.h"
 #include "ibmfair/flow/unfolding.h"
 
 namespace ibmfair {
@@ -26,10 +28,14 @@ bool flow_in_patches(const FlowProblem& problem, const Rows& rings, const Flags&
                      const Points& X, const TimeOf& time_of, Points& move) {
   PatchFlow flow(problem, rings);
   move = Points::Zero(problem.unknowns.size(), 3);
-  bool moves = false;
-  for (const VertexPatch& patch : patches_of(wanted, rings, problem.unknowns, problem.parts)) {
-    moves = flow.run(patch, X, time_of(patch), move) || moves;
-  }
+  const std::vector<VertexPatch> patches =
+      patches_of(wanted, rings, problem.unknowns, problem.parts);
+  std::atomic<bool> moves = false;
+  parallel_tasks(static_cast<std::int64_t>(patches.size()), [&](std::int64_t i) {
+    if (flow.run(patches[i], X, time_of(patches[i]), move)) {
+      moves = true;
+    }
+  });
   return problem.parts.any(moves);
 }
 

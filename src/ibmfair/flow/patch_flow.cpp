@@ -105,6 +105,7 @@ bool PatchFlow::run(const VertexPatch& patch, const Points& X, double time, Poin
 /// With all triangles at the patch and at its neighbours: nothing farther away is in a stencil
 /// that the patch moves, or in the mass of such a stencil.
 LocalMesh PatchFlow::cut_out(const VertexPatch& patch) {
+  const std::lock_guard lock(cutting_);
   const Topology& topology = problem_.topology;
   std::vector<Index> vertices, triangles;
   const auto take = [&](Index v) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <mutex>
 #include <vector>
 
 #include "ibmfair/base/rows.h"
@@ -27,7 +28,8 @@ class PatchFlow {
 
   /// Lets a patch flow for `time` from where it is at `X` (#V x 3). Where it then has less energy
   /// than at the problem's state, writes its rows of the move that leads there from that state to
-  /// `move` (one row per unknown, length), and returns true.
+  /// `move` (one row per unknown, length), and returns true. Patches that share no vertex may flow
+  /// at the same time.
   bool run(const VertexPatch& patch, const Points& X, double time, Points& move);
 
  private:
@@ -36,6 +38,7 @@ class PatchFlow {
   const FlowProblem& problem_;
   const Rows& rings_;
   FlowOptions options_;                // without what there is one of for each vertex or triangle
+  std::mutex cutting_;                 // what follows
   std::vector<std::uint8_t> is_near_;  // #V, scratch
   std::vector<Index> place_;           // #V, scratch
 };
