@@ -5,7 +5,6 @@
 #include "ibmfair/base/errors.h"
 #include "ibmfair/base/parallel.h"
 #include "ibmfair/base/stopwatch.h"
-#include "ibmfair/flow/folds.h"
 
 namespace ibmfair {
 namespace {
@@ -55,8 +54,8 @@ double FlowProblem::energy_at(const Points& Y) {
   return parts.sum(bending_->energy(Y));
 }
 
-bool FlowProblem::has_no_folds(double energy) const {
-  return std::isfinite(energy) && rules_out_folds(bending_->largest_turn());
+bool FlowProblem::has_no_folds(double energy, double angle) const {
+  return std::isfinite(energy) && rules_out_folds(bending_->largest_turn(), angle);
 }
 
 void FlowProblem::update_gradient() {

@@ -10,6 +10,7 @@
 #include "ibmfair/energy/unknowns.h"
 #include "ibmfair/flow/conserved_quantities.h"
 #include "ibmfair/flow/flow_options.h"
+#include "ibmfair/flow/folds.h"
 #include "ibmfair/flow/jacobian.h"
 #include "ibmfair/flow/mesh_parts.h"
 #include "ibmfair/flow/move_bound.h"
@@ -37,9 +38,9 @@ class FlowProblem {
   double energy() const { return energy_; }
   double energy_at(const Points& Y);
 
-  /// Whether the last place whose energy was asked for, which was `energy`, has no folded hinges
-  /// here; where false, there may be some.
-  bool has_no_folds(double energy) const;
+  /// Whether the last place whose energy was asked for, which was `energy`, has no hinges here with
+  /// a smaller dihedral angle than `angle` (radians); where false, there may be some.
+  bool has_no_folds(double energy, double angle = fold_angle) const;
 
   /// Evaluates the energy and its gradient at the state, where they are not known.
   void update_gradient();

@@ -48,10 +48,9 @@ std::vector<std::uint8_t> folded_hinges(const Points& X, const Topology& topolog
   return folded;
 }
 
-bool rules_out_folds(double largest_turn) {
+bool rules_out_folds(double largest_turn, double angle) {
   // Wider than the angle itself, as the two ways to it round differently.
-  static const double safe = 1 + std::cos(1.01 * fold_angle);
-  return largest_turn < safe;
+  return largest_turn < 1 + std::cos(1.01 * angle);
 }
 
 FoldWatch::FoldWatch(const Points& X, const Topology& topology, const Unknowns& unknowns)

@@ -17,9 +17,9 @@ inline constexpr double fold_angle = 0.17453292519943295;
 std::vector<std::uint8_t> folded_hinges(const Points& X, const Topology& topology,
                                         double angle = fold_angle);
 
-/// Whether no hinge can be folded over where this is the largest 1 + cos(theta)
-/// (BendingEnergy::largest_turn).
-bool rules_out_folds(double largest_turn);
+/// Whether no hinge can have a smaller dihedral angle than `angle` where this is the largest
+/// 1 + cos(theta) (BendingEnergy::largest_turn).
+bool rules_out_folds(double largest_turn, double angle = fold_angle);
 
 /// Watches the hinges that a set of unknown vertices can move.
 class FoldWatch {

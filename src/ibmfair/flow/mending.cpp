@@ -64,11 +64,13 @@ bool catch_up_moves(const FlowProblem& problem, const Rows& rings, const Eigen::
   return flow_in_patches(problem, rings, wanted, problem.X, longest_lag, move);
 }
 
-bool unfolding_moves(const FlowProblem& problem, const Rows& rings, Points& move) {
+bool unfolding_moves(FlowProblem& problem, const Rows& rings, Points& move) {
   const bool bends = !bending_model(problem.options.laplacian).evens_edges;
-  const std::vector<VertexPatch> flaps =
-      find_flaps(problem.X, problem.topology, rings, problem.unknowns, problem.parts,
-                 bends ? flat_enough : flat_enough_without_curvature);
+  std::vector<VertexPatch> flaps;
+  if (!problem.has_no_folds(problem.energy_at(problem.X), fold_to_undo)) {
+    flaps = find_flaps(problem.X, problem.topology, rings, problem.unknowns, problem.parts,
+                       bends ? flat_enough : flat_enough_without_curvature);
+  }
   return even_out_and_flow(problem, rings, flaps, move);
 }
 

@@ -17,7 +17,7 @@ bool catch_up_moves(const FlowProblem& problem, const Rows& rings, const Eigen::
 /// The same where hinges are folded over though the surface around is not bent much: such a patch
 /// is evened out first (flow/unfolding.h), then flows for the whole time, and moves where that
 /// leaves less energy than there is now.
-bool unfolding_moves(const FlowProblem& problem, const Rows& rings, Points& move);
+bool unfolding_moves(FlowProblem& problem, const Rows& rings, Points& move);
 
 /// The same for any patches.
 bool even_out_and_flow(const FlowProblem& problem, const Rows& rings,

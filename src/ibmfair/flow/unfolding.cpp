@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <numbers>
 #include <utility>
 #include <vector>
 
@@ -12,7 +11,6 @@
 namespace ibmfair {
 namespace {
 
-constexpr double fold_to_undo = std::numbers::pi / 3;  // the dihedral angle, at most
 constexpr std::size_t most_vertices = 200;  // of a patch: flaps are small, and noise is all around
 constexpr int sweeps = 40;                  // over a patch of a few rings
 

@@ -3,9 +3,14 @@
 // only in balance.
 #pragma once
 
+#include <numbers>
+
 #include "ibmfair/flow/patch_flow.h"
 
 namespace ibmfair {
+
+/// The largest dihedral angle, in radians, of the hinges that find_flaps looks at.
+inline constexpr double fold_to_undo = std::numbers::pi / 3;
 
 /// Vertices of hinges that are folded over, though the surface around is nearly flat, and the
 /// neighbours of these, in patches. Sharp edges, the rims of sheets and thin tips are not among
