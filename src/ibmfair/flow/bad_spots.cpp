@@ -60,6 +60,9 @@ void BadSpots::end_step(double time) {
 /// Of the unknowns, culprits and their neighbours.
 template <class Change>
 void BadSpots::for_each_near_culprits(const Change& change) const {
+  if (std::ranges::find(culprits_, 1) == culprits_.end()) {
+    return;
+  }
   const std::vector<std::uint8_t> near = grow_one_ring(problem_.topology, culprits_);
   for (Index u = 0; u < problem_.unknowns.size(); ++u) {
     if (near[problem_.unknowns.vertex[u]]) {
