@@ -351,6 +351,31 @@ TEST(Flow, FactorsAtOnceWhereThereAreNeedles) {
   }
 }
 
+/// Triangles by themselves have no energy: they are no needles beside the rest, nor is the rest
+/// beside them.
+TEST(Flow, IteratesAsBeforeBesideTrianglesApart) {
+  const State sphere(shape("icosphere", 4));
+  const Index shared = sphere.topology.vertex_count, apart = 2 * shared;
+  const double edge = mean_edge_length(sphere.X, sphere.topology.E);
+  Points X(shared + 3 * apart, 3);
+  Triangles F(sphere.topology.F.rows() + apart, 3);
+  X.topRows(shared) = sphere.X;
+  F.topRows(sphere.topology.F.rows()) = sphere.topology.F;
+  for (Index i = 0; i < apart; ++i) {
+    const Index first = shared + 3 * i;
+    for (int corner = 0; corner < 3; ++corner) {
+      X.row(first + corner) = edge * Vec3(2 * i + corner % 2, corner / 2, 5 / edge);
+    }
+    F.row(F.rows() - 1 - i) << first, first + 1, first + 2;
+  }
+  const State all(mesh_from_triangles(X, F));
+  const std::vector<std::uint8_t> nothing_held(static_cast<std::size_t>(X.rows()), 0);
+  const FlowReport beside = willmore_flow(X, all.topology, nothing_held, options_for(all, 4));
+  EXPECT_EQ(beside.solver, "cg");
+  EXPECT_EQ(beside.factorizations, 0);
+  EXPECT_GT(beside.iterations, 0);
+}
+
 TEST(Flow, ObserverCanStopIt) {
   const State state(shape("icosphere", 2));
   Points X = shaken(state, 0.1);

@@ -44,7 +44,9 @@ IterationForecast forecast_iterations(const JacobianShape& shape, const Jacobian
   std::vector<double> ratio;  // h diag(S) / D
   for (Index u = 0; u < shape.unknowns.size(); u += stride) {
     const double S = shape.terms.diagonal(shape.unknowns.vertex[u], parts.weights);
-    ratio.push_back(parts.h * S / parts.D[u]);
+    if (S > 0) {  // not of a triangle by itself, which takes no iterations
+      ratio.push_back(parts.h * S / parts.D[u]);
+    }
   }
   const auto smallest = [&](double part) {
     const auto place = ratio.begin() + static_cast<std::ptrdiff_t>(part * ratio.size());
