@@ -55,7 +55,7 @@ std::vector<VertexPatch> find_specks(const Points& X, const Topology& topology, 
   for (const Index h : sharp) {
     for (const Index v : {topology.H(h, 0), topology.H(h, 1)}) {
       ++sharp_at[v];
-      wanted[v] = topology.kind[v] == VertexKind::interior && !topology.twisted[v] ? 1 : 0;
+      wanted[v] = is_oriented_interior(topology, v) ? 1 : 0;
     }
   }
   std::vector<VertexPatch> found = patches_of(wanted, rings, unknowns, parts);

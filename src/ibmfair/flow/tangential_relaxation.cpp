@@ -62,9 +62,10 @@ void TangentialRelaxation::moves(const Points& X, Points& move) {
     const Index v = near_[i], u = unknowns_.unknown[v];
     const Surroundings around = look_around(X, v);
     normals_.row(v) = around.normal;
-    left_[v] = around.lengths > 0 ? around.normal.norm() / around.lengths : 0;
+    left_[v] = around.left;
     if (u >= 0 && u < unknowns_.size()) {
-      move.row(u) = may_move(v) ? move_along(X, v, around) : Vec3(Vec3::Zero());
+      move.row(u) =
+          is_oriented_interior(topology_, v) ? move_along(X, v, around) : Vec3(Vec3::Zero());
     }
   });
   parts_.refresh(normals_);
@@ -73,7 +74,7 @@ void TangentialRelaxation::moves(const Points& X, Points& move) {
   }
   parallel_for(move.rows(), [&](std::int64_t u) {
     const Index v = unknowns_.vertex[u];
-    if (may_move(v) && sticks_out(v)) {
+    if (is_oriented_interior(topology_, v) && sticks_out(v)) {
       move.row(u) = look_around(X, v).half_way;
     }
   });
@@ -124,15 +125,13 @@ TangentialRelaxation::Surroundings TangentialRelaxation::look_around(const Point
     }
   }
   const double half_of_each = 0.5 / std::max(1.0, static_cast<double>(ring.size()));
-  return {.normal = normal, .lengths = lengths, .half_way = half_of_each * toward};
-}
-
-bool TangentialRelaxation::may_move(Index v) const {
-  return topology_.kind[v] == VertexKind::interior && !topology_.twisted[v];
+  return {.normal = normal,
+          .left = lengths > 0 ? normal.norm() / lengths : 0,
+          .half_way = half_of_each * toward};
 }
 
 Vec3 TangentialRelaxation::move_along(const Points& X, Index v, const Surroundings& around) const {
-  const bool may_have_crease = keeps_creases_ && left_[v] < all_left;
+  const bool may_have_crease = keeps_creases_ && around.left < all_left;
   const Vec3 step = may_have_crease ? along_creases(X, v, around.half_way) : around.half_way;
   const double squared = around.normal.squaredNorm();
   return squared > 0 ? Vec3(step - around.normal * (around.normal.dot(step) / squared))

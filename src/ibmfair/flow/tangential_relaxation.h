@@ -34,13 +34,11 @@ class TangentialRelaxation {
  private:
   /// What the triangles and the neighbours around a vertex come to.
   struct Surroundings {
-    Vec3 normal;     ///< sum of the triangles' double area vectors
-    double lengths;  ///< sum of their lengths
-    Vec3 half_way;   ///< from the vertex toward the mean of its neighbours
+    Vec3 normal;    ///< sum of the triangles' double area vectors
+    double left;    ///< its share of the sum of their lengths
+    Vec3 half_way;  ///< from the vertex toward the mean of its neighbours
   };
   Surroundings look_around(const Points& X, Index v) const;
-
-  bool may_move(Index v) const;
 
   /// The move of v, as long as it does not stick out.
   Vec3 move_along(const Points& X, Index v, const Surroundings& around) const;
@@ -58,7 +56,7 @@ class TangentialRelaxation {
   const bool keeps_creases_;
   std::vector<Index> near_;  // the vertices that move, and their neighbours
   Points normals_;           // #V x 3, where near: the sum of the triangles' double area vectors
-  PerVertex left_;           // #V, its share of the sum of their lengths
+  PerVertex left_;           // #V, where near: its share of the sum of their lengths
 };
 
 }  // namespace ibmfair

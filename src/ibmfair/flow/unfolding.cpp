@@ -37,8 +37,8 @@ class FlapFinder {
 
  private:
   bool may_move(Index v) const {
-    return topology_.kind[v] == VertexKind::interior && !topology_.twisted[v] &&
-           unknowns_.unknown[v] >= 0 && unknowns_.unknown[v] < unknowns_.size();
+    return is_oriented_interior(topology_, v) && unknowns_.unknown[v] >= 0 &&
+           unknowns_.unknown[v] < unknowns_.size();
   }
 
   void want(Index v) { wanted_[v] = may_move(v) ? 1 : 0; }

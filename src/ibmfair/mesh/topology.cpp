@@ -206,8 +206,7 @@ Topology build_topology(const Points& X, Triangles F) {
 }
 
 bool is_ringed(const Topology& topology, Index v) {
-  return topology.kind[v] == VertexKind::interior && !topology.twisted[v] &&
-         topology.stars[v].size() <= most_in_short_star;
+  return is_oriented_interior(topology, v) && topology.stars[v].size() <= most_in_short_star;
 }
 
 Rows vertex_rings(const Topology& topology) {

@@ -92,8 +92,12 @@ Topology build_topology(const Points& X, Triangles F);
 /// first; elsewhere in increasing order.
 Rows vertex_rings(const Topology& topology);
 
-/// Whether v is an interior vertex around which all triangles are oriented alike, and not too many
-/// to be put in order one by one.
+/// Whether v is an interior vertex around which all triangles are oriented alike.
+inline bool is_oriented_interior(const Topology& topology, Index v) {
+  return topology.kind[v] == VertexKind::interior && !topology.twisted[v];
+}
+
+/// The same, and its triangles are not too many to be put in order one by one.
 bool is_ringed(const Topology& topology, Index v);
 
 /// Grows a vertex set by one ring: true for every vertex that shares a triangle with a true one.
