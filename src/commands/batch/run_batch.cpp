@@ -189,7 +189,9 @@ ExitCode run_batch(const CLI::App& command, const std::vector<Job>& jobs,
     result = run_and_tell(items, all.size(), run_settings(options, items.size(), list_journal),
                           earlier, record, shared ? &*shared : nullptr, console);
   }
-  console.note(summary_line(result.outcomes, seconds), summary_table(items, result.outcomes));
+  // A signal may find every item at its end or not yet begun: then no line of theirs tells.
+  const std::string how = result.signal_number != 0 ? "interrupted, " : "";
+  console.note(how + summary_line(result.outcomes, seconds), summary_table(items, result.outcomes));
   write_reports(command, options, items, result.outcomes, seconds);
   return exit_code_of(result);
 }
