@@ -364,7 +364,7 @@ TEST(Flow, IteratesAsBeforeBesideTrianglesApart) {
   for (Index i = 0; i < apart; ++i) {
     const Index first = shared + 3 * i;
     for (int corner = 0; corner < 3; ++corner) {
-      X.row(first + corner) = edge * Vec3(2 * i + corner % 2, corner / 2, 5 / edge);
+      X.row(first + corner) = edge * Vec3(2 * i + corner % 2, corner == 2 ? 1 : 0, 5 / edge);
     }
     F.row(F.rows() - 1 - i) << first, first + 1, first + 2;
   }
