@@ -193,9 +193,9 @@ TEST_F(Ranks, FactorAgainWhereTheSpaceWasTooSmall) {
 
 TEST_F(Ranks, NeedNoMpirunForOne) {
   const std::string input = file_of(noisy_torus());
-  const RunResult run = run_program(
-      {"smooth", input, files_ / "out.ply", "--engine", "petsc", "--steps", "2"},
-      {.environment = {"OMPI_ALLOW_RUN_AS_ROOT=1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1"}});
+  const RunResult run =
+      run_program({"smooth", input, files_ / "out.ply", "--engine", "petsc", "--steps", "2"},
+                  {.environment = mpi_environment()});
   EXPECT_EQ(run.exit_code, 0) << run.err;
   EXPECT_TRUE(std::filesystem::exists(files_ / "out.ply"));
 }

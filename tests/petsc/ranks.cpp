@@ -9,16 +9,6 @@
 #include "support/files.h"
 
 namespace ibmfair::test {
-namespace {
-
-/// Fewer cores than ranks are no mistake in a test, nor is a container's root.
-const Words mpi_environment{"OMPI_ALLOW_RUN_AS_ROOT=1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1",
-                            "OMPI_MCA_rmaps_base_oversubscribe=1",
-                            "OMPI_MCA_hwloc_base_binding_policy=none",
-                            "OMPI_MCA_mpi_yield_when_idle=1"};
-
-}  // namespace
-
 Points Fair::X() const {
   TemporaryDirectory directory;
   write_bytes(directory / "out.ply", bytes);
@@ -34,11 +24,23 @@ Fair RanksTest::collect(RunResult run, const std::string& output) const {
   Fair fair{std::move(run), {}, nlohmann::json::parse("{}")};
   if (std::filesystem::exists(files_ / output)) {
     fair.bytes = read_bytes(files_ / output);
+  } else {
+    ADD_FAILURE() << "exit code " << fair.run.exit_code << " and no " << output << ": "
+                  << fair.run.err;
   }
   if (fair.run.out.starts_with('{')) {
     fair.report = nlohmann::json::parse(fair.run.out);
   }
   return fair;
+}
+
+Words RanksTest::mpi_environment() const {
+  return {"OMPI_ALLOW_RUN_AS_ROOT=1",
+          "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1",
+          "OMPI_MCA_rmaps_base_oversubscribe=1",
+          "OMPI_MCA_hwloc_base_binding_policy=none",
+          "OMPI_MCA_mpi_yield_when_idle=1",
+          "TMPDIR=" + sessions_.path().string()};
 }
 
 Fair RanksTest::on_one(const std::string& input, const Words& options,
@@ -62,8 +64,7 @@ Fair RanksTest::on_ranks(int count, const std::string& input, const Words& optio
 
 RunResult RanksTest::run_on_ranks(int count, const Words& arguments, RunOptions options) const {
   options.launcher = options.launcher + Words{IBMFAIR_MPIRUN, "-n", std::to_string(count)};
-  options.environment.insert(options.environment.end(), mpi_environment.begin(),
-                             mpi_environment.end());
+  options.environment = options.environment + mpi_environment();
   return run_program(arguments, options);
 }
 

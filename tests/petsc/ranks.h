@@ -16,7 +16,7 @@ namespace ibmfair::test {
 /// What became of a mesh.
 struct Fair {
   RunResult run;
-  std::string bytes;  ///< of the output; empty where there is none
+  std::string bytes;  ///< of the output; empty where there is none, which fails the test
   nlohmann::json report;
 
   Points X() const;  ///< of the output, which must be PLY
@@ -38,10 +38,17 @@ class RanksTest : public testing::Test {
   /// Any arguments, on `count` ranks.
   RunResult run_on_ranks(int count, const Words& arguments, RunOptions options = {}) const;
 
+  /// Fewer cores than ranks are no mistake in a test, nor is a container's root. Open MPI keeps the
+  /// files of its runs in one directory of the user, which a run that ends removes under one that
+  /// begins: each test has its own.
+  Words mpi_environment() const;
+
   TemporaryDirectory files_;
 
  private:
   Fair collect(RunResult run, const std::string& output) const;
+
+  TemporaryDirectory sessions_;
 };
 
 /// The largest difference of two states over the size of the first.
