@@ -27,32 +27,56 @@ SymmetricMatrix example(const State& state) {
   return J;
 }
 
-TEST(Cholesky, SolvesUnderEveryOrdering) {
+TEST(Cholesky, Solves) {
   for (const auto& [name, mesh] : all_meshes()) {
     const SymmetricMatrix J = example(State(mesh));
     const Points X = random_directions(J.size());
-    for (const Ordering ordering : {Ordering::automatic, Ordering::amd, Ordering::metis}) {
-      const SymbolicCholesky symbolic(J, ordering);
-      EXPECT_GE(symbolic.forecast().factor_entries, static_cast<double>(J.size())) << name;
-      CholeskyFactor factor(symbolic);
-      factor.factor(J);
-      CholeskySolver solver(factor);
-      Points Y;
-      solver.solve(multiply(J, X), Y);
-      EXPECT_LT((Y - X).norm(), 1e-8 * X.norm()) << name;
-    }
+    const SymbolicCholesky symbolic(J);
+    EXPECT_GE(symbolic.forecast().factor_entries, static_cast<double>(J.size())) << name;
+    CholeskyFactor factor(symbolic);
+    factor.factor(J);
+    CholeskySolver solver(factor);
+    Points Y;
+    solver.solve(multiply(J, X), Y);
+    EXPECT_LT((Y - X).norm(), 1e-8 * X.norm()) << name;
   }
 }
 
-/// Nested dissection is looked for only where there is much to save.
-TEST(Cholesky, AutomaticOrderingGoesByWhatMinimumDegreeLeaves) {
-  const SymmetricMatrix thin =
-      example(State(make_shape("torus", {.ratio = 40, .rows = 20, .columns = 1000})));
-  EXPECT_EQ(SymbolicCholesky(thin).forecast().ordering, "AMD");
-  const SymmetricMatrix compact = example(State(make_shape("icosphere", {.subdivide = 7})));
-  const FactorForecast chosen = SymbolicCholesky(compact).forecast();
-  EXPECT_EQ(chosen.ordering, "METIS");
-  EXPECT_LT(chosen.flops, 0.7 * SymbolicCholesky(compact, Ordering::amd).forecast().flops);
+/// Wherever the unknowns are said to lie.
+TEST(Cholesky, SolvesWhereItDissects) {
+  const State state(make_shape("icosphere", {.subdivide = 5}));
+  const SymmetricMatrix J = example(state);
+  const Points B = random_directions(J.size());
+  for (const Points& X :
+       {state.X, Points(Points::Zero(J.size(), 3)), random_directions(J.size())}) {
+    const SymbolicCholesky symbolic(J, X);
+    EXPECT_EQ(symbolic.forecast().ordering, "nested dissection");
+    CholeskyFactor factor(symbolic);
+    factor.factor(J);
+    Points Y;
+    CholeskySolver(factor).solve(multiply(J, B), Y);
+    EXPECT_LT((Y - B).norm(), 1e-8 * B.norm());
+  }
+}
+
+/// Of n unknowns on a surface, nested dissection leaves n log n entries and n^1.5 operations.
+TEST(Cholesky, FactorsGrowAsThoseOfSurfaces) {
+  const auto expect_growth = [](const Mesh& coarse, const Mesh& fine) {
+    std::vector<FactorForecast> forecasts;
+    for (const Mesh& mesh : {coarse, fine}) {
+      const State state(mesh);
+      const SymmetricMatrix J = example(state);
+      forecasts.push_back(SymbolicCholesky(J, state.X).forecast());
+      const FactorForecast by_degree = SymbolicCholesky(J).forecast();
+      EXPECT_LT(forecasts.back().flops, 0.85 * by_degree.flops);
+      EXPECT_LT(forecasts.back().factor_entries, by_degree.factor_entries);
+    }
+    EXPECT_LT(forecasts[1].flops, 10 * forecasts[0].flops);
+    EXPECT_LT(forecasts[1].factor_entries, 5.3 * forecasts[0].factor_entries);
+  };
+  expect_growth(make_shape("icosphere", {.subdivide = 5}),
+                make_shape("icosphere", {.subdivide = 6}));
+  expect_growth(make_shape("torus", {.rows = 96}), make_shape("torus", {.rows = 192}));
 }
 
 TEST(Cholesky, Float32SolvesToItsPrecisionWhateverTheScaleOfTheRows) {
@@ -75,14 +99,14 @@ TEST(Cholesky, Float32SolvesToItsPrecisionWhateverTheScaleOfTheRows) {
 }
 
 TEST(Cholesky, SolvesToTheSameBytesForAnyNumberOfThreads) {
-  const Mesh mesh = make_shape("icosphere", {.subdivide = 5});
-  const SymmetricMatrix J = example(State(mesh));
+  const State state(make_shape("icosphere", {.subdivide = 5}));
+  const SymmetricMatrix J = example(state);
   const Points B = random_directions(J.size());
   for (const Precision precision : {Precision::float32, Precision::float64}) {
     std::vector<Points> solutions(3);
     for (const int threads : {1, 2, 3}) {
       set_thread_count(threads);
-      const SymbolicCholesky symbolic(J, Ordering::metis);
+      const SymbolicCholesky symbolic(J, state.X);
       CholeskyFactor factor(symbolic, precision);
       factor.factor(J);
       CholeskySolver(factor).solve(B, solutions[threads - 1]);

@@ -53,7 +53,7 @@ void assemble(StageInputs& s) {
 }
 
 void analyse(StageInputs& s) {
-  s.results.symbolic.emplace(s.J);
+  s.results.symbolic.emplace(s.J, s.X);
 }
 
 /// The first factorization of a run, its allocation included.
@@ -245,7 +245,7 @@ StageInputs::StageInputs(std::string input_path, std::string output_path)
   write(*this);
   {
     const Stopwatch watch(analysis_seconds);
-    symbolic.emplace(J);
+    symbolic.emplace(J, X);
   }
   if (worth_factoring(symbolic->forecast())) {
     factor.emplace(*symbolic, Precision::float64);

@@ -1,4 +1,4 @@
-# Finds SuiteSparse's CHOLMOD with its supernodal part. Defines the target CHOLMOD::CHOLMOD.
+# Finds SuiteSparse's CHOLMOD with its supernodal part, and AMD. Defines the target CHOLMOD::CHOLMOD.
 #
 # A program that asks CHOLMOD for orderings and the symbolic analysis alone can leave out the BLAS,
 # which takes as long to load as the rest of a small program: with its property CHOLMOD_ARCHIVES on,
@@ -10,11 +10,12 @@ include(CMakePushCheckState)
 
 find_path(CHOLMOD_INCLUDE_DIR cholmod.h PATH_SUFFIXES suitesparse)
 find_library(CHOLMOD_LIBRARY cholmod)
+find_library(AMD_LIBRARY amd)
 find_library(SUITESPARSE_CONFIG_LIBRARY suitesparseconfig)
 
 find_package_handle_standard_args(CHOLMOD REQUIRED_VARS CHOLMOD_LIBRARY CHOLMOD_INCLUDE_DIR
-                                  SUITESPARSE_CONFIG_LIBRARY)
-mark_as_advanced(CHOLMOD_INCLUDE_DIR CHOLMOD_LIBRARY SUITESPARSE_CONFIG_LIBRARY)
+                                  AMD_LIBRARY SUITESPARSE_CONFIG_LIBRARY)
+mark_as_advanced(CHOLMOD_INCLUDE_DIR CHOLMOD_LIBRARY AMD_LIBRARY SUITESPARSE_CONFIG_LIBRARY)
 
 # In the order in which a linker needs them.
 set(CHOLMOD_ARCHIVES)
@@ -33,16 +34,17 @@ if(CHOLMOD_FOUND AND NOT CHOLMOD_ARCHIVES MATCHES NOTFOUND)
   set(CMAKE_REQUIRED_INCLUDES ${CHOLMOD_INCLUDE_DIR})
   set(CMAKE_REQUIRED_LIBRARIES ${CHOLMOD_ARCHIVES})
   check_cxx_source_compiles("
+    #include <amd.h>
     #include <cholmod.h>
     int main() {
-      return cholmod_l_metis(nullptr, nullptr, 0, 1, nullptr, nullptr) +
+      return amd_order(0, nullptr, nullptr, nullptr, nullptr, nullptr) +
              (cholmod_l_analyze_p(nullptr, nullptr, nullptr, 0, nullptr) != nullptr);
     }" CHOLMOD_ARCHIVES_NEED_NO_BLAS)
   cmake_pop_check_state()
 endif()
 
 if(CHOLMOD_FOUND AND NOT TARGET CHOLMOD::CHOLMOD)
-  set(CHOLMOD_LIBRARIES ${CHOLMOD_LIBRARY} ${SUITESPARSE_CONFIG_LIBRARY})
+  set(CHOLMOD_LIBRARIES ${CHOLMOD_LIBRARY} ${AMD_LIBRARY} ${SUITESPARSE_CONFIG_LIBRARY})
   if(CHOLMOD_ARCHIVES_NEED_NO_BLAS)
     set(CHOLMOD_LIBRARIES
         "$<IF:$<BOOL:$<TARGET_PROPERTY:CHOLMOD_ARCHIVES>>,${CHOLMOD_ARCHIVES},${CHOLMOD_LIBRARIES}>")

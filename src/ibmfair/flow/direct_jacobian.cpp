@@ -116,7 +116,7 @@ void DirectJacobian::update(const JacobianParts& parts) {
   if (!symbolic_) {
     tell_stage(shape_.options, FlowStage::analyse);
     const Stopwatch watch(shape_.report.seconds.analyse);
-    symbolic_.emplace(J_, shape_.options.ordering);
+    symbolic_.emplace(J_, shape_.start(shape_.unknowns.vertex, Eigen::all));
     shape_.report.forecast = symbolic_->forecast();
   }
   const bool wide = needs_float64_ || is_too_wide_for_float32(J_, parts.D);

@@ -50,7 +50,6 @@ struct FlowOptions {
   /// Of the residual, for iterative solvers; below 1. Below 1e-4 factors are float64.
   double solver_tolerance = 0.05;
   double memory_limit = std::numeric_limits<double>::infinity();  ///< of the whole process, bytes
-  Ordering ordering = Ordering::automatic;
   StageObserver on_stage = {};  ///< told when a stage begins that may take long
   int twicing = 0;  ///< times that the residual is smoothed and put back: flow/twicing.h
   /// At the end of a guarded flow, what it had to leave behind is seen to: flow/mending.h, and

@@ -41,7 +41,8 @@ FlowProblem::FlowProblem(const Points& X_start, const Topology& mesh_topology,
       bound_(start_, flow_options.max_move),
       conserved_(X, topology, unknowns, options),
       bending_(bind_energy(topology, options, held, parts)),
-      jacobian_(std::make_unique<Jacobian>(*bending_, topology, unknowns, options, parts, report)) {
+      jacobian_(std::make_unique<Jacobian>(start_, *bending_, topology, unknowns, options, parts,
+                                           report)) {
   update_gradient();
   if (!std::isfinite(energy_)) {
     throw BadMesh("the bending energy of the mesh is not finite: coordinates are too large");

@@ -20,9 +20,11 @@ constexpr int patience = 8;
 
 }  // namespace
 
-Jacobian::Jacobian(BendingEnergy& energy, const Topology& topology, const Unknowns& unknowns,
-                   const FlowOptions& options, const MeshParts& parts, FlowReport& report)
-    : energy_(energy),
+Jacobian::Jacobian(const Points& start, BendingEnergy& energy, const Topology& topology,
+                   const Unknowns& unknowns, const FlowOptions& options, const MeshParts& parts,
+                   FlowReport& report)
+    : start_(start),
+      energy_(energy),
       topology_(topology),
       terms_(energy.stencils(), topology.vertex_count),
       unknowns_(unknowns),
@@ -58,7 +60,7 @@ JacobianParts Jacobian::linearise(const Points& X, double h) {
 }
 
 JacobianShape Jacobian::shape() const {
-  return {terms_, unknowns_, options_, report_};
+  return {start_, terms_, unknowns_, options_, report_};
 }
 
 void Jacobian::refactor(const Points& X, double h) {

@@ -17,8 +17,10 @@ namespace ibmfair {
 /// J restricted to the unknown vertices: symmetric positive definite for every h > 0.
 class Jacobian {
  public:
-  Jacobian(BendingEnergy& energy, const Topology& topology, const Unknowns& unknowns,
-           const FlowOptions& options, const MeshParts& parts, FlowReport& report);
+  /// Everything referred to must outlive it; `start` is where the vertices are at first, #V x 3.
+  Jacobian(const Points& start, BendingEnergy& energy, const Topology& topology,
+           const Unknowns& unknowns, const FlowOptions& options, const MeshParts& parts,
+           FlowReport& report);
 
   /// Takes `X` as the reference and `h` as the time step. Throws FactorizationFailed, OutOfMemory.
   /// The first call chooses the backend where the options leave that open; then one that has no
@@ -60,6 +62,7 @@ class Jacobian {
   bool solve_before_rival(const Points& B, Points& Y);
   void factor_instead();
 
+  const Points& start_;
   BendingEnergy& energy_;
   const Topology& topology_;
   const StencilTerms terms_;

@@ -51,6 +51,7 @@ class JacobianSolver {
 
 /// What a backend works on; all outlive it.
 struct JacobianShape {
+  const Points& start;  ///< where the vertices are at first, #V x 3
   const StencilTerms& terms;
   const Unknowns& unknowns;
   const FlowOptions& options;

@@ -8,18 +8,15 @@
 #include "ibmfair/base/errors.h"
 #include "ibmfair/solve/cholmod_context.h"
 #include "ibmfair/solve/multifrontal.h"
+#include "ibmfair/solve/ordering.h"
 #include "ibmfair/solve/supernodes.h"
 
 namespace ibmfair {
 namespace {
 
-/// Operations an entry of the factor, in the order of minimum degree, from which on nested
-/// dissection may pay: it takes three to seven times as long to find, and leaves half the
-/// operations at best, for the few factorizations of a flow. Spheres come to that with 60,000
-/// unknowns, tori with twice, thin and limbed surfaces with six times as many: above, it is taken
-/// for granted.
-constexpr double worth_dissecting = 700;
-constexpr std::int64_t dissected_at_once = 400'000;
+/// Unknowns from which on nested dissection takes less time in all. tools/ordering_table prints
+/// what it was chosen by.
+constexpr std::int64_t worth_dissecting = 6'000;
 
 template <class Value>
 std::vector<Value> copy(const void* from, std::size_t count) {
@@ -30,23 +27,22 @@ std::vector<Value> copy(const void* from, std::size_t count) {
 /// CHOLMOD's symbolic factor.
 class Analysis {
  public:
-  /// In the order given, or by minimum degree where it is empty.
-  explicit Analysis(const SymmetricMatrix& J, const std::vector<Index>& order = {}) {
+  Analysis(const SymmetricMatrix& J, const std::vector<Index>& order) {
     cholmod_common* common = context_.get();
     common->nmethods = 1;
     common->postorder = 1;
-    common->method[0].ordering = order.empty() ? CHOLMOD_AMD : CHOLMOD_GIVEN;
+    common->method[0].ordering = CHOLMOD_GIVEN;
     std::vector<std::int64_t> given(order.begin(), order.end());
     cholmod_sparse A = lower_pattern(J.column_first, J.row);
-    factor_ = cholmod_l_analyze_p(&A, given.empty() ? nullptr : given.data(), nullptr, 0, common);
+    factor_ = cholmod_l_analyze_p(&A, given.data(), nullptr, 0, common);
     context_.check("analysis");
-    forecast_ = {order.empty() ? "AMD" : "METIS", common->fl, common->lnz};
   }
   ~Analysis() { cholmod_l_free_factor(&factor_, context_.get()); }
   Analysis(const Analysis&) = delete;
   Analysis& operator=(const Analysis&) = delete;
 
-  const FactorForecast& forecast() const { return forecast_; }
+  double flops() { return context_.get()->fl; }
+  double factor_entries() { return context_.get()->lnz; }
 
   Supernodes supernodes() const {
     Supernodes nodes;
@@ -61,24 +57,7 @@ class Analysis {
  private:
   CholmodContext context_;
   cholmod_factor* factor_ = nullptr;
-  FactorForecast forecast_;
 };
-
-/// As asked for, or the one that costs less in all.
-std::unique_ptr<const Analysis> analyse(const SymmetricMatrix& J, Ordering ordering) {
-  std::unique_ptr<const Analysis> by_degree;
-  const bool open = ordering == Ordering::automatic && J.size() < dissected_at_once;
-  if (open || ordering == Ordering::amd) {
-    by_degree = std::make_unique<Analysis>(J);
-    const FactorForecast& forecast = by_degree->forecast();
-    if (ordering == Ordering::amd || forecast.flops < worth_dissecting * forecast.factor_entries) {
-      return by_degree;
-    }
-  }
-  auto dissected = std::make_unique<const Analysis>(J, nested_dissection(J));
-  const bool better = !by_degree || dissected->forecast().flops < by_degree->forecast().flops;
-  return better ? std::move(dissected) : std::move(by_degree);
-}
 
 }  // namespace
 
@@ -87,11 +66,21 @@ struct SymbolicCholesky::State {
   EliminatedColumns columns;
 };
 
-SymbolicCholesky::SymbolicCholesky(const SymmetricMatrix& J, Ordering ordering) {
-  const std::unique_ptr<const Analysis> analysis = analyse(J, ordering);
-  forecast_ = analysis->forecast();
+SymbolicCholesky::SymbolicCholesky(const SymmetricMatrix& J)
+    : SymbolicCholesky(J, minimum_degree(graph_of(J)), "minimum degree") {}
+
+SymbolicCholesky::SymbolicCholesky(const SymmetricMatrix& J, const Points& X)
+    : SymbolicCholesky(
+          J.size() < worth_dissecting
+              ? SymbolicCholesky(J)
+              : SymbolicCholesky(J, nested_dissection(graph_of(J), X), "nested dissection")) {}
+
+SymbolicCholesky::SymbolicCholesky(const SymmetricMatrix& J, const std::vector<Index>& order,
+                                   std::string_view ordering) {
+  Analysis analysis(J, order);
+  forecast_ = {ordering, analysis.flops(), analysis.factor_entries()};
   auto state = std::make_shared<State>();
-  state->nodes = analysis->supernodes();
+  state->nodes = analysis.supernodes();
   state->columns = eliminated_columns(J, state->nodes);
   state_ = std::move(state);
 }

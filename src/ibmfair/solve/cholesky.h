@@ -6,16 +6,16 @@
 #include <cstdint>
 #include <memory>
 #include <string_view>
+#include <vector>
 
 #include "ibmfair/base/types.h"
 #include "ibmfair/energy/hessian.h"
-#include "ibmfair/solve/ordering.h"
 
 namespace ibmfair {
 
 /// What the analysis predicts.
 struct FactorForecast {
-  std::string_view ordering;  ///< "AMD" or "METIS"
+  std::string_view ordering;  ///< "minimum degree" or "nested dissection"
   double flops = 0;           ///< of one factorization
   double factor_entries = 0;  ///< entries of L
 };
@@ -23,13 +23,20 @@ struct FactorForecast {
 /// The symbolic analysis of a pattern: fill-reducing order, elimination tree, supernodes.
 class SymbolicCholesky {
  public:
-  /// The order may depend on the values of `J`, everything else on its pattern only. Throws
-  /// FactorizationFailed or OutOfMemory.
-  explicit SymbolicCholesky(const SymmetricMatrix& J, Ordering ordering = Ordering::automatic);
+  /// Depends on the pattern of `J` only, not on its values. Throws FactorizationFailed or
+  /// OutOfMemory.
+  explicit SymbolicCholesky(const SymmetricMatrix& J);
+
+  /// The same for unknowns on a surface, at `X` (#unknowns x 3): many are put in order by where
+  /// they lie, which leaves a smaller factor, and is found on all threads.
+  SymbolicCholesky(const SymmetricMatrix& J, const Points& X);
 
   const FactorForecast& forecast() const { return forecast_; }
 
  private:
+  SymbolicCholesky(const SymmetricMatrix& J, const std::vector<Index>& order,
+                   std::string_view ordering);
+
   friend class CholeskyFactor;
   struct State;
   std::shared_ptr<const State> state_;  // factors keep it alive

@@ -1,0 +1,145 @@
+#include "ibmfair/solve/separator.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+
+namespace ibmfair {
+namespace {
+
+/// From the middle of a cube to its faces, edges and corners; the rest fills the registers.
+constexpr int directions = 13, lanes = 16;
+constexpr float direction[3][lanes] = {{1, 0, 0, 1, 1, 1, 1, 0, 0, 1, 1, 1, -1},   //
+                                       {0, 1, 0, 1, -1, 0, 0, 1, 1, 1, 1, -1, 1},  //
+                                       {0, 0, 1, 0, 0, 1, -1, 1, -1, 1, -1, 1, 1}};
+
+/// How far a node lies in each direction.
+using Extents = Eigen::Array<float, lanes, 1>;
+
+Extents extents(const Points& X, Eigen::Index v) {
+  const Eigen::Map<const Eigen::Matrix<float, lanes, 3>> D(direction[0]);
+  return D * (X.row(v) - X.row(0)).cast<float>().transpose();
+}
+
+/// Where planes are tried.
+struct Range {
+  Extents low = Extents::Constant(std::numeric_limits<float>::infinity());
+  Extents high = -low;
+};
+
+/// All over a few nodes; where there are many, in the middle of a sample, so that some that lie far
+/// away do not leave the others in one step.
+Range range_of(const Points& X) {
+  constexpr Eigen::Index few = 4096, sampled = 256, outside = sampled / 10;
+  Range range;
+  if (X.rows() < few) {
+    for (Eigen::Index v = 0; v < X.rows(); ++v) {
+      const Extents extent = extents(X, v);
+      range.low = range.low.min(extent);
+      range.high = range.high.max(extent);
+    }
+    return range;
+  }
+  Eigen::Array<float, sampled, lanes> sample;
+  for (Eigen::Index i = 0; i < sampled; ++i) {
+    sample.row(i) = extents(X, i * X.rows() / sampled).transpose();
+  }
+  for (int d = 0; d < lanes; ++d) {
+    auto column = sample.col(d);
+    std::sort(column.begin(), column.end());
+    range.low[d] = column[outside];
+    range.high[d] = column[sampled - 1 - outside];
+  }
+  return range;
+}
+
+/// The extents of a node in whole steps, of which the range has `steps`.
+constexpr int steps = 128;
+using Heights [[gnu::vector_size(lanes)]] = std::uint8_t;
+
+std::vector<Heights> heights_of(const Points& X) {
+  const Range range = range_of(X);
+  const Extents width = range.high - range.low;
+  const Extents steps_a_length = (width > 0).select((steps - 1) / width, 0);
+  std::vector<Heights> heights(static_cast<std::size_t>(X.rows()));
+  for (Eigen::Index v = 0; v < X.rows(); ++v) {
+    const Extents height = ((extents(X, v) - range.low) * steps_a_length).max(0).min(steps - 1);
+    for (int d = 0; d < lanes; ++d) {
+      heights[v][d] = static_cast<std::uint8_t>(height[d]);
+    }
+  }
+  return heights;
+}
+
+/// Of a node and those that it has an edge to.
+Heights lowest_around(const Rows& graph, const std::vector<Heights>& heights, Index v) {
+  Heights lowest = heights[v];
+  for (const Index w : graph[v]) {
+    lowest = heights[w] < lowest ? heights[w] : lowest;
+  }
+  return lowest;
+}
+
+/// What is less high than `height` lies below it.
+struct Plane {
+  int direction = 0;
+  int height = 0;  ///< 0: there is none
+};
+
+/// For separators above the plane.
+Plane best_plane(const Rows& graph, const std::vector<Heights>& heights) {
+  constexpr double smallest_share = 0.2;
+  // How many more there are than with the plane a step lower.
+  using Increases = Index[directions][steps + 1];
+  Increases below{}, separating{};
+  for (Index v = 0; v < graph.size(); ++v) {
+    const Heights own = heights[v], lowest = lowest_around(graph, heights, v);
+    for (int d = 0; d < directions; ++d) {
+      ++below[d][own[d] + 1];
+      ++separating[d][lowest[d] + 1];
+      --separating[d][own[d] + 1];
+    }
+  }
+  const double n = graph.size();
+  Plane best;
+  double least = std::numeric_limits<double>::infinity();
+  for (int d = 0; d < directions; ++d) {
+    double side = 0, separator = 0;
+    for (int height = 1; height < steps; ++height) {
+      side += below[d][height];
+      separator += separating[d][height];
+      const double smaller_side = std::min(side, n - side - separator);
+      if (smaller_side < smallest_share * n) continue;
+      // Separators of surfaces grow as the square root of what they separate.
+      const double cost = separator / std::sqrt(smaller_side);
+      if (cost < least) {
+        least = cost;
+        best = {d, height};
+      }
+    }
+  }
+  return best;
+}
+
+}  // namespace
+
+std::optional<Separation> separate(const Rows& graph, const Points& X) {
+  const std::vector<Heights> heights = heights_of(X);
+  const Plane plane = best_plane(graph, heights);
+  if (plane.height == 0) return std::nullopt;
+  const auto is_below = [&](Index v) { return heights[v][plane.direction] < plane.height; };
+  Separation parts;
+  for (Index v = 0; v < graph.size(); ++v) {
+    if (is_below(v)) {
+      parts.side[0].push_back(v);
+    } else {
+      const auto around = graph[v];
+      const bool separates = std::any_of(around.begin(), around.end(), is_below);
+      (separates ? parts.separator : parts.side[1]).push_back(v);
+    }
+  }
+  return parts;
+}
+
+}  // namespace ibmfair
