@@ -1,9 +1,9 @@
 # Finds SuiteSparse's CHOLMOD with its supernodal part, and AMD. Defines the target CHOLMOD::CHOLMOD.
 #
-# A program that asks CHOLMOD for orderings and the symbolic analysis alone can leave out the BLAS,
+# A program that asks them for orderings and the symbolic analysis alone can leave out the BLAS,
 # which takes as long to load as the rest of a small program: with its property CHOLMOD_ARCHIVES on,
-# it takes what it needs out of SuiteSparse's archives, where they and METIS are installed and go
-# without a BLAS. Debian's are not position-independent code, so that shared libraries cannot do so.
+# it takes what it needs out of SuiteSparse's archives, where they are installed and go without a
+# BLAS. Debian's are not position-independent code, so that shared libraries cannot do so.
 include(FindPackageHandleStandardArgs)
 include(CheckCXXSourceCompiles)
 include(CMakePushCheckState)
@@ -19,15 +19,12 @@ mark_as_advanced(CHOLMOD_INCLUDE_DIR CHOLMOD_LIBRARY AMD_LIBRARY SUITESPARSE_CON
 
 # In the order in which a linker needs them.
 set(CHOLMOD_ARCHIVES)
-foreach(name cholmod colamd ccolamd camd amd suitesparseconfig)
+foreach(name cholmod amd suitesparseconfig)
   find_library(CHOLMOD_${name}_ARCHIVE
                ${CMAKE_STATIC_LIBRARY_PREFIX}${name}${CMAKE_STATIC_LIBRARY_SUFFIX})
   mark_as_advanced(CHOLMOD_${name}_ARCHIVE)
   list(APPEND CHOLMOD_ARCHIVES ${CHOLMOD_${name}_ARCHIVE})
 endforeach()
-find_library(METIS_LIBRARY metis)
-mark_as_advanced(METIS_LIBRARY)
-list(APPEND CHOLMOD_ARCHIVES ${METIS_LIBRARY})
 
 if(CHOLMOD_FOUND AND NOT CHOLMOD_ARCHIVES MATCHES NOTFOUND)
   cmake_push_check_state()
@@ -38,7 +35,8 @@ if(CHOLMOD_FOUND AND NOT CHOLMOD_ARCHIVES MATCHES NOTFOUND)
     #include <cholmod.h>
     int main() {
       return amd_order(0, nullptr, nullptr, nullptr, nullptr, nullptr) +
-             (cholmod_l_analyze_p(nullptr, nullptr, nullptr, 0, nullptr) != nullptr);
+             cholmod_l_etree(nullptr, nullptr, nullptr) +
+             cholmod_l_super_symbolic(nullptr, nullptr, nullptr, nullptr, nullptr);
     }" CHOLMOD_ARCHIVES_NEED_NO_BLAS)
   cmake_pop_check_state()
 endif()

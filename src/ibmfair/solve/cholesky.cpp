@@ -6,10 +6,10 @@
 #include <fmt/format.h>
 
 #include "ibmfair/base/errors.h"
-#include "ibmfair/solve/cholmod_context.h"
 #include "ibmfair/solve/multifrontal.h"
 #include "ibmfair/solve/ordering.h"
 #include "ibmfair/solve/supernodes.h"
+#include "ibmfair/solve/symbolic_factor.h"
 
 namespace ibmfair {
 namespace {
@@ -18,47 +18,6 @@ namespace {
 /// what it was chosen by.
 constexpr std::int64_t worth_dissecting = 6'000;
 
-template <class Value>
-std::vector<Value> copy(const void* from, std::size_t count) {
-  const auto* first = static_cast<const std::int64_t*>(from);
-  return {first, first + count};
-}
-
-/// CHOLMOD's symbolic factor.
-class Analysis {
- public:
-  Analysis(const SymmetricMatrix& J, const std::vector<Index>& order) {
-    cholmod_common* common = context_.get();
-    common->nmethods = 1;
-    common->postorder = 1;
-    common->method[0].ordering = CHOLMOD_GIVEN;
-    std::vector<std::int64_t> given(order.begin(), order.end());
-    cholmod_sparse A = lower_pattern(J.column_first, J.row);
-    factor_ = cholmod_l_analyze_p(&A, given.data(), nullptr, 0, common);
-    context_.check("analysis");
-  }
-  ~Analysis() { cholmod_l_free_factor(&factor_, context_.get()); }
-  Analysis(const Analysis&) = delete;
-  Analysis& operator=(const Analysis&) = delete;
-
-  double flops() { return context_.get()->fl; }
-  double factor_entries() { return context_.get()->lnz; }
-
-  Supernodes supernodes() const {
-    Supernodes nodes;
-    nodes.unknown = copy<Index>(factor_->Perm, factor_->n);
-    nodes.first_column = copy<Index>(factor_->super, factor_->nsuper + 1);
-    nodes.first_row = copy<std::int64_t>(factor_->pi, factor_->nsuper + 1);
-    nodes.row = copy<Index>(factor_->s, factor_->ssize);
-    complete(nodes);
-    return nodes;
-  }
-
- private:
-  CholmodContext context_;
-  cholmod_factor* factor_ = nullptr;
-};
-
 }  // namespace
 
 struct SymbolicCholesky::State {
@@ -66,21 +25,25 @@ struct SymbolicCholesky::State {
   EliminatedColumns columns;
 };
 
-SymbolicCholesky::SymbolicCholesky(const SymmetricMatrix& J)
-    : SymbolicCholesky(J, minimum_degree(graph_of(J)), "minimum degree") {}
+SymbolicCholesky::SymbolicCholesky(const SymmetricMatrix& J) {
+  const Rows graph = graph_of(J);
+  take(J, symbolic_factor(graph, minimum_degree(graph)), "minimum degree");
+}
 
-SymbolicCholesky::SymbolicCholesky(const SymmetricMatrix& J, const Points& X)
-    : SymbolicCholesky(
-          J.size() < worth_dissecting
-              ? SymbolicCholesky(J)
-              : SymbolicCholesky(J, nested_dissection(graph_of(J), X), "nested dissection")) {}
+SymbolicCholesky::SymbolicCholesky(const SymmetricMatrix& J, const Points& X) {
+  const Rows graph = graph_of(J);
+  if (J.size() < worth_dissecting) {
+    take(J, symbolic_factor(graph, minimum_degree(graph)), "minimum degree");
+  } else {
+    take(J, symbolic_factor(graph, nested_dissection(graph, X)), "nested dissection");
+  }
+}
 
-SymbolicCholesky::SymbolicCholesky(const SymmetricMatrix& J, const std::vector<Index>& order,
-                                   std::string_view ordering) {
-  Analysis analysis(J, order);
-  forecast_ = {ordering, analysis.flops(), analysis.factor_entries()};
+void SymbolicCholesky::take(const SymmetricMatrix& J, SymbolicFactor factor,
+                            std::string_view ordering) {
+  forecast_ = {ordering, factor.flops, factor.entries};
   auto state = std::make_shared<State>();
-  state->nodes = analysis.supernodes();
+  state->nodes = std::move(factor.nodes);
   state->columns = eliminated_columns(J, state->nodes);
   state_ = std::move(state);
 }

@@ -6,12 +6,13 @@
 #include <cstdint>
 #include <memory>
 #include <string_view>
-#include <vector>
 
 #include "ibmfair/base/types.h"
 #include "ibmfair/energy/hessian.h"
 
 namespace ibmfair {
+
+struct SymbolicFactor;
 
 /// What the analysis predicts.
 struct FactorForecast {
@@ -34,8 +35,7 @@ class SymbolicCholesky {
   const FactorForecast& forecast() const { return forecast_; }
 
  private:
-  SymbolicCholesky(const SymmetricMatrix& J, const std::vector<Index>& order,
-                   std::string_view ordering);
+  void take(const SymmetricMatrix& J, SymbolicFactor factor, std::string_view ordering);
 
   friend class CholeskyFactor;
   struct State;

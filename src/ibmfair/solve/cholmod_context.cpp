@@ -1,5 +1,7 @@
 #include "ibmfair/solve/cholmod_context.h"
 
+#include <cstdint>
+
 #include <fmt/format.h>
 
 #include "ibmfair/base/errors.h"
@@ -31,20 +33,6 @@ void CholmodContext::check(const char* stage) const {
       throw FactorizationFailed(fmt::format("the sparse {} failed (CHOLMOD status {})", stage,
                                             static_cast<int>(common_.status)));
   }
-}
-
-cholmod_sparse lower_pattern(const std::vector<std::int64_t>& column_first,
-                             const std::vector<std::int64_t>& row) {
-  cholmod_sparse A{};
-  A.nrow = A.ncol = column_first.size() - 1;
-  A.nzmax = row.size();
-  A.p = const_cast<std::int64_t*>(column_first.data());
-  A.i = const_cast<std::int64_t*>(row.data());
-  A.stype = -1;  // the lower triangle is stored
-  A.itype = CHOLMOD_LONG;
-  A.xtype = CHOLMOD_PATTERN;
-  A.packed = 1;
-  return A;
 }
 
 }  // namespace ibmfair

@@ -1,9 +1,6 @@
 // The settings and errors of CHOLMOD, for the files of this room only.
 #pragma once
 
-#include <cstdint>
-#include <vector>
-
 #include <cholmod.h>
 
 namespace ibmfair {
@@ -25,10 +22,5 @@ class CholmodContext {
  private:
   cholmod_common common_;
 };
-
-/// Views the pattern of a symmetric matrix, its lower triangle stored by columns with rows in any
-/// order, as CHOLMOD sees it; nothing is copied, and nothing may be written through it.
-cholmod_sparse lower_pattern(const std::vector<std::int64_t>& column_first,
-                             const std::vector<std::int64_t>& row);
 
 }  // namespace ibmfair

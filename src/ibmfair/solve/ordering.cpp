@@ -20,11 +20,16 @@ namespace {
 /// Half as many take a tenth longer to order, and save a hundredth of the operations.
 constexpr Index left_to_minimum_degree = 200;
 
-/// Some of the nodes with the edges between them, in numbers of their own.
+/// Some of the nodes, and where their places in the order begin.
+struct Nodes {
+  std::vector<Index> node;
+  std::int64_t begin = 0;
+};
+
+/// The same with the edges between them, in numbers of their own.
 struct Part {
-  std::vector<Index> node;  ///< in the numbers of the whole
+  Nodes nodes;
   Rows graph;
-  std::int64_t begin = 0;  ///< of their places in the order
 };
 
 /// `number` has the place of each of `nodes` among them, and -1 for all that they have an edge to
@@ -42,32 +47,34 @@ Rows subgraph(const Rows& graph, const std::vector<Index>& nodes,
   return sub;
 }
 
-/// Puts nodes of the part in their places, and returns the sides that are left, if any.
-std::vector<Part> dissect(const Part& part, const Points& X, std::vector<Index>& order) {
-  const auto node = [&](Index i) { return part.node[i]; };
+/// Puts some of the nodes, between which `graph` has the edges, in their places, and returns the
+/// sides that are left, if any.
+std::vector<Part> dissect(const Rows& graph, const Nodes& nodes, const Points& X,
+                          std::vector<Index>& order) {
+  const auto node = [&](Index i) { return nodes.node[i]; };
   std::optional<Separation> cut;
-  if (part.graph.size() > left_to_minimum_degree) {
-    cut = separate(part.graph, X(part.node, Eigen::all));
+  if (graph.size() > left_to_minimum_degree) {
+    cut = separate(graph, X(nodes.node, Eigen::all));
   }
   if (!cut) {
-    const std::vector<Index> by_degree = minimum_degree(part.graph);
-    std::transform(by_degree.begin(), by_degree.end(), order.begin() + part.begin, node);
+    const std::vector<Index> by_degree = minimum_degree(graph);
+    std::transform(by_degree.begin(), by_degree.end(), order.begin() + nodes.begin, node);
     return {};
   }
-  std::vector<Index> number(part.node.size(), -1);
+  std::vector<Index> number(nodes.node.size(), -1);
   for (const auto& side : cut->side) {
     for (std::size_t i = 0; i < side.size(); ++i) {
       number[side[i]] = static_cast<Index>(i);
     }
   }
   std::vector<Part> sides(cut->side.size());
-  std::int64_t begin = part.begin;
+  std::int64_t begin = nodes.begin;
   for (std::size_t i = 0; i < sides.size(); ++i) {
     const std::vector<Index>& side = cut->side[i];
-    sides[i].node.reserve(side.size());
-    std::transform(side.begin(), side.end(), std::back_inserter(sides[i].node), node);
-    sides[i].graph = subgraph(part.graph, side, number);
-    sides[i].begin = begin;
+    sides[i].nodes.node.reserve(side.size());
+    std::transform(side.begin(), side.end(), std::back_inserter(sides[i].nodes.node), node);
+    sides[i].graph = subgraph(graph, side, number);
+    sides[i].nodes.begin = begin;
     begin += std::ssize(side);
   }
   std::transform(cut->separator.begin(), cut->separator.end(), order.begin() + begin, node);
@@ -116,16 +123,15 @@ std::vector<Index> minimum_degree(const Rows& graph) {
   return order;
 }
 
-std::vector<Index> nested_dissection(Rows graph, const Points& X) {
+std::vector<Index> nested_dissection(const Rows& graph, const Points& X) {
   std::vector<Index> order(static_cast<std::size_t>(graph.size()));
-  std::vector<Part> parts(1);
-  parts[0].node.resize(order.size());
-  std::iota(parts[0].node.begin(), parts[0].node.end(), 0);
-  parts[0].graph = std::move(graph);
+  std::vector<Index> all = order;
+  std::iota(all.begin(), all.end(), 0);
+  std::vector<Part> parts = dissect(graph, {std::move(all), 0}, X, order);
   while (!parts.empty()) {
     std::vector<std::vector<Part>> sides(parts.size());
     parallel_tasks(std::ssize(parts), [&](std::int64_t i) {
-      sides[i] = dissect(parts[i], X, order);
+      sides[i] = dissect(parts[i].graph, parts[i].nodes, X, order);
       parts[i] = {};
     });
     parts.clear();

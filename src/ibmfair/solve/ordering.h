@@ -21,6 +21,6 @@ std::vector<Index> minimum_degree(const Rows& graph);
 /// SIAM J. Numer. Anal. 10 (1973)] of a surface: a separator (solve/separator.h) comes after the
 /// sides that it leaves, which are dissected likewise until they are left to minimum degree. `X`
 /// (#nodes x 3) is where the nodes lie. The same for any number of threads. Throws OutOfMemory.
-std::vector<Index> nested_dissection(Rows graph, const Points& X);
+std::vector<Index> nested_dissection(const Rows& graph, const Points& X);
 
 }  // namespace ibmfair
