@@ -21,6 +21,9 @@ endfunction()
 add_benchmark(bilaplacian_smooth bilaplacian_smooth.cpp)
 target_link_libraries(bilaplacian_smooth PRIVATE ibmfair_library CHOLMOD::CHOLMOD ibmfair_flags)
 
+add_benchmark(orderings orderings.cpp)
+target_link_libraries(orderings PRIVATE ibmfair_library CHOLMOD::CHOLMOD ibmfair_flags)
+
 add_benchmark(cgal_smooth cgal_smooth.cpp)
 target_include_directories(cgal_smooth SYSTEM PRIVATE ${CGAL_INCLUDE_DIR})
 target_compile_definitions(cgal_smooth PRIVATE CGAL_EIGEN3_ENABLED)
