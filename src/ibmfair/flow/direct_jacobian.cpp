@@ -32,20 +32,18 @@ double factorizations(double iterations) {
 // and the factor, which may have to be float64, with what factoring it needs.
 constexpr double bytes_per_unknown = 1630, bytes_per_entry = 8.5;
 
-// By minimum degree, and from where on round surfaces are dissected, too (solve/cholesky.cpp). One
-// core does that while others wait: counted as on two, as the choice must not depend on how many
-// there are.
-double ordering_seconds(double n) {
-  constexpr double by_degree = 1.1e-6, dissected = 6e-6, least_dissected = 60'000;
-  return 2 * n * (n < least_dissected ? by_degree : dissected);
+// The order of elimination, which all cores share, and the symbolic factorization, while which all
+// but one wait: counted as on two, as the choice must not depend on how many there are.
+double analysis_seconds(double n) {
+  return 2.2e-6 * n;
 }
 
 // Surfaces have small separators: nested dissection leaves about this much.
 double factor_entries(double n) {
-  return 10 * n * std::log2(n + 2);
+  return 9 * n * std::log2(n + 2);
 }
 double factor_flops(double n) {
-  return 300 * std::pow(n, 1.5);
+  return 250 * std::pow(n, 1.5);
 }
 
 /// |B - J Y| / |B| in the norm of D^-1, D being the diagonal of J: every row counts alike, however
@@ -96,7 +94,7 @@ SolverForecast forecast_direct(const JacobianShape& shape, const IterationForeca
       shape.options.guarded
           ? std::max(1.0, factorizations(iterations.of_cutoff) * left / shape.options.steps)
           : 1;
-  return {.seconds = ordering_seconds(n) + per_flop * factor_flops(n) * factors +
+  return {.seconds = analysis_seconds(n) + per_flop * factor_flops(n) * factors +
                      per_entry * entries * left,
           .bytes = bytes_per_unknown * n + bytes_per_entry * entries,
           .factor_entries = entries};
