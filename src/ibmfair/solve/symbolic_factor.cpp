@@ -13,6 +13,14 @@ namespace {
 
 using Numbers = std::vector<std::int64_t>;
 
+template <class Value>
+std::vector<Value> taken(const std::vector<Value>& from, const Numbers& places) {
+  std::vector<Value> values(places.size());
+  std::transform(places.begin(), places.end(), values.begin(),
+                 [&](std::int64_t i) { return from[i]; });
+  return values;
+}
+
 /// The pattern of the matrix, in the order of elimination and without its diagonal, as CHOLMOD
 /// wants it. Its own permutations, on one thread, were half of its analysis.
 class Pattern {
@@ -51,6 +59,13 @@ class Pattern {
   /// Column j has the rows tied to it that come after.
   cholmod_sparse lower() { return triangle(lower_first_, lower_count_, -1); }
 
+  /// Puts column[i] in the place of i, and i in place[i]: of upper(), which must stay upper.
+  void permute_upper(const Numbers& column, const Numbers& place) {
+    upper_first_ = taken(upper_first_, column);
+    upper_count_ = taken(upper_count_, column);
+    parallel_for(std::ssize(row_), [&](std::int64_t k) { row_[k] = place[row_[k]]; });
+  }
+
  private:
   cholmod_sparse triangle(Numbers& first, Numbers& count, int stype) {
     cholmod_sparse A{};
@@ -69,13 +84,7 @@ class Pattern {
   Numbers upper_first_, lower_first_, upper_count_, lower_count_, row_;
 };
 
-/// The columns of L in order of elimination.
-struct Columns {
-  std::vector<Index> node;
-  Numbers parent;   ///< in the elimination tree, or -1
-  Numbers entries;  ///< on and below the diagonal
-};
-
+/// The parent of each column, or -1.
 Numbers elimination_tree(Pattern& pattern, std::size_t n, CholmodContext& context) {
   cholmod_sparse A = pattern.upper();
   Numbers parent(n);
@@ -84,7 +93,8 @@ Numbers elimination_tree(Pattern& pattern, std::size_t n, CholmodContext& contex
   return parent;
 }
 
-/// The columns so that every subtree is a range; of the children, that of least `weight` first.
+/// The columns so that every subtree of the elimination tree is a range, and of the children that
+/// of the least weight, where there are weights, is the first.
 Numbers postorder(const Numbers& parent, const std::int64_t* weight, CholmodContext& context) {
   Numbers column(parent.size());
   cholmod_l_postorder(const_cast<std::int64_t*>(parent.data()), parent.size(),
@@ -104,32 +114,6 @@ Numbers count_entries(Pattern& pattern, Numbers& parent, CholmodContext& context
                          in_column.data(), first.data(), level.data(), context.get());
   context.check("analysis");
   return in_column;
-}
-
-/// The large children come last, next to their parents, with which they may share a supernode.
-Columns put_in_postorder(const std::vector<Index>& order, const Numbers& parent,
-                         const Numbers& entries, CholmodContext& context) {
-  const Numbers column = postorder(parent, entries.data(), context);
-  const std::size_t n = order.size();
-  Numbers place(n);
-  for (std::size_t i = 0; i < n; ++i) {
-    place[column[i]] = static_cast<std::int64_t>(i);
-  }
-  Columns columns{std::vector<Index>(n), Numbers(n), Numbers(n)};
-  for (std::size_t i = 0; i < n; ++i) {
-    const std::int64_t above = parent[column[i]];
-    columns.node[i] = order[column[i]];
-    columns.parent[i] = above < 0 ? -1 : place[above];
-    columns.entries[i] = entries[column[i]];
-  }
-  return columns;
-}
-
-Columns columns_of(const Rows& graph, const std::vector<Index>& order, CholmodContext& context) {
-  Pattern pattern(graph, order);
-  Numbers parent = elimination_tree(pattern, order.size(), context);
-  const Numbers entries = count_entries(pattern, parent, context);
-  return put_in_postorder(order, parent, entries, context);
 }
 
 /// CHOLMOD's factor without numbers.
@@ -160,17 +144,31 @@ std::vector<Value> copy(const void* from, std::size_t count) {
 
 SymbolicFactor symbolic_factor(const Rows& graph, const std::vector<Index>& order) {
   CholmodContext context;
-  Columns columns = columns_of(graph, order, context);
+  Pattern pattern(graph, order);
+  Numbers parent = elimination_tree(pattern, order.size(), context);
+  const Numbers entries = count_entries(pattern, parent, context);
   SymbolicFactor symbolic{{}, context.get()->fl, context.get()->lnz};
+
+  // Large children come last, next to their parents, with which they may share a supernode.
+  const Numbers column = postorder(parent, entries.data(), context);
+  Numbers place(column.size());
+  for (std::size_t i = 0; i < column.size(); ++i) {
+    place[column[i]] = static_cast<std::int64_t>(i);
+  }
+  for (std::int64_t& above : parent) {
+    above = above < 0 ? above : place[above];
+  }
+  parent = taken(parent, column);
+  pattern.permute_upper(column, place);
+
   CholmodFactor factor(order.size(), context);
   cholmod_factor& L = *factor.get();
-  std::copy(columns.entries.begin(), columns.entries.end(), static_cast<std::int64_t*>(L.ColCount));
-  Pattern pattern(graph, columns.node);
+  std::ranges::copy(taken(entries, column), static_cast<std::int64_t*>(L.ColCount));
   cholmod_sparse A = pattern.upper();
-  cholmod_l_super_symbolic(&A, nullptr, columns.parent.data(), &L, context.get());
+  cholmod_l_super_symbolic(&A, nullptr, parent.data(), &L, context.get());
   context.check("analysis");
   Supernodes& nodes = symbolic.nodes;
-  nodes.unknown = std::move(columns.node);
+  nodes.unknown = taken(order, column);
   nodes.first_column = copy<Index>(L.super, L.nsuper + 1);
   nodes.first_row = copy<std::int64_t>(L.pi, L.nsuper + 1);
   nodes.row = copy<Index>(L.s, L.ssize);
