@@ -2,8 +2,9 @@
 
 namespace ibmfair::cloth {
 
-BlockSolver::BlockSolver(const BlockHessian& H, const std::vector<std::uint8_t>& held)
-    : unknowns_(held) {
+BlockSolver::BlockSolver(const BlockHessian& H, const std::vector<std::uint8_t>& held,
+                         const Points& rest)
+    : unknowns_(held), rest_(Eigen::Index{3} * unknowns_.size(), 3) {
   const SymmetricMatrix& pattern = H.pattern();
   for (const Index v : unknowns_.vertex) {
     for (int c = 0; c < 3; ++c) {
@@ -12,13 +13,16 @@ BlockSolver::BlockSolver(const BlockHessian& H, const std::vector<std::uint8_t>&
         const bool diagonal = pattern.row[k] == v;
         for (int r = diagonal ? c : 0; i >= 0 && r < 3; ++r) {
           J_.row.push_back(std::int64_t{3} * i + r);
-          source_.push_back(9 * k + 3 * c + r);  // blocks are stored column by column
+          source_.push_back(9 * k + std::int64_t{3} * c + r);  // blocks are stored by columns
         }
       }
       J_.column_first.push_back(static_cast<std::int64_t>(J_.row.size()));
     }
   }
   J_.value.resize(J_.row.size());
+  for (Eigen::Index i = 0; i < rest_.rows(); ++i) {
+    rest_.row(i) = rest.row(unknowns_.vertex[i / 3]);
+  }
   right_hand_side_ = Points::Zero(J_.size(), 3);
 }
 
@@ -31,7 +35,7 @@ void BlockSolver::factor(const BlockHessian& H, const PerVertex& d) {
     J_.value[J_.column_first[j]] += d[unknowns_.vertex[j / 3]];
   }
   if (!symbolic_) {
-    symbolic_.emplace(J_);
+    symbolic_.emplace(J_, rest_);
     factor_.emplace(*symbolic_);
     solver_.emplace(*factor_);
   }

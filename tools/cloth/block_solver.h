@@ -12,8 +12,8 @@ namespace ibmfair::cloth {
 /// The pattern is analysed once, by the first call of `factor`.
 class BlockSolver {
  public:
-  /// H gives the pattern; `held` is #V.
-  BlockSolver(const BlockHessian& H, const std::vector<std::uint8_t>& held);
+  /// H gives the pattern; `held` is #V, and `rest`, #V x 3, where the vertices lie about.
+  BlockSolver(const BlockHessian& H, const std::vector<std::uint8_t>& held, const Points& rest);
 
   /// d: #V. Throws FactorizationFailed where J is not positive definite.
   void factor(const BlockHessian& H, const PerVertex& d);
@@ -23,6 +23,7 @@ class BlockSolver {
 
  private:
   Unknowns unknowns_;
+  Points rest_;  // of each unknown
   SymmetricMatrix J_;
   std::vector<std::int64_t> source_;  // of each value of J_, in the blocks' numbers
   std::optional<SymbolicCholesky> symbolic_;

@@ -26,7 +26,7 @@ class ImplicitEuler final : public Integrator {
         smallest_move_(options.tolerance * mean_edge_length(plate.rest, plate.topology.E)),
         inertia_((1 / (h_ * h_)) * plate.mass),
         sheet_(plate, bending),
-        solver_(sheet_.hessian, plate.held) {
+        solver_(sheet_.hessian, plate.held, plate.rest) {
     terms_ = {sheet_.membrane.get(), sheet_.bending.get()};
     if (surroundings.sphere) {
       contact_ = bind_contact(*surroundings.sphere, plate, h_, sheet_.hessian);

@@ -23,7 +23,7 @@ ModelTimer::ModelTimer(const SceneRow& row, const TriangleMesh& sheet, const Ben
       elastic_(scene_.plate, bending),
       system_(scene_.plate, bending),
       inertia_(scene_.plate.mass / (row.time_step * row.time_step)),
-      solver_(system_.hessian, scene_.plate.held),
+      solver_(system_.hessian, scene_.plate.held, scene_.plate.rest),
       G_(Points::Zero(scene_.start.rows(), 3)),
       explicit_(bind("explicit", 0, bending)),
       implicit_(bind("implicit", row.time_step, bending)),
