@@ -335,7 +335,7 @@ TEST(Flow, FactorsWhereIterationsTurnOutToBeMany) {
     const auto [mixed, iterative] = expect_a_factor(drawn, laplacian, 12);
     EXPECT_GT(mixed.iterations, 0) << laplacian;
     EXPECT_LT(mixed.iterations, iterative.iterations / 3) << laplacian;
-    EXPECT_EQ(flow_by(regular, laplacian, 12, "auto").factorizations, 0) << laplacian;
+    EXPECT_EQ(flow_by(regular, laplacian, 8, "auto").factorizations, 0) << laplacian;
   }
 }
 
