@@ -151,9 +151,23 @@ TEST(Separators, AreFoundWhereverTheMeshLiesAndWithNodesFarAway) {
   EXPECT_LT(separate(graph, X)->separator.size(), 1.1 * static_cast<double>(plain));
 }
 
-TEST(Separators, AreNotFoundInAPoint) {
-  const auto [X, graph] = sphere(3);
+TEST(Separators, AreTheSameAtAnyScale) {
+  const auto [X, graph] = sphere(4);
+  const std::vector<Index> separator = separate(graph, X)->separator;
+  for (const int exponent : {-900, -100, 100, 900}) {
+    const std::optional<Separation> parts = separate(graph, std::ldexp(1.0, exponent) * X);
+    ASSERT_TRUE(parts) << exponent;
+    EXPECT_EQ(parts->separator, separator) << exponent;
+  }
+}
+
+TEST(Separators, AreNotFoundInAPointOrNowhere) {
+  auto [X, graph] = sphere(3);
   EXPECT_FALSE(separate(graph, Points::Ones(X.rows(), 3)));
+  EXPECT_FALSE(separate(graph, Points::Constant(X.rows(), 3, std::nan(""))));
+  EXPECT_FALSE(separate(graph, HUGE_VAL * X));
+  X(7, 1) = std::nan("");
+  EXPECT_FALSE(separate(graph, X));
   EXPECT_FALSE(separate(Rows(), Points(0, 3)));
 }
 

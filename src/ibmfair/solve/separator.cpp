@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <limits>
 
+#include "ibmfair/mesh/geometry.h"
+
 namespace ibmfair {
 namespace {
 
@@ -14,12 +16,15 @@ constexpr float direction[3][lanes] = {{1, 0, 0, 1, 1, 1, 1, 0, 0, 1, 1, 1, -1},
                                        {0, 1, 0, 1, -1, 0, 0, 1, 1, 1, 1, -1, 1},  //
                                        {0, 0, 1, 0, 0, 1, -1, 1, -1, 1, -1, 1, 1}};
 
+/// Nodes as seen from the first one, in sizes of their bounding box.
+using Places = Eigen::Matrix<float, Eigen::Dynamic, 3, Eigen::RowMajor>;
+
 /// How far a node lies in each direction.
 using Extents = Eigen::Array<float, lanes, 1>;
 
-Extents extents(const Points& X, Eigen::Index v) {
+Extents extents(const Places& places, Eigen::Index v) {
   const Eigen::Map<const Eigen::Matrix<float, lanes, 3>> D(direction[0]);
-  return D * (X.row(v) - X.row(0)).cast<float>().transpose();
+  return D * places.row(v).transpose();
 }
 
 /// Where planes are tried.
@@ -30,12 +35,12 @@ struct Range {
 
 /// All over a few nodes; where there are many, in the middle of a sample, so that some that lie far
 /// away do not leave the others in one step.
-Range range_of(const Points& X) {
+Range range_of(const Places& places) {
   constexpr Eigen::Index few = 4096, sampled = 256, outside = sampled / 10;
   Range range;
-  if (X.rows() < few) {
-    for (Eigen::Index v = 0; v < X.rows(); ++v) {
-      const Extents extent = extents(X, v);
+  if (places.rows() < few) {
+    for (Eigen::Index v = 0; v < places.rows(); ++v) {
+      const Extents extent = extents(places, v);
       range.low = range.low.min(extent);
       range.high = range.high.max(extent);
     }
@@ -43,7 +48,7 @@ Range range_of(const Points& X) {
   }
   Eigen::Array<float, sampled, lanes> sample;
   for (Eigen::Index i = 0; i < sampled; ++i) {
-    sample.row(i) = extents(X, i * X.rows() / sampled).transpose();
+    sample.row(i) = extents(places, i * places.rows() / sampled).transpose();
   }
   for (int d = 0; d < lanes; ++d) {
     auto column = sample.col(d);
@@ -58,13 +63,14 @@ Range range_of(const Points& X) {
 constexpr int steps = 128;
 using Heights [[gnu::vector_size(lanes)]] = std::uint8_t;
 
-std::vector<Heights> heights_of(const Points& X) {
-  const Range range = range_of(X);
+std::vector<Heights> heights_of(const Places& places) {
+  const Range range = range_of(places);
   const Extents width = range.high - range.low;
   const Extents steps_a_length = (width > 0).select((steps - 1) / width, 0);
-  std::vector<Heights> heights(static_cast<std::size_t>(X.rows()));
-  for (Eigen::Index v = 0; v < X.rows(); ++v) {
-    const Extents height = ((extents(X, v) - range.low) * steps_a_length).max(0).min(steps - 1);
+  std::vector<Heights> heights(static_cast<std::size_t>(places.rows()));
+  for (Eigen::Index v = 0; v < places.rows(); ++v) {
+    const Extents height =
+        ((extents(places, v) - range.low) * steps_a_length).max(0).min(steps - 1);
     for (int d = 0; d < lanes; ++d) {
       heights[v][d] = static_cast<std::uint8_t>(height[d]);
     }
@@ -125,7 +131,10 @@ Plane best_plane(const Rows& graph, const std::vector<Heights>& heights) {
 }  // namespace
 
 std::optional<Separation> separate(const Rows& graph, const Points& X) {
-  const std::vector<Heights> heights = heights_of(X);
+  if (X.rows() == 0) return std::nullopt;
+  const Places places = ((X.rowwise() - X.row(0)) / bounding_box_size(X).maxCoeff()).cast<float>();
+  if (!places.allFinite()) return std::nullopt;
+  const std::vector<Heights> heights = heights_of(places);
   const Plane plane = best_plane(graph, heights);
   if (plane.height == 0) return std::nullopt;
   const auto is_below = [&](Index v) { return heights[v][plane.direction] < plane.height; };

@@ -19,7 +19,8 @@ struct Separation {
 /// Cuts the graph, whose edges are listed at both ends and whose nodes lie at `X` (#nodes x 3), by
 /// a plane: of 13 directions and all heights that leave a fifth of the nodes on either side, the
 /// one with the smallest separator for what the smaller side holds. The separator are the nodes of
-/// one side that have an edge through the plane. None where no such plane is found.
+/// one side that have an edge through the plane. None where no such plane is found, and where not
+/// all coordinates are finite.
 std::optional<Separation> separate(const Rows& graph, const Points& X);
 
 }  // namespace ibmfair
