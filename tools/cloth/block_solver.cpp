@@ -4,7 +4,7 @@ namespace ibmfair::cloth {
 
 BlockSolver::BlockSolver(const BlockHessian& H, const std::vector<std::uint8_t>& held,
                          const Points& rest)
-    : unknowns_(held), rest_(Eigen::Index{3} * unknowns_.size(), 3) {
+    : unknowns_(held) {
   const SymmetricMatrix& pattern = H.pattern();
   for (const Index v : unknowns_.vertex) {
     for (int c = 0; c < 3; ++c) {
@@ -20,10 +20,13 @@ BlockSolver::BlockSolver(const BlockHessian& H, const std::vector<std::uint8_t>&
     }
   }
   J_.value.resize(J_.row.size());
-  for (Eigen::Index i = 0; i < rest_.rows(); ++i) {
-    rest_.row(i) = rest.row(unknowns_.vertex[i / 3]);
-  }
   right_hand_side_ = Points::Zero(J_.size(), 3);
+  Points X(J_.size(), 3);
+  for (Eigen::Index i = 0; i < X.rows(); ++i) {
+    X.row(i) = rest.row(unknowns_.vertex[i / 3]);
+  }
+  factor_.emplace(SymbolicCholesky(J_, X));
+  solver_.emplace(*factor_);
 }
 
 void BlockSolver::factor(const BlockHessian& H, const PerVertex& d) {
@@ -33,11 +36,6 @@ void BlockSolver::factor(const BlockHessian& H, const PerVertex& d) {
   }
   for (std::int64_t j = 0; j < J_.size(); ++j) {
     J_.value[J_.column_first[j]] += d[unknowns_.vertex[j / 3]];
-  }
-  if (!symbolic_) {
-    symbolic_.emplace(J_, rest_);
-    factor_.emplace(*symbolic_);
-    solver_.emplace(*factor_);
   }
   factor_->factor(J_);
 }

@@ -9,7 +9,7 @@
 namespace ibmfair::cloth {
 
 /// Factors J = diag(d) + H by the library's sparse Cholesky factorization, three unknowns a vertex.
-/// The pattern is analysed once, by the first call of `factor`.
+/// The pattern is analysed once.
 class BlockSolver {
  public:
   /// H gives the pattern; `held` is #V, and `rest`, #V x 3, where the vertices lie about.
@@ -23,10 +23,8 @@ class BlockSolver {
 
  private:
   Unknowns unknowns_;
-  Points rest_;  // of each unknown
   SymmetricMatrix J_;
   std::vector<std::int64_t> source_;  // of each value of J_, in the blocks' numbers
-  std::optional<SymbolicCholesky> symbolic_;
   std::optional<CholeskyFactor> factor_;
   std::optional<CholeskySolver> solver_;
   Points right_hand_side_;
