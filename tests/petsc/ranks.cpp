@@ -9,6 +9,7 @@
 #include "support/files.h"
 
 namespace ibmfair::test {
+
 Points Fair::X() const {
   TemporaryDirectory directory;
   write_bytes(directory / "out.ply", bytes);

@@ -32,8 +32,8 @@ double factorizations(double iterations) {
 // and the factor, which may have to be float64, with what factoring it needs.
 constexpr double bytes_per_unknown = 1630, bytes_per_entry = 8.5;
 
-// The order of elimination, which all cores share, and the symbolic factorization, while which all
-// but one wait: counted as on two, as the choice must not depend on how many there are.
+// The order of elimination, which all cores share, and the symbolic factorization, during which
+// all but one wait: counted as on two, as the choice must not depend on how many there are.
 double analysis_seconds(double n) {
   return 2.2e-6 * n;
 }

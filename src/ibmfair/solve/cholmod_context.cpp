@@ -14,23 +14,22 @@ CholmodContext::CholmodContext() {
   cholmod_l_start(&common_);
   common_.print = 0;
   common_.error_handler = nullptr;  // statuses become exceptions in check()
-  common_.supernodal = CHOLMOD_SUPERNODAL;
 }
 
 CholmodContext::~CholmodContext() {
   cholmod_l_finish(&common_);
 }
 
-void CholmodContext::check(const char* stage) const {
+void CholmodContext::check() const {
   switch (common_.status) {
     case CHOLMOD_OK:
       return;
     case CHOLMOD_OUT_OF_MEMORY:
-      throw OutOfMemory(fmt::format("out of memory in the sparse {}", stage));
+      throw OutOfMemory("out of memory in the sparse analysis");
     case CHOLMOD_TOO_LARGE:
-      throw OutOfMemory(fmt::format("the sparse {} is larger than its index type", stage));
+      throw OutOfMemory("the sparse analysis is larger than its index type");
     default:
-      throw FactorizationFailed(fmt::format("the sparse {} failed (CHOLMOD status {})", stage,
+      throw FactorizationFailed(fmt::format("the sparse analysis failed (CHOLMOD status {})",
                                             static_cast<int>(common_.status)));
   }
 }

@@ -5,7 +5,7 @@
 
 namespace ibmfair {
 
-/// One cholmod_common: started, quiet, set to the supernodal L L^T of 64-bit indices.
+/// One cholmod_common of 64-bit indices: started, and quiet.
 class CholmodContext {
  public:
   CholmodContext();
@@ -15,9 +15,8 @@ class CholmodContext {
 
   cholmod_common* get() { return &common_; }
 
-  /// Throws what the last call's status means: OutOfMemory or FactorizationFailed with `stage` in
-  /// the message.
-  void check(const char* stage) const;
+  /// Throws what the last call's status means: OutOfMemory or FactorizationFailed.
+  void check() const;
 
  private:
   cholmod_common common_;

@@ -85,11 +85,11 @@ class Pattern {
 };
 
 /// The parent of each column, or -1.
-Numbers elimination_tree(Pattern& pattern, std::size_t n, CholmodContext& context) {
+Numbers elimination_tree(Pattern& pattern, CholmodContext& context) {
   cholmod_sparse A = pattern.upper();
-  Numbers parent(n);
+  Numbers parent(A.ncol);
   cholmod_l_etree(&A, parent.data(), context.get());
-  context.check("analysis");
+  context.check();
   return parent;
 }
 
@@ -99,7 +99,7 @@ Numbers postorder(const Numbers& parent, const std::int64_t* weight, CholmodCont
   Numbers column(parent.size());
   cholmod_l_postorder(const_cast<std::int64_t*>(parent.data()), parent.size(),
                       const_cast<std::int64_t*>(weight), column.data(), context.get());
-  context.check("analysis");
+  context.check();
   return column;
 }
 
@@ -112,7 +112,7 @@ Numbers count_entries(Pattern& pattern, Numbers& parent, CholmodContext& context
   Numbers in_row(n), in_column(n), first(n), level(n);
   cholmod_l_rowcolcounts(&A, nullptr, 0, parent.data(), turn.data(), in_row.data(),
                          in_column.data(), first.data(), level.data(), context.get());
-  context.check("analysis");
+  context.check();
   return in_column;
 }
 
@@ -121,7 +121,7 @@ class CholmodFactor {
  public:
   CholmodFactor(std::size_t n, CholmodContext& context)
       : context_(context), factor_(cholmod_l_allocate_factor(n, context.get())) {
-    context.check("analysis");
+    context.check();
   }
   ~CholmodFactor() { cholmod_l_free_factor(&factor_, context_.get()); }
   CholmodFactor(const CholmodFactor&) = delete;
@@ -145,7 +145,7 @@ std::vector<Value> copy(const void* from, std::size_t count) {
 SymbolicFactor symbolic_factor(const Rows& graph, const std::vector<Index>& order) {
   CholmodContext context;
   Pattern pattern(graph, order);
-  Numbers parent = elimination_tree(pattern, order.size(), context);
+  Numbers parent = elimination_tree(pattern, context);
   const Numbers entries = count_entries(pattern, parent, context);
   SymbolicFactor symbolic{{}, context.get()->fl, context.get()->lnz};
 
@@ -166,7 +166,7 @@ SymbolicFactor symbolic_factor(const Rows& graph, const std::vector<Index>& orde
   std::ranges::copy(taken(entries, column), static_cast<std::int64_t*>(L.ColCount));
   cholmod_sparse A = pattern.upper();
   cholmod_l_super_symbolic(&A, nullptr, parent.data(), &L, context.get());
-  context.check("analysis");
+  context.check();
   Supernodes& nodes = symbolic.nodes;
   nodes.unknown = taken(order, column);
   nodes.first_column = copy<Index>(L.super, L.nsuper + 1);
