@@ -195,6 +195,7 @@ TEST_F(SmoothFeatures, TheUmbrellaIsNotRelaxedUnlessAsked) {
   };
   EXPECT_EQ(tangential({}), "none");
   EXPECT_EQ(tangential({"--tangential", "relax"}), "relax");
+  EXPECT_EQ(tangential({"--tangential", "keep"}), "keep");
 }
 
 TEST_F(SmoothFeatures, TwicingPutsBackHeight) {

@@ -171,6 +171,7 @@ TEST(Smooth, TellsWhatBecomesOfTextureCoordinates) {
   };
   EXPECT_TRUE(contains(said({}), "no tangential relaxation"));
   EXPECT_TRUE(contains(said({"--laplacian", "umbrella"}), "vertices slide under them"));
+  EXPECT_TRUE(contains(said({"--denoise"}), "less with --tangential keep"));
   EXPECT_FALSE(contains(said({"--tangential", "relax"}), "texture"));
 }
 

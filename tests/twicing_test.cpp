@@ -60,6 +60,50 @@ TEST(Twicing, OfSmallHeightsIsThePolynomialOfTheFlow) {
   }
 }
 
+// The umbrella's flow is linear in each coordinate, X -> G X, however large the move. Where slides
+// are put back, too, the same polynomials hold for whole meshes.
+TEST(Twicing, WithSlidesIsThePolynomialOfTheUmbrellasFlow) {
+  for (const char* shape : {"torus", "cylinder"}) {
+    State state(make_shape(shape, {.rows = 20}));
+    state.X = shaken(state, 0.1);
+    FlowOptions options;
+    options.laplacian = "umbrella";
+    options.guarded = false;
+    options.put_back_slides = true;
+    options.steps = 8;
+    options.solver_tolerance = 1e-10;
+    const double edge = mean_edge_length(state.X, state.topology.E);
+    options.total_time =
+        time_in_flow_units(time_for_cutoff(8 * edge), state.X, state.topology, options);
+    const Points once = repeated(state, 1, options);
+    const Points two = repeated(state, 2, options);
+    const Points three = repeated(state, 3, options);
+    const auto error_with = [&](int twicing, const Points& polynomial) {
+      options.twicing = twicing;
+      return (repeated(state, 1, options) - polynomial).cwiseAbs().maxCoeff();
+    };
+    EXPECT_LT(error_with(1, 2 * once - two), 1e-5 * edge) << shape;
+    EXPECT_LT(error_with(2, 3 * once - 3 * two + three), 1e-5 * edge) << shape;
+    options.put_back_slides = false;
+    EXPECT_GT(error_with(1, 2 * once - two), 0.01 * edge) << shape;
+  }
+}
+
+// What a vertex slides though there is no noise.
+TEST(Twicing, WithSlidesKeepsVerticesNearerToTheirPlaces) {
+  for (const Mesh& mesh :
+       {make_shape("icosphere", {.subdivide = 4}), make_shape("torus", {.rows = 24})}) {
+    const State state(mesh);
+    FlowOptions options;
+    options.laplacian = "umbrella";
+    options.relax = false;
+    options.twicing = 2;
+    const double slid = (run_flow(state, 12, options).X - state.X).norm();
+    options.put_back_slides = true;
+    EXPECT_LT((run_flow(state, 12, options).X - state.X).norm(), 0.9 * slid);
+  }
+}
+
 /// A shape with noise, and the surface that it approximates.
 struct Noisy {
   std::string name;
@@ -126,6 +170,7 @@ TEST(Twicing, KeepsThePromisesOfTheFlowOnEveryMesh) {
       options.laplacian = laplacian;
       options.steps = 4;
       options.twicing = 2;
+      options.put_back_slides = laplacian == std::string("umbrella");
       const FlowRun result = run_flow(state, 5, options);
       EXPECT_TRUE(result.X.allFinite()) << name;
       EXPECT_LE(result.report.energy_after, result.report.energy_before) << name;

@@ -96,8 +96,8 @@ void add_flow_options(CLI::App& app, SmoothArguments& a) {
              "--tangential", a.tangential,
              "after each step, even out vertices within the surface and lay down those that "
              "stick out of it (relax), only while much noise is taken off before creases are kept "
-             "(first), or do not")
-          ->check(CLI::IsMember({"relax", "first", "none"}));
+             "(first), or do not (none), and let --twicing put back how far they slid (keep)")
+          ->check(CLI::IsMember({"relax", "first", "none", "keep"}));
   note_of(app, *tangential).default_text =
       "relax; first where the mesh has texture coordinates; none with --plain and with "
       "--laplacian umbrella";

@@ -36,6 +36,9 @@ const char* name_of(FlowStatus status) {
 }
 
 const char* tangential(const FlowOptions& options) {
+  if (options.put_back_slides) {
+    return "keep";
+  }
   if (options.guarded && options.relax) {
     return "relax";
   }

@@ -94,8 +94,9 @@ std::string remark_on_texture(const SmoothArguments& arguments) {
   if (bending_model(options.laplacian).evens_edges) {
     return fmt::format(
         "the mesh has texture coordinates, and by --laplacian {} vertices slide under them a "
-        "little",
-        options.laplacian);
+        "little{}",
+        options.laplacian,
+        options.twicing > 0 && !options.put_back_slides ? " (less with --tangential keep)" : "");
   }
   if (arguments.tangential.empty() && options.guarded) {
     return fmt::format("the mesh has texture coordinates: {} (--tangential relax)",
@@ -132,7 +133,9 @@ OutputOptions checkpoint_of(const SmoothArguments& arguments) {
 void set_relaxation(const SmoothArguments& arguments, FlowOptions& options) {
   const bool by_default = !bending_model(options.laplacian).evens_edges && !arguments.textured;
   options.relax = arguments.tangential == "relax" || (arguments.tangential.empty() && by_default);
-  options.relax_first = arguments.tangential != "none";
+  options.relax_first = arguments.tangential.empty() || arguments.tangential == "relax" ||
+                        arguments.tangential == "first";
+  options.put_back_slides = arguments.tangential == "keep";
 }
 
 void set_flow_options(const SmoothArguments& arguments, FlowOptions& options) {

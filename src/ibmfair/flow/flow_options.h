@@ -52,6 +52,7 @@ struct FlowOptions {
   double memory_limit = std::numeric_limits<double>::infinity();  ///< of the whole process, bytes
   StageObserver on_stage = {};  ///< told when a stage begins that may take long
   int twicing = 0;  ///< times that the residual is smoothed and put back: flow/twicing.h
+  bool put_back_slides = false;  ///< twicing does so within the surface, too
   /// At the end of a guarded flow, what it had to leave behind is seen to: flow/mending.h, and
   /// where creases are kept flow/specks.h.
   bool mend = true;

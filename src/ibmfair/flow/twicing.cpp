@@ -22,12 +22,11 @@ class Twicing {
   /// False where nothing could be put back.
   bool pass() {
     try {
-      linearise_flow(p_, p_.options.total_time, twicing_steps);
+      linearise_flow(p_, p_.options.total_time, twicing_steps(p_.options));
     } catch (const FactorizationFailed&) {
       return false;
     }
-    find_normals();
-    return put_back(smooth_residual());
+    return put_back(p_.options.put_back_slides ? smooth_move() : smooth_height());
   }
 
  private:
@@ -40,17 +39,28 @@ class Twicing {
     }
   }
 
-  /// Of the heights of the start over the state.
-  Eigen::VectorXd smooth_residual() {
-    Points heights = Points::Zero(p_.unknowns.size(), 3);
-    heights.col(0) = heights_along(normals_, p_.start(), p_.X, p_.unknowns);
-    flow_linearly(p_, twicing_steps, heights);
-    return heights.col(0);
+  /// What the flow would make of the move from the state to the start.
+  Points smooth_move() {
+    Points move(p_.unknowns.size(), 3);
+    for (Index u = 0; u < p_.unknowns.size(); ++u) {
+      const Index v = p_.unknowns.vertex[u];
+      move.row(u) = p_.start().row(v) - p_.X.row(v);
+    }
+    flow_linearly(p_, twicing_steps(p_.options), move);
+    return move;
   }
 
-  bool put_back(const Eigen::VectorXd& height) {
+  /// The same of the height of the start over the state, along the normals.
+  Points smooth_height() {
+    find_normals();
+    Points heights = Points::Zero(p_.unknowns.size(), 3);
+    heights.col(0) = heights_along(normals_, p_.start(), p_.X, p_.unknowns);
+    flow_linearly(p_, twicing_steps(p_.options), heights);
+    return heights.col(0).asDiagonal() * normals_;
+  }
+
+  bool put_back(Points move) {
     const Stopwatch watch(p_.report.seconds.guard);
-    Points move = height.asDiagonal() * normals_;
     for (int i = 0; i <= most_halvings; ++i, move /= 2) {
       const FoldFreeLanding trial = displace_without_folds(
           p_, folds_, move, Y_, [this](const Points& Y) { return p_.energy_at(Y); });
@@ -70,6 +80,13 @@ class Twicing {
 };
 
 }  // namespace
+
+// n passes leave n times what one leaves of ripples beyond the cut-off, and few steps leave much.
+// Moves of the table's meshes end 1 to 5 % nearer to the truth with eight than with four, heights
+// do not.
+int twicing_steps(const FlowOptions& options) {
+  return options.put_back_slides ? 8 : 4;
+}
 
 void twice(FlowProblem& problem) {
   Twicing twicing(problem);
