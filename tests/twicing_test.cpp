@@ -199,10 +199,56 @@ TEST(Twicing, KeepsBoundsOnMovesVolumeAndArea) {
   EXPECT_EQ(bounded.report.twicings, 1);
   options.max_move = std::numeric_limits<double>::infinity();
   options.keep_volume = options.keep_area = true;
-  const FlowRun kept = run_flow(state, 8, options);
-  EXPECT_EQ(kept.report.twicings, 1);
-  EXPECT_NEAR(enclosed_volume(kept.X, F) / enclosed_volume(state.X, F), 1, 1e-12);
-  EXPECT_NEAR(surface_area(kept.X, F) / surface_area(state.X, F), 1, 1e-12);
+  for (const bool slides : {false, true}) {
+    options.laplacian = slides ? "umbrella" : "crouzeix-raviart";
+    options.relax = !slides;
+    options.put_back_slides = slides;
+    const FlowRun kept = run_flow(state, 8, options);
+    EXPECT_EQ(kept.report.twicings, 1);
+    EXPECT_NEAR(enclosed_volume(kept.X, F) / enclosed_volume(state.X, F), 1, 1e-12);
+    EXPECT_NEAR(surface_area(kept.X, F) / surface_area(state.X, F), 1, 1e-12);
+  }
+}
+
+// A flow that kept the volume would end elsewhere: the thinner a torus is beside the cut-off, the
+// further away.
+TEST(Twicing, WithSlidesKeepsTheVolumeAtTheEndOnly) {
+  const Noisy torus("torus", {.ratio = 2.5, .rows = 40, .columns = 100},
+                    std::make_unique<ExactTorus>(Vec3::Zero(), 1, 0.4));
+  const double volume = enclosed_volume(torus.state.X, torus.state.topology.F);
+  FlowOptions options;
+  options.laplacian = "umbrella";
+  options.relax = false;
+  options.twicing = 20;
+  options.put_back_slides = true;
+  const double free = torus.error(run_flow(torus.state, 18, options).X);
+  options.keep_volume = true;
+  const FlowRun kept = run_flow(torus.state, 18, options);
+  EXPECT_NEAR(enclosed_volume(kept.X, torus.state.topology.F) / volume, 1, 1e-12);
+  EXPECT_LT(torus.error(kept.X), 1.2 * free);
+  EXPECT_LE(kept.report.energy_after, kept.report.energy_before);
+}
+
+TEST(Twicing, WithSlidesKeepsTheVolumeOfAFlowThatIsInterrupted) {
+  State state(make_shape("icosphere", {.subdivide = 3}));
+  state.X = shaken(state, 0.2);
+  FlowOptions options;
+  options.laplacian = "umbrella";
+  options.relax = false;
+  options.twicing = 2;
+  options.put_back_slides = options.keep_volume = options.keep_area = true;
+  const double time = time_for_cutoff(8 * mean_edge_length(state.X, state.topology.E));
+  options.total_time = time_in_flow_units(time, state.X, state.topology, options);
+  Points X = state.X;
+  const FlowReport report =
+      willmore_flow(X, state.topology, held_vertices(state.topology, BoundaryCondition::fixed),
+                    options, [](const StepRecord& step) { return step.step < 2; });
+  EXPECT_EQ(report.status, FlowStatus::interrupted);
+  EXPECT_EQ(report.twicings, 0);
+  EXPECT_LT(report.energy_after, report.energy_before);
+  const Triangles& F = state.topology.F;
+  EXPECT_NEAR(enclosed_volume(X, F) / enclosed_volume(state.X, F), 1, 1e-12);
+  EXPECT_NEAR(surface_area(X, F) / surface_area(state.X, F), 1, 1e-12);
 }
 
 TEST(Twicing, DoesNotDependOnTheSolver) {

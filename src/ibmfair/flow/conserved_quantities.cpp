@@ -123,7 +123,27 @@ ConservedQuantities::ConservedQuantities(const Points& X, const Topology& topolo
   }
 }
 
+void ConservedQuantities::suspend() {
+  suspended_ = !kept_.empty();
+  A_.clear();
+  Z_.clear();
+}
+
+Points ConservedQuantities::resume(const Points& X, const Solve& solve) {
+  suspended_ = false;
+  linearise(X, solve);
+  const Eigen::VectorXd factors = solve_small(A_, Z_, missing_at(X));
+  Points move = Points::Zero(unknowns_.size(), 3);
+  for (Eigen::Index k = 0; k < factors.size(); ++k) {
+    move += factors[k] * Z_[k];
+  }
+  return move;
+}
+
 void ConservedQuantities::linearise(const Points& X, const Solve& solve) {
+  if (empty()) {
+    return;
+  }
   A_.clear();
   Z_.resize(kept_.size());
   for (std::size_t i = 0; i < kept_.size(); ++i) {
@@ -158,18 +178,12 @@ bool ConservedQuantities::restore(const Points& move, Points& Y) const {
       }
     }
   });
-  Eigen::VectorXd missing(static_cast<Eigen::Index>(kept_.size()));
   for (int i = 0; i < most_corrections; ++i) {
+    const Eigen::VectorXd missing = missing_at(Y);
+    if (is_rounding(missing) || !missing.allFinite()) {
+      return missing.allFinite();
+    }
     std::vector<Points> gradients;
-    bool reached = true;
-    for (std::size_t k = 0; k < kept_.size(); ++k) {
-      const double off = kept_[k].target - kept_[k].quantity->value(Y, topology_.F);
-      missing[static_cast<Eigen::Index>(k)] = off;
-      reached = reached && std::abs(off) <= kept_[k].rounding;
-    }
-    if (reached || !missing.allFinite()) {
-      return reached;
-    }
     for (const Kept& kept : kept_) {
       gradients.push_back(gradient_of(*kept.quantity, Y, topology_, unknowns_));
     }
@@ -181,6 +195,23 @@ bool ConservedQuantities::restore(const Points& move, Points& Y) const {
     });
   }
   return false;
+}
+
+Eigen::VectorXd ConservedQuantities::missing_at(const Points& Y) const {
+  Eigen::VectorXd missing(static_cast<Eigen::Index>(kept_.size()));
+  for (std::size_t k = 0; k < kept_.size(); ++k) {
+    missing[static_cast<Eigen::Index>(k)] =
+        kept_[k].target - kept_[k].quantity->value(Y, topology_.F);
+  }
+  return missing;
+}
+
+bool ConservedQuantities::is_rounding(const Eigen::VectorXd& missing) const {
+  bool all = true;
+  for (std::size_t k = 0; k < kept_.size(); ++k) {
+    all = all && std::abs(missing[static_cast<Eigen::Index>(k)]) <= kept_[k].rounding;
+  }
+  return all;
 }
 
 }  // namespace ibmfair

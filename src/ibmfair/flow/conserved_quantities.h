@@ -22,7 +22,12 @@ class ConservedQuantities {
   ConservedQuantities(const Points& X, const Topology& topology, const Unknowns& unknowns,
                       const FlowOptions& options);
 
-  bool empty() const { return kept_.empty(); }
+  /// Whether there is nothing to keep, or not now.
+  bool empty() const { return kept_.empty() || suspended_; }
+
+  /// Keeps nothing until `resume`.
+  void suspend();
+  bool is_suspended() const { return suspended_; }
 
   /// Y = J^-1 B, one row per unknown.
   using Solve = std::function<void(const Points& B, Points& Y)>;
@@ -30,6 +35,10 @@ class ConservedQuantities {
   /// Takes A and J^-1 A at the state X, from which steps start. Before the first one, J is the
   /// identity.
   void linearise(const Points& X, const Solve& solve);
+
+  /// Keeps the targets again. Returns the move from the state X along J^-1 A, one row per unknown,
+  /// that leads there in first order.
+  Points resume(const Points& X, const Solve& solve);
 
   /// Makes the step one that keeps the quantities in first order.
   void constrain(Points& step) const;
@@ -51,9 +60,13 @@ class ConservedQuantities {
     double rounding;  ///< what may be missing to it
   };
 
+  Eigen::VectorXd missing_at(const Points& Y) const;
+  bool is_rounding(const Eigen::VectorXd& missing) const;
+
   const Topology& topology_;
   const Unknowns& unknowns_;
   std::vector<Kept> kept_;
+  bool suspended_ = false;
   std::vector<Points> A_, Z_;  // the gradient of each at the state, one row per unknown, and J^-1 A
 };
 

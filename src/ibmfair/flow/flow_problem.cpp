@@ -43,6 +43,9 @@ FlowProblem::FlowProblem(const Points& X_start, const Topology& mesh_topology,
       bending_(bind_energy(topology, options, held, parts)),
       jacobian_(std::make_unique<Jacobian>(start_, *bending_, topology, unknowns, options, parts,
                                            report)) {
+  if (options.put_back_slides && options.twicing > 0) {
+    conserved_.suspend();
+  }
   update_gradient();
   if (!std::isfinite(energy_)) {
     throw BadMesh("the bending energy of the mesh is not finite: coordinates are too large");
@@ -118,6 +121,10 @@ void FlowProblem::newton_step(Points& step) {
     conserved_.constrain(correction);
     step += correction;
   }
+}
+
+Points FlowProblem::resume_quantities() {
+  return conserved_.resume(X, [&](const Points& B, Points& Y) { jacobian_->solve(B, Y); });
 }
 
 const Points& FlowProblem::with_others(const Points& move) {

@@ -70,6 +70,14 @@ class FlowProblem {
   /// The move (one row per unknown) with rows for the unknowns of other parts behind its own.
   const Points& with_others(const Points& move);
 
+  /// Whether volume and area are to be kept, but not on the way: where twicing puts back slides,
+  /// flow/twicing.h.
+  bool quantities_are_suspended() const { return conserved_.is_suspended(); }
+
+  /// They are kept from now on. Returns the move (one row per unknown) from the state to where they
+  /// are as they were at the start, in first order. After the Jacobian's first `refactor`.
+  Points resume_quantities();
+
   /// How a move ended.
   enum class Landing : std::uint8_t {
     as_asked,

@@ -18,9 +18,11 @@ int twicing_steps(const FlowOptions& options);
 /// Does that `options.twicing` times to the state of a flow that is complete. The residual is taken
 /// as a height over the surface, so that no vertex slides back, or with `options.put_back_slides`
 /// as a move: where the flow is linear in the coordinates, as the umbrella's is, that makes it the
-/// filter above of each of them. What the guarded flow promises holds: no hinge folds over that was
-/// not folded at the flow's end, the energy stays below that at its start, bounds on moves, volume
-/// and area are kept. A pass that cannot be done ends them; the report counts those that were.
+/// filter above of each of them, if volume and area are not kept on the way but brought back at the
+/// end (willmore_flow): a flow that keeps them goes another way. What the guarded flow promises
+/// holds: no hinge folds over that was not folded at the flow's end, the energy stays below that at
+/// its start, bounds on moves, volume and area are kept. A pass that cannot be done ends them; the
+/// report counts those that were.
 void twice(FlowProblem& problem);
 
 }  // namespace ibmfair

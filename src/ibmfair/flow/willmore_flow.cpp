@@ -2,6 +2,8 @@
 
 #include "ibmfair/base/stopwatch.h"
 #include "ibmfair/flow/flow_problem.h"
+#include "ibmfair/flow/fold_free_move.h"
+#include "ibmfair/flow/folds.h"
 #include "ibmfair/flow/local_mesh.h"
 #include "ibmfair/flow/run_flow.h"
 #include "ibmfair/flow/specks.h"
@@ -21,6 +23,24 @@ void finish(FlowProblem& problem, bool took_noise) {
   }
 }
 
+/// Brings back the volume and area that were not kept on the way; or the start, where that fails.
+void restore_quantities(FlowProblem& problem) {
+  FoldWatch folds(problem.X, problem.topology, problem.unknowns);
+  Points move = problem.resume_quantities(), Y;
+  const FoldFreeLanding trial = displace_without_folds(
+      problem, folds, move, Y, [&](const Points& place) { return problem.energy_at(place); });
+  FlowReport& report = problem.report;
+  if (trial.leads_somewhere() && trial.energy <= report.energy_before) {
+    report.energy_after = trial.energy;
+  } else {
+    Y = problem.start();
+    report.energy_after = report.energy_before;
+    report.time_reached = 0;
+    report.status = FlowStatus::stalled;
+  }
+  problem.move_to(Y);
+}
+
 FlowReport flow_as_numbered(Points& X, const Topology& topology,
                             const std::vector<std::uint8_t>& held, const FlowOptions& options,
                             const StepObserver& observer, const MeshParts& parts) {
@@ -32,6 +52,9 @@ FlowReport flow_as_numbered(Points& X, const Topology& topology,
     }
     if (problem.report.status == FlowStatus::completed) {
       finish(problem, first.solves > 0);
+    }
+    if (problem.quantities_are_suspended() && problem.report.solves > 0) {
+      restore_quantities(problem);
     }
     problem.report.add_effort(first);
     X.swap(problem.X);
