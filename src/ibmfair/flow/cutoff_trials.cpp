@@ -169,11 +169,11 @@ Points CutoffTrials::taken_of_noise(FlowProblem& problem) {
   flow_linearly(problem, leg_.steps, smooth_);
   Points taken = white_noise_ - smooth_, rest;
   if (options_.twicing > 0) {
-    linearise_flow(problem, options_.total_time, twicing_steps(options_));
+    linearise_flow(problem, options_.total_time, options_.twicing_steps());
   }
   for (int pass = 0; pass < options_.twicing; ++pass) {
     rest = taken;
-    flow_linearly(problem, twicing_steps(options_), rest);
+    flow_linearly(problem, options_.twicing_steps(), rest);
     taken -= rest;
   }
   return taken;

@@ -40,6 +40,13 @@ void FlowOptions::validate() const {
   require(spontaneous_curvature.allFinite(), "the spontaneous curvature must be finite");
 }
 
+// n passes leave n times what one leaves of ripples beyond the cut-off, and few steps leave much.
+// Moves of the table's meshes end 1 to 5 % nearer to the truth with eight than with four, heights
+// do not.
+int FlowOptions::twicing_steps() const {
+  return put_back_slides ? 8 : 4;
+}
+
 EnergyOptions FlowOptions::energy_options() const {
   return {.mass = mass,
           .mass_matrix = mass_matrix,

@@ -60,6 +60,12 @@ struct FlowOptions {
   /// Throws BadOption where a value cannot be used.
   void validate() const;
 
+  /// Of backward Euler, in which a pass of twicing smooths the residual; more change little.
+  int twicing_steps() const;
+
+  /// Systems to solve: one a step, and those of twicing where all its passes share one Jacobian.
+  int solves() const { return steps + (put_back_slides ? twicing * twicing_steps() : 0); }
+
   /// What they say of the energy.
   EnergyOptions energy_options() const;
 

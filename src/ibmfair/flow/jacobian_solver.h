@@ -57,7 +57,7 @@ struct JacobianShape {
   const FlowOptions& options;
   FlowReport& report;  ///< counts and times are added to it
 
-  int steps_left() const { return std::max(0, options.steps - report.solves); }
+  int steps_left() const { return std::max(0, options.solves() - report.solves); }
 };
 
 /// About how many iterations a solve takes from zero with the diagonal for a preconditioner, to the

@@ -22,7 +22,7 @@ class Twicing {
   /// False where nothing could be put back.
   bool pass() {
     try {
-      linearise_flow(p_, p_.options.total_time, twicing_steps(p_.options));
+      linearise();
     } catch (const FactorizationFailed&) {
       return false;
     }
@@ -30,6 +30,14 @@ class Twicing {
   }
 
  private:
+  /// Heights are smoothed over the surface that they stand on, moves of all passes alike.
+  void linearise() {
+    if (!is_linearised_ || !p_.options.put_back_slides) {
+      linearise_flow(p_, p_.options.total_time, p_.options.twicing_steps());
+    }
+    is_linearised_ = true;
+  }
+
   void find_normals() {
     normals_ = unknown_normals(p_.X, p_.topology, p_.unknowns);
     for (Index u = 0; u < p_.unknowns.size(); ++u) {
@@ -46,7 +54,7 @@ class Twicing {
       const Index v = p_.unknowns.vertex[u];
       move.row(u) = p_.start().row(v) - p_.X.row(v);
     }
-    flow_linearly(p_, twicing_steps(p_.options), move);
+    flow_linearly(p_, p_.options.twicing_steps(), move);
     return move;
   }
 
@@ -55,7 +63,7 @@ class Twicing {
     find_normals();
     Points heights = Points::Zero(p_.unknowns.size(), 3);
     heights.col(0) = heights_along(normals_, p_.start(), p_.X, p_.unknowns);
-    flow_linearly(p_, twicing_steps(p_.options), heights);
+    flow_linearly(p_, p_.options.twicing_steps(), heights);
     return heights.col(0).asDiagonal() * normals_;
   }
 
@@ -75,18 +83,12 @@ class Twicing {
 
   FlowProblem& p_;
   FoldWatch folds_;
+  bool is_linearised_ = false;
   Points normals_;  // one row per unknown
   Points Y_;        // where the move leads
 };
 
 }  // namespace
-
-// n passes leave n times what one leaves of ripples beyond the cut-off, and few steps leave much.
-// Moves of the table's meshes end 1 to 5 % nearer to the truth with eight than with four, heights
-// do not.
-int twicing_steps(const FlowOptions& options) {
-  return options.put_back_slides ? 8 : 4;
-}
 
 void twice(FlowProblem& problem) {
   Twicing twicing(problem);

@@ -12,9 +12,6 @@
 
 namespace ibmfair {
 
-/// Steps of backward Euler in which a pass smooths the residual; more change little.
-int twicing_steps(const FlowOptions& options);
-
 /// Does that `options.twicing` times to the state of a flow that is complete. The residual is taken
 /// as a height over the surface, so that no vertex slides back, or with `options.put_back_slides`
 /// as a move: where the flow is linear in the coordinates, as the umbrella's is, that makes it the
