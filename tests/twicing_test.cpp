@@ -251,6 +251,22 @@ TEST(Twicing, WithSlidesKeepsTheVolumeOfAFlowThatIsInterrupted) {
   EXPECT_NEAR(surface_area(X, F) / surface_area(state.X, F), 1, 1e-12);
 }
 
+TEST(Twicing, WithSlidesFactorsOnceForAllPasses) {
+  State state(make_shape("torus", {.rows = 24}));
+  state.X = shaken(state, 0.2);
+  FlowOptions options;
+  options.laplacian = "umbrella";
+  options.relax = false;
+  options.put_back_slides = true;
+  options.solver = "cholmod";
+  options.twicing = 1;
+  const FlowReport one = run_flow(state, 10, options).report;
+  options.twicing = 9;
+  const FlowReport nine = run_flow(state, 10, options).report;
+  EXPECT_EQ(nine.factorizations, one.factorizations);
+  EXPECT_EQ(nine.solves, one.solves + 8 * options.twicing_steps());
+}
+
 TEST(Twicing, DoesNotDependOnTheSolver) {
   State state(make_shape("torus", {.rows = 24}));
   state.X = shaken(state, 0.2);
