@@ -60,16 +60,24 @@ TEST(Twicing, OfSmallHeightsIsThePolynomialOfTheFlow) {
   }
 }
 
+/// The umbrella's, with slides put back.
+FlowOptions umbrella_with_slides(int twicing) {
+  FlowOptions options;
+  options.laplacian = "umbrella";
+  options.relax = false;
+  options.twicing = twicing;
+  options.put_back_slides = true;
+  return options;
+}
+
 // The umbrella's flow is linear in each coordinate, X -> G X, however large the move. Where slides
 // are put back, too, the same polynomials hold for whole meshes.
 TEST(Twicing, WithSlidesIsThePolynomialOfTheUmbrellasFlow) {
   for (const char* shape : {"torus", "cylinder"}) {
     State state(make_shape(shape, {.rows = 20}));
     state.X = shaken(state, 0.1);
-    FlowOptions options;
-    options.laplacian = "umbrella";
+    FlowOptions options = umbrella_with_slides(0);
     options.guarded = false;
-    options.put_back_slides = true;
     options.steps = 8;
     options.solver_tolerance = 1e-10;
     const double edge = mean_edge_length(state.X, state.topology.E);
@@ -94,10 +102,8 @@ TEST(Twicing, WithSlidesKeepsVerticesNearerToTheirPlaces) {
   for (const Mesh& mesh :
        {make_shape("icosphere", {.subdivide = 4}), make_shape("torus", {.rows = 24})}) {
     const State state(mesh);
-    FlowOptions options;
-    options.laplacian = "umbrella";
-    options.relax = false;
-    options.twicing = 2;
+    FlowOptions options = umbrella_with_slides(2);
+    options.put_back_slides = false;
     const double slid = (run_flow(state, 12, options).X - state.X).norm();
     options.put_back_slides = true;
     EXPECT_LT((run_flow(state, 12, options).X - state.X).norm(), 0.9 * slid);
@@ -216,11 +222,7 @@ TEST(Twicing, WithSlidesKeepsTheVolumeAtTheEndOnly) {
   const Noisy torus("torus", {.ratio = 2.5, .rows = 40, .columns = 100},
                     std::make_unique<ExactTorus>(Vec3::Zero(), 1, 0.4));
   const double volume = enclosed_volume(torus.state.X, torus.state.topology.F);
-  FlowOptions options;
-  options.laplacian = "umbrella";
-  options.relax = false;
-  options.twicing = 20;
-  options.put_back_slides = true;
+  FlowOptions options = umbrella_with_slides(20);
   const double free = torus.error(run_flow(torus.state, 18, options).X);
   options.keep_volume = true;
   const FlowRun kept = run_flow(torus.state, 18, options);
@@ -232,11 +234,8 @@ TEST(Twicing, WithSlidesKeepsTheVolumeAtTheEndOnly) {
 TEST(Twicing, WithSlidesKeepsTheVolumeOfAFlowThatIsInterrupted) {
   State state(make_shape("icosphere", {.subdivide = 3}));
   state.X = shaken(state, 0.2);
-  FlowOptions options;
-  options.laplacian = "umbrella";
-  options.relax = false;
-  options.twicing = 2;
-  options.put_back_slides = options.keep_volume = options.keep_area = true;
+  FlowOptions options = umbrella_with_slides(2);
+  options.keep_volume = options.keep_area = true;
   const double time = time_for_cutoff(8 * mean_edge_length(state.X, state.topology.E));
   options.total_time = time_in_flow_units(time, state.X, state.topology, options);
   Points X = state.X;
@@ -254,12 +253,8 @@ TEST(Twicing, WithSlidesKeepsTheVolumeOfAFlowThatIsInterrupted) {
 TEST(Twicing, WithSlidesFactorsOnceForAllPasses) {
   State state(make_shape("torus", {.rows = 24}));
   state.X = shaken(state, 0.2);
-  FlowOptions options;
-  options.laplacian = "umbrella";
-  options.relax = false;
-  options.put_back_slides = true;
+  FlowOptions options = umbrella_with_slides(1);
   options.solver = "cholmod";
-  options.twicing = 1;
   const FlowReport one = run_flow(state, 10, options).report;
   options.twicing = 9;
   const FlowReport nine = run_flow(state, 10, options).report;
