@@ -133,9 +133,8 @@ OutputOptions checkpoint_of(const SmoothArguments& arguments) {
 void set_relaxation(const SmoothArguments& arguments, FlowOptions& options) {
   const bool by_default = !bending_model(options.laplacian).evens_edges && !arguments.textured;
   options.relax = arguments.tangential == "relax" || (arguments.tangential.empty() && by_default);
-  options.relax_first = arguments.tangential.empty() || arguments.tangential == "relax" ||
-                        arguments.tangential == "first";
   options.put_back_slides = arguments.tangential == "keep";
+  options.relax_first = arguments.tangential != "none" && !options.put_back_slides;
 }
 
 void set_flow_options(const SmoothArguments& arguments, FlowOptions& options) {

@@ -89,7 +89,7 @@ void tell_stage(const FlowOptions& options, FlowStage stage) {
 
 SolverForecast forecast_direct(const JacobianShape& shape, const IterationForecast& iterations) {
   const double n = shape.unknowns.size(), entries = factor_entries(n);
-  const double left = shape.steps_left();
+  const double left = shape.solves_left();
   const double factors =
       shape.options.guarded
           ? std::max(1.0, factorizations(iterations.of_cutoff) * left / shape.options.steps)

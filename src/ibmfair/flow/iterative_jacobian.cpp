@@ -60,7 +60,7 @@ IterationForecast forecast_iterations(const JacobianShape& shape, const Jacobian
 
 SolverForecast forecast_iterative(const JacobianShape& shape, const IterationForecast& iterations) {
   const auto places = static_cast<double>(shape.terms.vertices_in_stencils());
-  const int steps = shape.steps_left();
+  const int steps = shape.solves_left();
   return {.seconds = seconds_per_row * shape.unknowns.size() * iterations.all() * steps *
                      share_of_iterations(steps),
           .bytes = bytes_per_place * places + bytes_per_row * shape.unknowns.size()};

@@ -131,13 +131,13 @@ void Jacobian::solve(const Points& B, Points& Y) {
   ++report_.solves;
 }
 
-/// Solves within what the rival takes for each of the steps that are left, and a grace for all of
+/// Solves within what the rival takes for each of the solves that are left, and a grace for all of
 /// them together, as with needles the first solves take the longest; false where that is too short.
 bool Jacobian::solve_before_rival(const Points& B, Points& Y) {
   constexpr double most_grace = 0.05;  // of what the rival takes
   const double all = rival_->forecast(shape(), iterations_).seconds;
   grace_ = std::min(grace_, most_grace * all);
-  const int left = shape().steps_left();
+  const int left = shape().solves_left();
   double seconds = left > 0 ? all / left + grace_ : std::numeric_limits<double>::infinity();
   const bool solved = solver_->solve_within(seconds, B, Y);
   grace_ = std::min(grace_, seconds);

@@ -57,7 +57,7 @@ struct JacobianShape {
   const FlowOptions& options;
   FlowReport& report;  ///< counts and times are added to it
 
-  int steps_left() const { return std::max(0, options.solves() - report.solves); }
+  int solves_left() const { return std::max(0, options.solves() - report.solves); }
 };
 
 /// About how many iterations a solve takes from zero with the diagonal for a preconditioner, to the
@@ -74,7 +74,8 @@ struct JacobianBackend {
   std::string_view name;     ///< as the command line takes it
   std::string_view summary;  ///< one line
   std::unique_ptr<JacobianSolver> (*make)(const JacobianShape& shape);
-  /// For the steps that are left, where each solve takes about so many iterations without a factor.
+  /// For the solves that are left, where each of them takes about so many iterations without a
+  /// factor.
   SolverForecast (*forecast)(const JacobianShape& shape, const IterationForecast& iterations);
   bool has_factor;
 };

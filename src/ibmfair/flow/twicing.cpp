@@ -32,10 +32,9 @@ class Twicing {
  private:
   /// Heights are smoothed over the surface that they stand on, moves of all passes alike.
   void linearise() {
-    if (!is_linearised_ || !p_.options.put_back_slides) {
+    if (p_.report.twicings == 0 || !p_.options.put_back_slides) {
       linearise_flow(p_, p_.options.total_time, p_.options.twicing_steps());
     }
-    is_linearised_ = true;
   }
 
   void find_normals() {
@@ -83,7 +82,6 @@ class Twicing {
 
   FlowProblem& p_;
   FoldWatch folds_;
-  bool is_linearised_ = false;
   Points normals_;  // one row per unknown
   Points Y_;        // where the move leads
 };
