@@ -1,7 +1,8 @@
 // Computing a block while the memory for what follows is on its way. Positions are read, and
 // gradients written, in the order of the mesh's vertices, which need not be that of the block: they
 // come from memory one cache line at a time. Where they were asked for all at once, before they are
-// used, a fourth of the time of a gradient went into waiting.
+// used, a fourth of the time of a gradient went into waiting. Each had better have a pass over the
+// block of its own.
 #pragma once
 
 #include <algorithm>
@@ -14,14 +15,19 @@
 
 namespace ibmfair {
 
-/// What is fetched while a block is computed: positions (#V x 3) for the block after it and, where
-/// given, the places of the block's own vertices in the gradient (#V x 3).
+/// What is fetched while a block is computed, where given: positions (#V x 3) for the block after
+/// it, and the places of the block's own vertices in the gradient (#V x 3).
 struct BlockPrefetch {
-  const Points& X;
+  const Points* X = nullptr;
   const Points* G = nullptr;
 };
 
 namespace block_prefetch_detail {
+
+/// To the second cache: the first is small.
+inline void fetch(const Points& rows, Index v) {
+  __builtin_prefetch(rows.data() + 3 * std::ptrdiff_t{v}, 0, 2);
+}
 
 /// A list of which as large a share is done as of the groups.
 struct Walk {
@@ -43,9 +49,10 @@ struct Walk {
 template <class Compute>
 void compute_and_prefetch(const MeshBlocks& blocks, const MeshBlock& b, std::int64_t all_groups,
                           const BlockPrefetch& wanted, const Compute& compute) {
+  using block_prefetch_detail::fetch;
   constexpr std::int64_t few = 8;
   block_prefetch_detail::Walk results{blocks.owned_of(b)}, own, halo;
-  if (&b != &blocks.block.back()) {
+  if (wanted.X != nullptr && &b != &blocks.block.back()) {
     const MeshBlock& next = *(&b + 1);  // most likely the next one of this thread, too
     own.list = blocks.owned_of(next);
     halo.list = next.halo;
@@ -54,16 +61,11 @@ void compute_and_prefetch(const MeshBlocks& blocks, const MeshBlock& b, std::int
     const std::int64_t end = std::min(first + few, all_groups);
     compute(first, end - first);
     if (wanted.G != nullptr) {
-      results.advance(end, all_groups, [&](Index v) {
-        __builtin_prefetch(wanted.G->data() + 3 * std::ptrdiff_t{v}, 1);  // 1: for writing
-      });
+      results.advance(end, all_groups, [&](Index v) { fetch(*wanted.G, v); });
     }
-    own.advance(end, all_groups, [&](Index v) {
-      __builtin_prefetch(wanted.X.data() + 3 * std::ptrdiff_t{v}, 0, 2);  // 2: not to the first
-    });                                                                   // cache, which is small
-    halo.advance(end, all_groups, [&](Index position) {
-      __builtin_prefetch(wanted.X.data() + 3 * std::ptrdiff_t{blocks.owned[position]}, 0, 2);
-    });
+    own.advance(end, all_groups, [&](Index v) { fetch(*wanted.X, v); });
+    halo.advance(end, all_groups,
+                 [&](Index position) { fetch(*wanted.X, blocks.owned[position]); });
   }
 }
 

@@ -79,19 +79,26 @@ CrouzeixRaviart::CrouzeixRaviart(const Topology& topology, const EnergyOptions& 
 double CrouzeixRaviart::block_energy(const MeshBlock& b, const Points& X, const Points* G,
                                      BlockScratch& scratch) {
   blocks_.load(b, X, scratch.vertices);
-  const auto triangles = static_cast<std::size_t>(lanes_per_group * b.outer_groups) +
-                         1;  // gather() reads behind the last
+  const FanGroup& last = b.fans.back();
+  const auto triangles =
+      static_cast<std::size_t>(lanes_per_group * (last.first_row + last.triangles)) +
+      1;  // gather() reads behind the last
   if (scratch.triangles.size() < triangles) {
     scratch.triangles.resize(triangles);
   }
+  HingeSums sums;
   const auto find_frames = [&](std::int64_t first, std::int64_t groups) {
-    crouzeix_raviart_frames(b.corners_from(first), groups, scratch.vertices.data(),
-                            scratch.triangles.data() + lanes_per_group * first);
+    crouzeix_raviart_frames({b, first, groups}, scratch.vertices.data(), scratch.triangles.data());
   };
-  compute_and_prefetch(blocks_, b, b.outer_groups, {X, G}, find_frames);
-  const HingeSums sums =
-      crouzeix_raviart_hinges(b, b.corners_from(0), b.neighbours.data(), terms_, G != nullptr,
-                              scratch.vertices.data(), scratch.triangles.data());
+  const auto add_hinges = [&](std::int64_t first, std::int64_t groups) {
+    const HingeSums more =
+        crouzeix_raviart_hinges({b, first, groups}, terms_, G != nullptr, scratch.vertices.data(),
+                                scratch.triangles.data());
+    sums.energy += more.energy;
+    sums.largest_turn = std::max(sums.largest_turn, more.largest_turn);
+  };
+  compute_and_prefetch(blocks_, b, b.outer_groups, {nullptr, G}, find_frames);
+  compute_and_prefetch(blocks_, b, b.groups, {&X}, add_hinges);
   turns_[&b - blocks_.block.data()] = sums.largest_turn;
   return sums.energy;
 }

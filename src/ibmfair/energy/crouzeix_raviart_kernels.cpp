@@ -1,190 +1,204 @@
 #include "ibmfair/energy/crouzeix_raviart_kernels.h"
 
-#include "ibmfair/base/lanes.h"
+#include "ibmfair/energy/fan_lanes.h"
 
 namespace ibmfair {
 namespace {
 
-/// How many triangles a kernel takes through one of its stages before the next. Square roots and
-/// divisions take so long that they must be under way for many triangles at once, and of long
-/// stages only the work on a few has room in the processor's queue.
-constexpr std::int64_t run_length = 64;
-
-/// Where a block lists the first places of triangle t and of those after it in its group. The
-/// second ones stand `lanes_per_group` further on, and the third ones as far behind these.
-IBMFAIR_INLINE const Index* places_of(const Index* listed, std::int64_t t) {
-  return listed + 3 * t - 2 * (t % lanes_per_group);
-}
-
-/// The rows of a triangle's three corners, or of what else it has three of.
+/// From the double area vector N and |N|^2.
 template <class Lanes>
-struct ThreeRows {
-  Lanes4<Lanes> first, second, third;
-};
-
-template <class Lanes>
-IBMFAIR_INLINE ThreeRows<Lanes> gather_three(const double* rows, const Index* at) {
-  const Index *at_second = at + lanes_per_group, *at_third = at_second + lanes_per_group;
-  return {gather<Lanes>(rows, at), gather<Lanes>(rows, at_second), gather<Lanes>(rows, at_third)};
-}
-
-/// Adds b and c to the rows of the second and the third corner, and -(b + c) to those of the first:
-/// three forces that sum to 0. One triangle after the other, for their corners may coincide; and
-/// all three of one before the next, so that sums do not depend on which of them comes first.
-template <class Lanes>
-IBMFAIR_INLINE void scatter_add_balanced(const Lanes3<Lanes>& b, const Lanes3<Lanes>& c,
-                                         double* rows, const Index* at) {
-  Four row_b[lane_count<Lanes>], row_c[lane_count<Lanes>];
-  rows_of(b, Lanes{}, row_b);
-  rows_of(c, Lanes{}, row_c);
-  for (int i = 0; i < lane_count<Lanes>; ++i) {
-    add_to_row(-(row_b[i] + row_c[i]), rows + at[i]);
-    add_to_row(row_b[i], rows + at[lanes_per_group + i]);
-    add_to_row(row_c[i], rows + at[2 * lanes_per_group + i]);
-  }
+IBMFAIR_INLINE void store_frame(const Lanes4<Lanes>& N, BlockRow* row) {
+  const Lanes length = sqrt(N.w);
+  // By |N|^2, not by the length: the division need not wait for the square root.
+  const Lanes3<Lanes> n = 0.5 / N.w * length * N.xyz;
+  // Half of the unit's length to the last digit: in a plane z = 0 it is 1/2, and d below is 0.
+  store_rows<Lanes>(n + (0.5 - 2.0 * dot(n, n)) * n, 1.0 / 12.0 * length, &row->x);
 }
 
 struct FrameKernel {
-  /// The double area vectors N and |N|^2.
   template <class Lanes>
-  IBMFAIR_INLINE static Lanes4<Lanes> normals(const Index* corners, const BlockVertex* vertices) {
-    const auto [x0, x1, x2] = gather_three<Lanes>(&vertices->x.x, corners);
-    const Lanes3<Lanes> N = cross(x0.xyz - x2.xyz, x1.xyz - x0.xyz);
-    return {N, dot(N, N)};
-  }
-
-  template <class Lanes>
-  IBMFAIR_INLINE static void store(const Lanes4<Lanes>& N, BlockRow* frames) {
-    const Lanes length = sqrt(N.w);
-    store_rows<Lanes>(N.xyz / length, 0.5 * length, &frames->x);
-  }
-
-  template <class Lanes>
-  IBMFAIR_INLINE static void run(const Index* corners, std::int64_t triangles,
-                                 const BlockVertex* vertices, BlockRow* frames) {
-    constexpr int n = lane_count<Lanes>;
-    Lanes4<Lanes> N = normals<Lanes>(corners, vertices);
-    for (std::int64_t t = n; t < triangles; t += n) {
-      const Lanes4<Lanes> next = normals<Lanes>(places_of(corners, t), vertices);
-      store(N, &frames[t - n]);  // while the next are under way
-      N = next;
+  IBMFAIR_INLINE static void find(const FanPlaces& fans, const double* X, BlockRow* row) {
+    const Lanes3<Lanes> centre = gather<Lanes>(X, fans.centre).xyz;
+    Lanes3<Lanes> p = gather<Lanes>(X, fans.rim(0)).xyz - centre;
+    Lanes4<Lanes> N = {};
+    for (Index i = 0; i < fans.triangles; ++i) {
+      const Lanes3<Lanes> q = gather<Lanes>(X, fans.rim(i + 1)).xyz - centre;
+      const Lanes3<Lanes> next = cross(p, q);
+      if (i > 0) {
+        store_frame(N, row);  // while the next are under way
+        row += lanes_per_group;
+      }
+      N = {next, dot(next, next)};
+      p = q;
     }
-    store(N, &frames[triangles - n]);
+    store_frame(N, row);
+  }
+
+  template <class Lanes>
+  IBMFAIR_INLINE static void run(const FanRange* range, const BlockVertex* vertices,
+                                 BlockRow* frames) {
+    const FanGroup* group = range->block.fans.data() + range->first;
+    for (const FanGroup* end = group + range->groups; group != end; ++group) {
+      for (int first = 0; first < lanes_per_group; first += lane_count<Lanes>) {
+        const FanPlaces fans{range->block.corners.data() + group->first_place + first,
+                             group->triangles};
+        find<Lanes>(fans, &vertices->x.x, frames + lanes_per_group * group->first_row + first);
+      }
+    }
   }
 };
 
 // E_hinge = k |e|^2 s with k = 3 / A (1 without mass) and s = 1 + cos(theta) = |n - n'|^2 / 2: by
 // this difference it keeps its digits near flat hinges, where the sum loses them. Its derivatives
-// by the normal and the area of one triangle and by the edge are summed over the triangle's hinges
+// by the normals and the areas of the triangles and by the edge are summed over a triangle's hinges
 // and then carried to its corners: together [W07] (15), f^B by the normal, f^P by area and edge.
 // A bounded hinge has u / (1 + u / bound) in place of u = k |e|^2 s.
+//
+// Of a fan's hinges the spokes between two of its triangles are taken once. Those at its rim and
+// its two ends are another fan's, too, and each takes half of them.
 template <bool mass, bool gradient, bool bounded>
 struct HingeKernel {
   template <class Lanes>
-  struct Derivatives {
-    Lanes energy = {}, area = {};
-    Lanes turn = {};  // the largest |n - n'|^2
-    Lanes3<Lanes> normal = {};
+  struct Hinge {
+    Lanes energy, turn;    // |n - n'|^2 / 4
+    Lanes edge;            // the derivative by the edge e, over 2 e
+    Lanes3<Lanes> normal;  // by n, but for what is along it, and by n' with the other sign
+    Lanes area;            // by the area of either triangle, times -6
+  };
 
-    /// Returns that by the edge e, of which the other triangle contributes as much.
-    IBMFAIR_INLINE Lanes3<Lanes> add(const Lanes3<Lanes>& e, const Lanes4<Lanes>& own,
-                                     const Lanes4<Lanes>& other, double inverse_bound) {
-      Lanes k = mass ? 3.0 / (own.w + other.w) : Lanes{} + 1.0;
-      const Lanes inverse_area = k;  // three times
-      const Lanes3<Lanes> d = own.xyz - other.xyz;
-      const Lanes squared = dot(d, d);
-      turn = larger(turn, squared);
-      Lanes ks = 0.5 * k * squared;
-      if (bounded) {
-        const Lanes share = 1.0 / (1.0 + inverse_bound * dot(e, e) * ks);
-        energy += dot(e, e) * ks * share;
-        k *= share * share;
-        ks *= share * share;
-      } else {
-        energy += dot(e, e) * ks;
-      }
-      if (mass) {
-        area -= dot(e, e) * ks * inverse_area;  // dE/dA = -E / A
-      }
-      normal = normal + k * dot(e, e) * d;
-      return ks * e;
+  template <class Lanes>
+  IBMFAIR_INLINE static Hinge<Lanes> hinge(const Lanes3<Lanes>& e, const Lanes4<Lanes>& t,
+                                           const Lanes4<Lanes>& other, double inverse_bound) {
+    const Lanes double_k = mass ? 1.0 / (t.w + other.w) : Lanes{} + 2.0;
+    const Lanes3<Lanes> d = t.xyz - other.xyz;  // (n - n') / 2
+    const Lanes turn = dot(d, d), squared = dot(e, e);
+    Lanes slope = double_k;  // as the energy is bounded
+    Lanes energy = squared * (double_k * turn);
+    if (bounded) {
+      const Lanes share = 1.0 / (1.0 + inverse_bound * energy);
+      energy *= share;
+      slope *= share * share;
     }
+    const Lanes edge = slope * turn;
+    return {energy, turn, edge, slope * squared * d, squared * edge * double_k};
+  }
+
+  /// Of a few fans side by side: the vertices of the rim, from the centre, and the derivatives of
+  /// the energy by these and by the edges of the rim, over these themselves, and by the double area
+  /// vectors N = 2 area n.
+  template <class Lanes>
+  struct Slopes {
+    Lanes3<Lanes> p[longest_fan + 1];
+    Lanes spoke[longest_fan + 1], rim[longest_fan];
+    Lanes3<Lanes> N[longest_fan];
   };
 
-  /// Each opposite the corner of its number.
   template <class Lanes>
-  struct OppositeEdges {
-    Lanes3<Lanes> e0, e1, e2;
+  struct Sums {
+    Lanes energy = {}, turn = {};
   };
 
-  /// The forces at x1 and x2 are p x e + f, e the opposite edge; at x0 what makes their sum 0.
+  /// `row` is that of the first triangle.
   template <class Lanes>
-  struct Forces {
-    Lanes3<Lanes> p, f1, f2;
-  };
-
-  template <class Lanes>
-  IBMFAIR_INLINE static HingeSums run(const Index* corners, const Index* neighbours,
-                                      std::int64_t own_triangles, std::int64_t triangles,
-                                      double inverse_bound, BlockVertex* vertices,
-                                      const BlockRow* frames) {
-    constexpr int n = lane_count<Lanes>;
-    Four E = {}, turn = {};
-    OppositeEdges<Lanes> edges[run_length / n];
-    Forces<Lanes> forces[run_length / n];
-    for (std::int64_t first = 0; first < triangles; first += run_length) {
-      const std::int64_t last = first + run_length < triangles ? first + run_length : triangles;
-      for (std::int64_t t = first; t < last; t += n) {
-        const auto [x0, x1, x2] = gather_three<Lanes>(&vertices->x.x, places_of(corners, t));
-        edges[(t - first) / n] = {x2.xyz - x1.xyz, x0.xyz - x2.xyz, x1.xyz - x0.xyz};
+  IBMFAIR_INLINE static Sums<Lanes> find(const FanPlaces& fans, const Index* neighbours,
+                                         double inverse_bound, const double* X,
+                                         const BlockRow* frames, const BlockRow* row,
+                                         Slopes<Lanes>& slopes) {
+    const Lanes3<Lanes> centre = gather<Lanes>(X, fans.centre).xyz;
+    for (Index i = 0; i <= fans.triangles; ++i) {
+      slopes.p[i] = gather<Lanes>(X, fans.rim(i)).xyz - centre;
+    }
+    Lanes4<Lanes> t = load_rows<Lanes>(&row->x);
+    Hinge<Lanes> before =
+        hinge(slopes.p[0], gather<Lanes>(&frames->x, neighbours), t, inverse_bound);
+    slopes.spoke[0] = before.edge;
+    Sums<Lanes> sums{before.energy, before.turn};
+    for (Index i = 0; i < fans.triangles; ++i) {
+      const bool last = i + 1 == fans.triangles;
+      const double halves = last ? 1.0 : 2.0;
+      neighbours += lanes_per_group;
+      row += lanes_per_group;
+      const Lanes4<Lanes> next = last ? gather<Lanes>(&frames->x, neighbours + lanes_per_group)
+                                      : load_rows<Lanes>(&row->x);
+      const Hinge<Lanes> rim = hinge(slopes.p[i + 1] - slopes.p[i], t,
+                                     gather<Lanes>(&frames->x, neighbours), inverse_bound);
+      const Hinge<Lanes> after = hinge(slopes.p[i + 1], t, next, inverse_bound);
+      sums.energy += rim.energy + halves * after.energy;
+      sums.turn = larger(sums.turn, larger(rim.turn, after.turn));
+      if (gradient) {
+        slopes.rim[i] = rim.edge;
+        slopes.spoke[i + 1] = halves * after.edge;
+        const Lanes3<Lanes> by_normal = rim.normal + after.normal - before.normal;
+        const Lanes inverse_area = 1.0 / 12.0 / t.w;  // 1 / (2 area)
+        Lanes along = 4.0 * inverse_area * dot(t.xyz, by_normal);
+        if (mass) {
+          along += 1.0 / 6.0 * (before.area + rim.area + after.area);
+        }
+        slopes.N[i] = inverse_area * by_normal - along * t.xyz;
       }
-      for (std::int64_t t = first; t < last; t += n) {
-        const auto& [e0, e1, e2] = edges[(t - first) / n];
-        const auto own = load_rows<Lanes>(&frames[t].x);
-        const auto [t0, t1, t2] = gather_three<Lanes>(&frames->x, places_of(neighbours, t));
-        Derivatives<Lanes> d;
-        const Lanes3<Lanes> f0 = d.add(e0, own, t0, inverse_bound);
-        const Lanes3<Lanes> f1 = d.add(e1, own, t1, inverse_bound);
-        const Lanes3<Lanes> f2 = d.add(e2, own, t2, inverse_bound);
-        raise_to(turn, d.turn);
-        if (t < own_triangles) {
-          add_to(E, d.energy);
+      t = next;
+      before = after;
+    }
+    return sums;
+  }
+
+  template <class Lanes>
+  IBMFAIR_INLINE static void add_forces(const FanPlaces& fans, const Slopes<Lanes>& slopes,
+                                        BlockVertex* vertices) {
+    const auto& [p, spoke, rim, N] = slopes;
+    VertexSums<Lanes> sums(vertices);
+    Lanes3<Lanes> force = spoke[0] * p[0], at_centre = {};
+    for (Index i = 0; i < fans.triangles; ++i) {
+      const Lanes3<Lanes> f = rim[i] * (p[i + 1] - p[i]);
+      force = force + (cross(p[i + 1], N[i]) - f);
+      sums.add(force, Lanes{}, fans.rim(i));
+      at_centre = at_centre - force;
+      force = spoke[i + 1] * p[i + 1] + (cross(N[i], p[i]) + f);
+    }
+    sums.add(force, Lanes{}, fans.rim(fans.triangles));
+    sums.add(at_centre - force, Lanes{}, fans.centre);
+    sums.finish();
+  }
+
+  template <class Lanes>
+  IBMFAIR_INLINE static HingeSums run(const FanRange* range, double inverse_bound,
+                                      BlockVertex* vertices, const BlockRow* frames) {
+    const MeshBlock& block = range->block;
+    Four energy = {}, turn = {};
+    Slopes<Lanes> slopes;
+    for (std::int64_t g = range->first; g < range->first + range->groups; ++g) {
+      const FanGroup& group = block.fans[g];
+      for (int first = 0; first < lanes_per_group; first += lane_count<Lanes>) {
+        const std::int64_t place = group.first_place + first;
+        const FanPlaces fans{block.corners.data() + place, group.triangles};
+        const Sums<Lanes> sums =
+            find<Lanes>(fans, block.neighbours.data() + place, inverse_bound, &vertices->x.x,
+                        frames, frames + lanes_per_group * group.first_row + first, slopes);
+        raise_to(turn, sums.turn);
+        if (g < block.own_groups) {
+          add_to(energy, sums.energy);
         }
         if (gradient) {
-          const Lanes3<Lanes>& normal = own.xyz;
-          const Lanes3<Lanes> tangential = d.normal - dot(normal, d.normal) * normal;
-          Lanes3<Lanes> p = 0.5 / own.w * tangential;  // the derivative by N = 2 area n
-          if (mass) {
-            p = p + 1.0 / 6.0 * d.area * normal;
-          }
-          forces[(t - first) / n] = {p, f2 - f0, f0 - f1};
+          add_forces(fans, slopes, vertices);
         }
       }
-      for (std::int64_t t = first; gradient && t < last; t += n) {
-        const auto& [e0, e1, e2] = edges[(t - first) / n];
-        const auto& [p, f1, f2] = forces[(t - first) / n];
-        scatter_add_balanced(cross(p, e1) + f1, cross(p, e2) + f2, &vertices->sum.x,
-                             places_of(corners, t));
-      }
     }
-    return {sum(E) / 2, largest(turn) / 2};
+    return {sum(energy) / 2, 2 * largest(turn)};
   }
 };
 
 }  // namespace
 
-void crouzeix_raviart_frames(const Index* corners, std::int64_t groups, const BlockVertex* vertices,
+void crouzeix_raviart_frames(const FanRange& fans, const BlockVertex* vertices,
                              BlockRow* triangles) {
-  run_in_lanes<FrameKernel>(corners, lanes_per_group * groups, vertices, triangles);
+  run_in_lanes<FrameKernel>(&fans, vertices, triangles);
 }
 
-HingeSums crouzeix_raviart_hinges(const MeshBlock& block, const Index* corners,
-                                  const Index* neighbours, const HingeTerms& terms, bool gradient,
+HingeSums crouzeix_raviart_hinges(const FanRange& fans, const HingeTerms& terms, bool gradient,
                                   BlockVertex* vertices, const BlockRow* triangles) {
   const auto run_as = [&]<bool mass, bool with_gradient, bool bounded>() {
-    return run_in_lanes<HingeKernel<mass, with_gradient, bounded>>(
-        corners, neighbours, lanes_per_group * block.own_groups, lanes_per_group * block.groups,
-        terms.inverse_bound, vertices, triangles);
+    return run_in_lanes<HingeKernel<mass, with_gradient, bounded>>(&fans, terms.inverse_bound,
+                                                                   vertices, triangles);
   };
   const auto run_with = [&]<bool mass, bool with_gradient>() {
     return terms.inverse_bound > 0 ? run_as.template operator()<mass, with_gradient, true>()

@@ -113,7 +113,7 @@ double Lagrange::energy(const Points& X) {
     BlockVertices& vertices = scratch.vertices;
     load(b, X, vertices);
     std::array<FanFrame, longest_fan + 1> frames;
-    compute_and_prefetch(blocks_, b, b.groups, {X}, [&](std::int64_t first, std::int64_t groups) {
+    compute_and_prefetch(blocks_, b, b.groups, {&X}, [&](std::int64_t first, std::int64_t groups) {
       lagrange_curvature({b, first, groups}, !spontaneous_.empty(), false, vertices.data(),
                          frames.data());
     });
@@ -128,12 +128,15 @@ double Lagrange::energy_and_gradient(const Points& X, Points& G) {
     load(b, X, vertices);
     FanFrame* frames = frames_for(b, scratch.frames);
     const bool spontaneous = !spontaneous_.empty();
-    lagrange_curvature({b, 0, b.outer_groups}, spontaneous, true, vertices.data(), frames);
+    const auto add_curvature = [&](std::int64_t first, std::int64_t groups) {
+      lagrange_curvature({b, first, groups}, spontaneous, true, vertices.data(), frames);
+    };
+    compute_and_prefetch(blocks_, b, b.outer_groups, {nullptr, &G}, add_curvature);
     const double E = own_energy_and_y(b, vertices);
     const auto add_forces = [&](std::int64_t first, std::int64_t groups) {
       lagrange_forces({b, first, groups}, spontaneous, vertices.data(), frames);
     };
-    compute_and_prefetch(blocks_, b, b.groups, {X, &G}, add_forces);
+    compute_and_prefetch(blocks_, b, b.groups, {&X}, add_forces);
     blocks_.store(b, vertices, G);
     return E;
   });

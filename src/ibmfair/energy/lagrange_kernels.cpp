@@ -1,6 +1,6 @@
 #include "ibmfair/energy/lagrange_kernels.h"
 
-#include "ibmfair/base/lanes.h"
+#include "ibmfair/energy/fan_lanes.h"
 
 namespace ibmfair {
 namespace {
@@ -13,53 +13,9 @@ struct Frame {
   Lanes inverse;    // 1 / (4 area)
 };
 
-/// A few fans side by side.
 template <class Lanes>
-struct Fans {
-  const Index* centre;
-  Index triangles;
+struct Fans : FanPlaces {
   Frame<Lanes>* frames;  // triangles + 1
-
-  IBMFAIR_INLINE const Index* rim(std::int64_t i) const {
-    return centre + lanes_per_group * (i + 1);
-  }
-};
-
-/// Adds to the vertices of fans, all of four fans before any of the next four, so that sums are
-/// made in the same order however many fit in a register.
-template <class Lanes>
-class VertexSums {
- public:
-  IBMFAIR_INLINE explicit VertexSums(BlockVertex* vertices) : sums_(&vertices->sum.x) {}
-
-  IBMFAIR_INLINE void add(const Lanes3<Lanes>& a, const Lanes& w, const Index* at) {
-    Four row[lane_count<Lanes>];
-    rows_of(a, w, row);
-    for (int i = 0; i < at_once; ++i) {
-      add_to_row(row[i], sums_ + at[i]);
-    }
-    for (int i = at_once; i < lane_count<Lanes>; ++i) {
-      later_[count_++] = {row[i], sums_ + at[i]};
-    }
-  }
-
-  IBMFAIR_INLINE void finish() {
-    for (const Later* one = later_; one != later_ + count_; ++one) {
-      add_to_row(one->row, one->to);
-    }
-  }
-
- private:
-  static constexpr int at_once = 4, rows = longest_fan + 2;
-
-  struct Later {
-    Four row;
-    double* to;
-  };
-
-  Later later_[rows * (lane_count<Lanes> - at_once) + 1];
-  double* sums_;
-  int count_ = 0;
 };
 
 /// Calls Kernel::add(fans, vertices) for all fans of the groups.
@@ -72,7 +28,7 @@ IBMFAIR_INLINE void add_all(const FanRange& range, bool keep, BlockVertex* verti
     const Index* centres = range.block.corners.data() + group->first_place;
     auto* kept = reinterpret_cast<Frame<Lanes>*>(frames + (keep ? group->first_row : 0));
     for (int first = 0; first < lanes_per_group; first += lane_count<Lanes>) {
-      Kernel::add(Fans<Lanes>{centres + first, group->triangles, kept}, vertices);
+      Kernel::add(Fans<Lanes>{{centres + first, group->triangles}, kept}, vertices);
       kept += group->triangles + 1;
     }
   }
@@ -86,7 +42,8 @@ struct Curvature {
   template <class Lanes>
   IBMFAIR_INLINE static Lanes finish_frame(const Lanes4<Lanes>& N, Frame<Lanes>& frame) {
     const Lanes length = sqrt(N.w);
-    frame.inverse = 0.5 / length;
+    // By |N|^2, not by the length: the division need not wait for the square root.
+    frame.inverse = 0.5 / N.w * length;
     const Lanes3<Lanes> n = frame.inverse * N.xyz;
     // Half of the unit's length to the last digit: in a plane z = 0 it is 1/2, and h_v is 0.
     frame.n = n + (0.5 - 2.0 * dot(n, n)) * n;

@@ -7,12 +7,6 @@
 
 namespace ibmfair {
 
-/// Which groups of the fans of a block.
-struct FanRange {
-  const MeshBlock& block;
-  std::int64_t first = 0, groups = 0;
-};
-
 /// Adds to the sums of the vertices what the fans give: the integrated curvature vector h_v, the
 /// gradient of the area, and as fourth number the area around v. If `spontaneous`, the fourth
 /// number of x_v is the spontaneous curvature H0_v, and h_v is less H0_v times the gradient of the

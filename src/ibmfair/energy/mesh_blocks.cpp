@@ -13,13 +13,6 @@
 namespace ibmfair {
 namespace {
 
-constexpr std::size_t lanes = lanes_per_group;
-
-/// Where the groups list corner i of the triangle in a slot.
-std::size_t place_of_corner(std::size_t slot, int i) {
-  return 3 * lanes * (slot / lanes) + lanes * i + slot % lanes;
-}
-
 /// What all blocks are cut from.
 struct WholeMesh {
   const Topology& topology;
@@ -93,14 +86,16 @@ class Builder {
   MeshBlock build(std::int64_t first_owned, std::int64_t last_owned) {
     vertex_.clear();
     triangle_.clear();
+    beside_.clear();
+    listed_.clear();
     block_ = {};
     block_.first_owned = first_owned;
     block_.owned = static_cast<Index>(last_owned - first_owned);
     find_triangles();
     if (mesh_.surroundings.whole_stars) {
-      make_fans();
+      take_whole_stars();
     } else {
-      make_groups();
+      take_neighbours();
     }
     return std::move(block_);
   }
@@ -112,105 +107,158 @@ class Builder {
   }
 
   void find_triangles() {
-    own_.clear();
+    triangles_.clear();
     shared_.clear();
     for (Index i = 0; i < block_.owned; ++i) {
       for (const Index t : mesh_.topology.stars[mesh_.owned[block_.first_owned + i]]) {
         if (mesh_.kept[t] && is_new(t)) {
           const bool counts = mesh_.counted.empty() || mesh_.counted[t] != 0;
-          (counts && is_own(mesh_.topology.F(t, 0)) ? own_ : shared_).push_back(t);
+          (counts && is_own(mesh_.topology.F(t, 0)) ? triangles_ : shared_).push_back(t);
+        }
+      }
+    }
+    own_ = triangles_.size();
+    triangles_.insert(triangles_.end(), shared_.begin(), shared_.end());
+  }
+
+  void take_whole_stars() {
+    append_fans(0);
+    block_.groups = group_count();
+    block_.rim = static_cast<Index>(block_.halo.size());
+    const std::size_t count = triangles_.size();
+    find_stars();
+    append_fans(count);
+    block_.outer_groups = group_count();
+  }
+
+  void take_neighbours() {
+    const std::size_t count = triangles_.size();
+    find_neighbours();
+    append_fans(0, own_);
+    block_.own_groups = group_count();
+    append_fans(own_, count);
+    block_.groups = group_count();
+    block_.rim = static_cast<Index>(block_.halo.size());
+    if (!beside_.empty()) {
+      block_.neighbours.resize(block_.corners.size());
+    }
+    append_fans(count);
+    block_.outer_groups = group_count();
+    write_neighbours();
+  }
+
+  std::int64_t group_count() const { return static_cast<std::int64_t>(block_.fans.size()); }
+
+  /// Fans of the triangles from this number on.
+  void append_fans(std::size_t first) { append_fans(first, triangles_.size()); }
+
+  /// Of those from the first to before the last.
+  void append_fans(std::size_t first, std::size_t last) {
+    triples_.clear();
+    joined_.clear();
+    const auto offset = static_cast<Index>(first);
+    for (std::size_t number = first; number < last; ++number) {
+      const Index t = triangles_[number];
+      const auto x = mesh_.topology.F.row(t >= 0 ? t : ~t);
+      triples_.push_back({number_of(x[0]), number_of(x[1]), number_of(x[2])});
+      if (t < 0) {
+        std::swap(triples_.back()[1], triples_.back()[2]);
+      }
+      if (number < beside_.size()) {
+        const auto& [a, b, c] = beside_[number];
+        joined_.push_back({a - offset, b - offset, c - offset});
+      }
+    }
+    const auto vertices = filler_vertices + block_.owned + static_cast<Index>(block_.halo.size());
+    cover_.append(triples_, joined_, vertices, vertex_size, block_.corners, block_.fans);
+    if (!beside_.empty()) {
+      for (const Index place : cover_.listed()) {
+        listed_.push_back(place < 0 ? -1 : place + 3 * offset);
+      }
+    }
+  }
+
+  /// Those that the block does not have yet are appended to its triangles.
+  void find_neighbours() {
+    const std::size_t count = triangles_.size();
+    if (mesh_.surroundings.neighbours.empty()) {
+      return;
+    }
+    for (std::size_t number = 0; number < count; ++number) {
+      triangle_[triangles_[number]] = static_cast<Index>(number);
+    }
+    for (std::size_t number = 0; number < count; ++number) {
+      const Index* behind = &mesh_.surroundings.neighbours[3 * std::size_t(triangles_[number])];
+      beside_.push_back({number_of_triangle(behind[0]), number_of_triangle(behind[1]),
+                         number_of_triangle(behind[2])});
+    }
+  }
+
+  /// In the block; -1 for no triangle. One that looks to the other side gets a number of its own,
+  /// turned over.
+  Index number_of_triangle(Index t) {
+    if (t == no_triangle) {
+      return -1;
+    }
+    const auto next = static_cast<Index>(triangles_.size());
+    if (t < 0) {
+      triangles_.push_back(t);
+      return next;
+    }
+    Index& number = triangle_[t];
+    if (number < 0) {
+      number = next;
+      triangles_.push_back(t);
+    }
+    return number;
+  }
+
+  template <class Act>
+  void for_each_listed(std::int64_t groups, const Act& act) {
+    const Index* place = listed_.data();
+    for (std::int64_t g = 0; g < groups; ++g) {
+      const FanGroup& group = block_.fans[g];
+      for (Index i = 0; i < group.triangles; ++i) {
+        for (Index lane = 0; lane < lanes_per_group; ++lane) {
+          act(group, i, lane, *place++);
         }
       }
     }
   }
 
-  void make_groups() {
-    const auto groups = [&] { return static_cast<std::int64_t>(slots_.size() / lanes); };
-    slots_.clear();
-    place(own_);
-    block_.own_groups = groups();
-    place(shared_);
-    block_.groups = groups();
-    write_corners(0);
-    block_.rim = static_cast<Index>(block_.halo.size());
-    const std::size_t count = slots_.size();
-    if (!mesh_.surroundings.neighbours.empty()) {
-      find_neighbours();
+  void write_neighbours() {
+    if (beside_.empty()) {
+      return;
     }
-    block_.outer_groups = groups();
-    write_corners(count);
-  }
-
-  void make_fans() {
-    append_fans({own_, shared_});
-    block_.groups = static_cast<std::int64_t>(block_.fans.size());
-    block_.rim = static_cast<Index>(block_.halo.size());
-    find_stars();
-    append_fans({shared_});
-    block_.outer_groups = static_cast<std::int64_t>(block_.fans.size());
-  }
-
-  void append_fans(std::initializer_list<std::span<const Index>> lists) {
-    triples_.clear();
-    for (const std::span<const Index> triangles : lists) {
-      for (const Index t : triangles) {
-        const auto x = mesh_.topology.F.row(t);
-        triples_.push_back({number_of(x[0]), number_of(x[1]), number_of(x[2])});
+    const auto row_in = [](const FanGroup& group, Index i, Index lane) {
+      return static_cast<Index>(lanes_per_group * (group.first_row + i) + lane);
+    };
+    row_.resize(triangles_.size());
+    for_each_listed(block_.outer_groups, [&](const FanGroup& group, Index i, Index lane, Index at) {
+      if (at >= 0) {
+        row_[at / 3] = row_in(group, i, lane);
       }
-    }
-    const auto vertices = filler_vertices + block_.owned + static_cast<Index>(block_.halo.size());
-    cover_.append(triples_, vertices, vertex_size, block_.corners, block_.fans);
-  }
-
-  /// Spreads neighbours, which follow each other in the list, over different groups: what is added
-  /// to a vertex in one group can then be in memory before the next one adds to it.
-  void place(const std::vector<Index>& triangles) {
-    const std::size_t count = (triangles.size() + lanes - 1) / lanes;
-    const std::size_t first = slots_.size();
-    slots_.resize(first + lanes * count, no_triangle);
-    for (std::size_t i = 0; i < triangles.size(); ++i) {
-      const std::size_t slot = first + lanes * (i % count) + i / count;
-      slots_[slot] = triangles[i];
-      triangle_[triangles[i]] = static_cast<Index>(slot);
-    }
-  }
-
-  void find_neighbours() {
-    const std::size_t count = slots_.size();
-    block_.neighbours.resize(3 * count);
-    for (std::size_t slot = 0; slot < count; ++slot) {
-      for (int i = 0; i < 3; ++i) {
-        const Index t = slots_[slot];
-        const Index other =
-            t == no_triangle ? no_triangle : mesh_.surroundings.neighbours[3 * std::size_t(t) + i];
-        block_.neighbours[place_of_corner(slot, i)] =
-            row_size * (other == no_triangle ? static_cast<Index>(slot) : slot_of(other));
+    });
+    for_each_listed(block_.groups, [&](const FanGroup& group, Index i, Index lane, Index at) {
+      const auto row_behind = [&](Index corner) {
+        const Index other = at < 0 ? -1 : beside_[at / 3][(at + corner) % 3];
+        return row_size * (other < 0 ? row_in(group, i, lane) : row_[other]);
+      };
+      Index* place = &block_.neighbours[group.first_place + lane];
+      place[lanes_per_group * (i + 1)] = row_behind(0);
+      if (i == 0) {
+        *place = row_behind(2);
       }
-    }
-    slots_.resize((slots_.size() + lanes - 1) / lanes * lanes, no_triangle);
+      if (i + 1 == group.triangles) {
+        place[lanes_per_group * (i + 2)] = row_behind(1);
+      }
+    });
   }
-
-  /// A neighbour that looks to the other side gets a slot of its own, turned over.
-  Index slot_of(Index t) {
-    const auto next = static_cast<Index>(slots_.size());
-    if (t < 0) {
-      slots_.push_back(t);
-      return next;
-    }
-    Index& slot = triangle_[t];
-    if (slot < 0) {
-      slot = next;
-      slots_.push_back(t);
-    }
-    return slot;
-  }
-
   void find_stars() {
-    shared_.clear();
     for (const Index position : block_.halo) {
       for (const Index t : mesh_.topology.stars[mesh_.owned[position]]) {
         if (mesh_.kept[t] && is_new(t)) {
-          shared_.push_back(t);
+          triangles_.push_back(t);
         }
       }
     }
@@ -218,11 +266,11 @@ class Builder {
 
   /// Whether the block has not had this triangle before.
   bool is_new(Index t) {
-    Index& slot = triangle_[t];
-    if (slot >= 0) {
+    Index& number = triangle_[t];
+    if (number >= 0) {
       return false;
     }
-    slot = 0;
+    number = 0;
     return true;
   }
 
@@ -240,29 +288,17 @@ class Builder {
     return number;
   }
 
-  void write_corners(std::size_t first_slot) {
-    block_.corners.resize(3 * slots_.size());
-    for (std::size_t slot = first_slot; slot < slots_.size(); ++slot) {
-      std::array<Index, 3> x{0, 1, 2};
-      if (const Index t = slots_[slot]; t != no_triangle) {
-        const auto corners = mesh_.topology.F.row(t >= 0 ? t : ~t);
-        x = {number_of(corners[0]), number_of(corners[1]), number_of(corners[2])};
-        if (t < 0) {
-          std::swap(x[1], x[2]);
-        }
-      }
-      for (int i = 0; i < 3; ++i) {
-        block_.corners[place_of_corner(slot, i)] = vertex_size * x[i];
-      }
-    }
-  }
-
   const WholeMesh& mesh_;
-  LocalNumbers vertex_;    // those it does not own
-  LocalNumbers triangle_;  // slots
-  std::vector<Index> own_, shared_, slots_;
-  CornerTriples triples_;
+  LocalNumbers vertex_;  // those it does not own
+  LocalNumbers triangle_;
+  std::vector<Index> triangles_;  // the block's: first those that are its own and count
+  std::size_t own_ = 0;           // of these
+  std::vector<Index> shared_;
+  CornerTriples beside_;  // the numbers of the triangles behind the edges of these, or -1
+  CornerTriples triples_, joined_;
   FanCover cover_;
+  std::vector<Index> listed_;  // for each place in the groups, as FanCover lists it
+  std::vector<Index> row_;     // of each triangle
   MeshBlock block_;
 };
 
@@ -273,9 +309,10 @@ void MeshBlocks::load(const MeshBlock& b, const Points& X, BlockVertices& vertic
   if (vertices.size() < count) {
     vertices.resize(count);
   }
-  vertices[0].x = {0, 0, 0, 0};
-  vertices[1].x = {1, 0, 0, 0};
-  vertices[2].x = {0, 1, 0, 0};
+  vertices[0].x = {};
+  for (Index i = 1; i < filler_vertices; ++i) {
+    vertices[i].x = {1, static_cast<double>(i), 0, 0};
+  }
   BlockVertex* to = &vertices[filler_vertices];
   const auto load_one = [&](Index v) {
     std::memcpy(&to->x.x, X.data() + 3 * std::ptrdiff_t{v}, 3 * sizeof(double));

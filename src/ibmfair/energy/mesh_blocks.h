@@ -1,5 +1,5 @@
 // The triangles of a mesh as the kernels of the energies take them: block by block, in groups of
-// eight, or of eight fans. A sum over the triangles around a vertex is added up in the block that
+// eight fans. A sum over the triangles around a vertex is added up in the block that
 // owns the vertex, which computes every triangle there, also those that other blocks compute for
 // their vertices. So no two threads write the same place, the order of every sum is fixed, and
 // nothing per triangle is kept from one pass to the next.
@@ -35,33 +35,35 @@ using BlockVertices = std::vector<BlockVertex>;
 using Neighbours = std::vector<Index>;
 inline constexpr Index no_triangle = std::numeric_limits<Index>::max();
 
-/// The first vertices of every block are those of a triangle of unit size, which fills up groups.
-inline constexpr Index filler_vertices = 3;
+/// The first vertices of every block are those of a flat fan, which fills up groups.
+inline constexpr Index filler_vertices = longest_fan + 2;
 
-/// Triangles, or fans, in a group: as many as a kernel takes at a time, or twice as many.
+/// Fans in a group: as many as a kernel takes at a time, or twice as many.
 inline constexpr Index lanes_per_group = 8;
 
 /// One block. Its vertices are the filler's, then those it owns, then the other corners of its
-/// triangles. Triangles are numbered as they stand in the groups.
+/// triangles.
 struct MeshBlock {
   std::int64_t first_owned = 0;   ///< in MeshBlocks::owned
   Index owned = 0;                ///< vertices
   std::vector<Index> halo;        ///< the others, as positions in MeshBlocks::owned
   Index rim = 0;                  ///< the first of these are corners of the first `groups`
-  std::vector<Index> corners;     ///< 3 x 8 for each group, or those of its fans: `vertex_size`
-                                  ///< times the vertex
-  std::vector<FanGroup> fans;     ///< the groups, where they are of fans
-  std::vector<Index> neighbours;  ///< 3 x 8 for each group at its own vertices: `row_size` times
-                                  ///< the triangle, itself where it has no neighbour
-  std::int64_t own_groups = 0;    ///< of triangles: each that counts is in these of one block; of
-                                  ///< fans none
+  std::vector<FanGroup> fans;     ///< the groups
+  std::vector<Index> corners;     ///< their places: `vertex_size` times the vertex
+  std::vector<Index> neighbours;  ///< listed like these, for the first `groups`: the triangle
+                                  ///< before the first of a fan, those behind its rim, and that
+                                  ///< after the last, by `row_size` times their row. Triangle i of
+                                  ///< a fan has row 8 (FanGroup::first_row + i) + the fan's place
+                                  ///< in the group, and is itself where it has no neighbour
+  std::int64_t own_groups = 0;    ///< those of the triangles that count, each in one block's
   std::int64_t groups = 0;        ///< and of all others at its own vertices
   std::int64_t outer_groups = 0;  ///< and of what is wanted around both
+};
 
-  /// From this group of triangles on.
-  const Index* corners_from(std::int64_t group) const {
-    return corners.data() + group * 3 * lanes_per_group;
-  }
+/// Which groups of a block.
+struct FanRange {
+  const MeshBlock& block;
+  std::int64_t first = 0, groups = 0;
 };
 
 /// Numbers in a row, and in what there is of a vertex: the kernels' places count them.
@@ -96,12 +98,13 @@ struct MeshBlocks {
 
 /// What blocks have besides the triangles at their own vertices.
 struct BlockSurroundings {
-  Neighbours neighbours = {};  ///< where given, the triangles next to those; these must be kept
-  bool whole_stars = false;    ///< all that are kept around the corners of those, and in fans
+  Neighbours neighbours = {};  ///< where given, the triangles next to those; these must be kept.
+                               ///< Fans go on from one to the other only
+  bool whole_stars = false;    ///< all that are kept around the corners of those
 };
 
 /// Blocks of the triangles that are `kept` (#F). Those that are not `counted` (#F, or empty for
-/// all) are in no block's `own_groups`.
+/// all) are in no block's `own_groups`; with whole stars none is.
 MeshBlocks mesh_blocks(const Topology& topology, const std::vector<std::uint8_t>& kept,
                        const BlockSurroundings& surroundings = {},
                        const std::vector<std::uint8_t>& counted = {});

@@ -6,12 +6,24 @@
 
 namespace ibmfair {
 
-void FanCover::append(const CornerTriples& triangles, Index vertex_count, Index place_of_vertex,
-                      std::vector<Index>& places, std::vector<FanGroup>& groups) {
+namespace {
+
+/// Numbers that are kept of a fan: L + 2 vertices and L triangles.
+std::size_t size_of_fan(Index length) {
+  return 2 * static_cast<std::size_t>(length) + 2;
+}
+
+}  // namespace
+
+void FanCover::append(const CornerTriples& triangles, const CornerTriples& beside,
+                      Index vertex_count, Index place_of_vertex, std::vector<Index>& places,
+                      std::vector<FanGroup>& groups) {
+  beside_ = &beside;
   find_stars(triangles, vertex_count);
   for (std::vector<Index>& fans : fans_) {
     fans.clear();
   }
+  listed_.clear();
   take_whole_stars();
   take_what_is_left();
   std::size_t more_groups = 0, more_places = 0;
@@ -34,7 +46,6 @@ void FanCover::find_stars(const CornerTriples& triangles, Index vertex_count) {
   taken_.assign(triangles.size(), 0);
   met_.assign(vertices, 0);
   leaving_.assign(vertices, -1);
-  entered_.assign(vertices, 0);
   for (const auto& x : triangles) {
     for (const Index v : x) {
       ++left_[v];
@@ -48,11 +59,13 @@ void FanCover::find_stars(const CornerTriples& triangles, Index vertex_count) {
   corners_.resize(3 * triangles.size());
   for (std::size_t t = 0; t < triangles.size(); ++t) {
     const auto& [a, b, c] = triangles[t];
-    const auto number = static_cast<Index>(t);
-    corners_[first_[a]++] = {b, c, number};
-    corners_[first_[b]++] = {c, a, number};
-    corners_[first_[c]++] = {a, b, number};
+    const auto place = static_cast<Index>(3 * t);
+    corners_[first_[a]++] = {b, c, place};
+    corners_[first_[b]++] = {c, a, place + 1};
+    corners_[first_[c]++] = {a, b, place + 2};
   }
+  after_.resize(corners_.size());
+  entered_.resize(corners_.size());
   for (std::size_t v = vertices; v > 0; --v) {  // each has come to where the next one began
     first_[v] = first_[v - 1];
   }
@@ -96,17 +109,33 @@ void FanCover::take_what_is_left() {
   }
 }
 
+/// Whether a fan may. The edge between the two is opposite the corner that is next in `from`.
+bool FanCover::goes_on(const Corner& from, const Corner& to) const {
+  if (beside_->empty()) {
+    return true;
+  }
+  const Index next = from.place % 3 < 2 ? from.place % 3 + 1 : 0;
+  return (*beside_)[from.triangle()][next] == to.triangle();
+}
+
 /// Makes fans of all triangles at the centre that are in none yet.
 void FanCover::take(Index centre) {
   const Index first = first_[centre], last = first_[centre + 1];
   for (Index c = first; c < last; ++c) {
-    if (taken_[corners_[c].triangle] == 0) {
+    entered_[c] = 0;
+    if (taken_[corners_[c].triangle()] == 0) {
       leaving_[corners_[c].next] = c;
-      entered_[corners_[c].previous] = 1;
     }
   }
   for (Index c = first; c < last; ++c) {
-    if (entered_[corners_[c].next] == 0) {
+    const Index after = leaving_[corners_[c].previous];
+    after_[c] = after >= 0 && goes_on(corners_[c], corners_[after]) ? after : -1;
+    if (after_[c] >= 0 && taken_[corners_[c].triangle()] == 0) {
+      entered_[after] = 1;
+    }
+  }
+  for (Index c = first; c < last; ++c) {
+    if (entered_[c] == 0) {
       take_from(c, centre);
     }
   }
@@ -115,31 +144,34 @@ void FanCover::take(Index centre) {
   }
   for (Index c = first; c < last; ++c) {
     leaving_[corners_[c].next] = -1;
-    entered_[corners_[c].previous] = 0;
   }
 }
 
 /// Makes a fan that begins with this corner, if none has it yet.
 void FanCover::take_from(Index corner, Index centre) {
-  std::array<Index, longest_fan + 2> fan{centre, corners_[corner].next};
+  std::array<Index, longest_fan + 2> vertices{centre, corners_[corner].next};
+  std::array<Index, longest_fan> triangles;
   Index length = 0;
-  while (corner >= 0 && taken_[corners_[corner].triangle] == 0 && length < longest_fan) {
+  while (corner >= 0 && taken_[corners_[corner].triangle()] == 0 && length < longest_fan) {
     const Corner& of_centre = corners_[corner];
-    taken_[of_centre.triangle] = 1;
+    taken_[of_centre.triangle()] = 1;
     --left_[centre];
     --left_[of_centre.next];
     --left_[of_centre.previous];
-    fan[++length + 1] = of_centre.previous;
-    corner = leaving_[of_centre.previous];
+    triangles[length] = of_centre.place;
+    vertices[++length + 1] = of_centre.previous;
+    corner = after_[corner];
   }
   if (length > 0) {
-    fans_[length].insert(fans_[length].end(), fan.begin(), fan.begin() + length + 2);
+    std::vector<Index>& fans = fans_[length];
+    fans.insert(fans.end(), vertices.begin(), vertices.begin() + length + 2);
+    fans.insert(fans.end(), triangles.begin(), triangles.begin() + length);
   }
 }
 
 /// How many the fans of this length fill.
 std::size_t FanCover::groups_of(Index length) const {
-  const std::size_t fans = fans_[length].size() / (static_cast<std::size_t>(length) + 2);
+  const std::size_t fans = fans_[length].size() / size_of_fan(length);
   return (fans + lanes_per_group - 1) / lanes_per_group;
 }
 
@@ -147,10 +179,11 @@ std::size_t FanCover::groups_of(Index length) const {
 /// vertex in one group can then be in memory before the next one adds to it. But to groups near
 /// each other: then it is still in the cache.
 void FanCover::append_groups(Index length, Index place_of_vertex, std::vector<Index>& places,
-                             std::vector<FanGroup>& groups) const {
+                             std::vector<FanGroup>& groups) {
   constexpr std::size_t near = 8;
   const std::vector<Index>& fans = fans_[length];
-  const auto size = static_cast<std::size_t>(length) + 2;
+  const auto vertices = static_cast<std::size_t>(length) + 2;
+  const std::size_t size = size_of_fan(length);
   const std::size_t fan_count = fans.size() / size, group_count = groups_of(length);
   for (std::size_t g = 0; g < group_count; ++g) {
     FanGroup group{length, static_cast<std::int64_t>(places.size()), 0};
@@ -158,15 +191,25 @@ void FanCover::append_groups(Index length, Index place_of_vertex, std::vector<In
       group.first_row = groups.back().first_row + groups.back().triangles + 1;
     }
     groups.push_back(group);
-    places.resize(places.size() + size * lanes_per_group);
+    places.resize(places.size() + vertices * lanes_per_group);
+    listed_.resize(listed_.size() + (size - vertices) * lanes_per_group);
     Index* place = &places[group.first_place];
+    Index* triangle = listed_.data() + listed_.size() - (size - vertices) * lanes_per_group;
     const std::size_t first_near = g / near * near;
     const std::size_t distance = std::min(near, group_count - first_near);
-    for (std::size_t i = 0; i < size; ++i) {
+    const auto fan_in = [&](std::size_t lane) {
+      return lanes_per_group * first_near + lane * distance + (g - first_near);
+    };
+    for (std::size_t i = 0; i < vertices; ++i) {
       for (std::size_t lane = 0; lane < lanes_per_group; ++lane) {
-        const std::size_t fan = lanes_per_group * first_near + lane * distance + (g - first_near);
-        const auto of_filler = static_cast<Index>(i == 0 ? 0 : 2 - i % 2);
-        *place++ = place_of_vertex * (fan < fan_count ? fans[size * fan + i] : of_filler);
+        const std::size_t fan = fan_in(lane);
+        *place++ = place_of_vertex * (fan < fan_count ? fans[size * fan + i] : Index(i));
+      }
+    }
+    for (std::size_t i = vertices; i < size; ++i) {
+      for (std::size_t lane = 0; lane < lanes_per_group; ++lane) {
+        const std::size_t fan = fan_in(lane);
+        *triangle++ = fan < fan_count ? fans[size * fan + i] : -1;
       }
     }
   }

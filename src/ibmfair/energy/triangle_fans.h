@@ -32,7 +32,7 @@ struct alignas(64) FanFrame {
   std::array<std::byte, std::size_t{7} * 8 * sizeof(double)> bytes;
 };
 
-/// Triangles as the numbers of their corners.
+/// Triangles as the numbers of their corners, or of those behind the edges opposite these.
 using CornerTriples = std::vector<std::array<Index, 3>>;
 
 /// Covers triangles with fans, block after block: what it keeps is only its memory.
@@ -40,15 +40,22 @@ class FanCover {
  public:
   /// Lists groups of fans in which each of the triangles is once, corners in the same circular
   /// order. Their vertices are less than `vertex_count`, and `place_of_vertex` times the vertex is
-  /// its place. Fans that a group lacks are of the triangle 0, 1, 2, turned over every other time.
+  /// its place. Where `beside` is not empty, a fan goes on only to the triangle that this names
+  /// behind the edge. Fans that a group lacks are of the vertices 0, 1, 2, ...
   /// Linear in the number of triangles where few meet at a vertex.
-  void append(const CornerTriples& triangles, Index vertex_count, Index place_of_vertex,
-              std::vector<Index>& places, std::vector<FanGroup>& groups);
+  void append(const CornerTriples& triangles, const CornerTriples& beside, Index vertex_count,
+              Index place_of_vertex, std::vector<Index>& places, std::vector<FanGroup>& groups);
+
+  /// What the groups of the last append() hold, rows of eight for the triangles of each: 3 times
+  /// the triangle, and which of its corners is the centre, or -1 where the group lacks a fan.
+  const std::vector<Index>& listed() const { return listed_; }
 
  private:
-  /// A triangle as one of its corners sees it.
+  /// A triangle as one of its corners sees it. `place` is 3 times the triangle and which of them.
   struct Corner {
-    Index next, previous, triangle;
+    Index next, previous, place;
+
+    Index triangle() const { return place / 3; }
   };
 
   void find_stars(const CornerTriples& triangles, Index vertex_count);
@@ -56,9 +63,10 @@ class FanCover {
   void take_what_is_left();
   void take(Index centre);
   void take_from(Index corner, Index centre);
+  bool goes_on(const Corner& from, const Corner& to) const;
   std::size_t groups_of(Index length) const;
   void append_groups(Index length, Index place_of_vertex, std::vector<Index>& places,
-                     std::vector<FanGroup>& groups) const;
+                     std::vector<FanGroup>& groups);
 
   std::span<const Corner> star(Index v) const {
     return {corners_.data() + first_[v], corners_.data() + first_[v + 1]};
@@ -71,8 +79,12 @@ class FanCover {
   std::vector<std::uint8_t> met_;    // #V, for the walk from star to star
   std::vector<Index> queue_;         // of the same
   std::vector<Index> leaving_;       // #V, the corner of the current centre whose next it is, or -1
-  std::vector<std::uint8_t> entered_;  // #V, whether it is the previous one of such a corner
-  std::array<std::vector<Index>, longest_fan + 1> fans_;  // by length: the centre and the rim
+  std::vector<Index> after_;         // by corner: where a fan goes on from there, or -1
+  std::vector<std::uint8_t> entered_;                     // by corner, whether a fan goes on there
+  std::array<std::vector<Index>, longest_fan + 1> fans_;  // by length: the centre, the rim, and the
+                                                          // places of the triangles' corners
+  std::vector<Index> listed_;
+  const CornerTriples* beside_ = nullptr;  // in append()
 };
 
 }  // namespace ibmfair

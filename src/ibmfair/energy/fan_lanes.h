@@ -1,0 +1,58 @@
+// What the kernels that go through fans have in common. For .cpp files of kernels only.
+#pragma once
+
+#include <cstdint>
+
+#include "ibmfair/base/lanes.h"
+#include "ibmfair/energy/mesh_blocks.h"
+
+namespace ibmfair {
+
+/// Where the vertices of a few fans side by side are listed.
+struct FanPlaces {
+  const Index* centre;
+  Index triangles;
+
+  IBMFAIR_INLINE const Index* rim(std::int64_t i) const {
+    return centre + lanes_per_group * (i + 1);
+  }
+};
+
+/// Adds to the vertices of fans, all of four fans before any of the next four, so that sums are
+/// made in the same order however many fit in a register.
+template <class Lanes>
+class VertexSums {
+ public:
+  IBMFAIR_INLINE explicit VertexSums(BlockVertex* vertices) : sums_(&vertices->sum.x) {}
+
+  IBMFAIR_INLINE void add(const Lanes3<Lanes>& a, const Lanes& w, const Index* at) {
+    Four row[lane_count<Lanes>];
+    rows_of(a, w, row);
+    for (int i = 0; i < at_once; ++i) {
+      add_to_row(row[i], sums_ + at[i]);
+    }
+    for (int i = at_once; i < lane_count<Lanes>; ++i) {
+      later_[count_++] = {row[i], sums_ + at[i]};
+    }
+  }
+
+  IBMFAIR_INLINE void finish() {
+    for (const Later* one = later_; one != later_ + count_; ++one) {
+      add_to_row(one->row, one->to);
+    }
+  }
+
+ private:
+  static constexpr int at_once = 4, rows = longest_fan + 2;
+
+  struct Later {
+    Four row;
+    double* to;
+  };
+
+  Later later_[rows * (lane_count<Lanes> - at_once) + 1];
+  double* sums_;
+  int count_ = 0;
+};
+
+}  // namespace ibmfair
