@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -104,6 +106,65 @@ TEST(TriangleFans, CutLongOnes) {
 
 TEST(TriangleFans, OfNothingAreNone) {
   EXPECT_TRUE(cover({}, 0).groups.empty());
+}
+
+/// For each triangle those behind its edges, as long as there is one that runs the other way; with
+/// every third edge left out.
+CornerTriples some_beside(const CornerTriples& triangles) {
+  std::map<std::pair<Index, Index>, Index> runs_along;
+  for (std::size_t t = 0; t < triangles.size(); ++t) {
+    for (int i = 0; i < 3; ++i) {
+      runs_along[{triangles[t][(i + 1) % 3], triangles[t][(i + 2) % 3]}] = static_cast<Index>(t);
+    }
+  }
+  CornerTriples beside;
+  for (const auto& x : triangles) {
+    std::array<Index, 3> behind{-1, -1, -1};
+    for (int i = 0; i < 3; ++i) {
+      const Index a = x[(i + 1) % 3], b = x[(i + 2) % 3];
+      const auto other = runs_along.find({b, a});
+      if (other != runs_along.end() && (a + b) % 3 != 0) {
+        behind[i] = other->second;
+      }
+    }
+    beside.push_back(behind);
+  }
+  return beside;
+}
+
+TEST(TriangleFans, GoOnOnlyToTheTriangleThatIsNamed) {
+  for (const auto& [name, mesh] : all_meshes()) {
+    SCOPED_TRACE(name);
+    const CornerTriples triangles = triples(triangulate(mesh).F);
+    const CornerTriples beside = some_beside(triangles);
+    Fans fans;
+    FanCover cover;
+    cover.append(triangles, beside, filler_vertices + static_cast<Index>(mesh.X.rows()),
+                 place_of_vertex, fans.places, fans.groups);
+    const Index* listed = cover.listed().data();
+    std::size_t found = 0;
+    for (const FanGroup& group : fans.groups) {
+      const CornerTriples in_fans = triangles_of(group, fans.places, place_of_vertex);
+      for (Index fan = 0; fan < lanes_per_group; ++fan) {
+        for (Index i = 0; i < group.triangles; ++i) {
+          const Index place = listed[lanes_per_group * i + fan];
+          if (place < 0) {
+            continue;
+          }
+          ++found;
+          std::array<Index, 3> x = triangles[place / 3];
+          std::rotate(x.begin(), x.begin() + place % 3, x.end());
+          EXPECT_EQ(in_fans[fan * group.triangles + i], x);
+          if (i > 0) {
+            const Index before = listed[lanes_per_group * (i - 1) + fan];
+            EXPECT_EQ(beside[before / 3][(before + 1) % 3], place / 3);
+          }
+        }
+      }
+      listed += lanes_per_group * group.triangles;
+    }
+    EXPECT_EQ(found, triangles.size());
+  }
 }
 
 // A cover keeps nothing of the triangles before.
