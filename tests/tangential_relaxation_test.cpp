@@ -19,7 +19,9 @@ namespace {
 Points sweep(const State& state, bool keeps_creases) {
   const Unknowns unknowns(held_vertices(state.topology, BoundaryCondition::fixed));
   const Rows rings = vertex_rings(state.topology);
-  TangentialRelaxation relaxation(state.topology, rings, unknowns, MeshParts::one(), keeps_creases);
+  const RingGroups groups(state.topology, rings, unknowns);
+  TangentialRelaxation relaxation(state.topology, groups, unknowns, MeshParts::one(),
+                                  keeps_creases);
   Points move, by_vertex = Points::Zero(state.X.rows(), 3);
   relaxation.moves(state.X, move);
   for (Index u = 0; u < unknowns.size(); ++u) {
@@ -115,7 +117,8 @@ TEST(TangentialRelaxation, FindsTheCornersOfNeedlesAlone) {
     State state = made(shape);
     const Unknowns unknowns(held_vertices(state.topology, BoundaryCondition::fixed));
     const Rows rings = vertex_rings(state.topology);
-    TangentialRelaxation relaxation(state.topology, rings, unknowns, MeshParts::one(), false);
+    const RingGroups groups(state.topology, rings, unknowns);
+    TangentialRelaxation relaxation(state.topology, groups, unknowns, MeshParts::one(), false);
     Points all, move;
     EXPECT_FALSE(relaxation.moves_at_needles(state.X, move)) << shape;
     const Index triangle = 50;

@@ -184,15 +184,21 @@ IBMFAIR_INLINE Lanes4<Eight> turned(const double* const (&r)[8]) {
 
 }  // namespace simd_detail
 
-/// Lane i from the row `rows + at[i]`. May read two numbers more behind a row, and drops them:
-/// behind the last row there must be room.
+/// Lane i from the four numbers at `row[i]`. May read two numbers more behind them, and drops
+/// these: behind the last there must be room.
+template <class Lanes>
+IBMFAIR_INLINE Lanes4<Lanes> gather_rows(const double* const (&row)[lane_count<Lanes>]) {
+  return simd_detail::turned(row);
+}
+
+/// Lane i from the row `rows + at[i]`; the same is read behind it.
 template <class Lanes>
 IBMFAIR_INLINE Lanes4<Lanes> gather(const double* rows, const std::int32_t* at) {
   const double* row[lane_count<Lanes>];
   for (int i = 0; i < lane_count<Lanes>; ++i) {
     row[i] = rows + at[i];
   }
-  return simd_detail::turned(row);
+  return gather_rows<Lanes>(row);
 }
 
 /// Lane i from the row `rows + 4 * i`; the same is read behind it.

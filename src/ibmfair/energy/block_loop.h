@@ -14,7 +14,7 @@ namespace ibmfair {
 /// Where a thread keeps what it has of one block.
 struct BlockScratch {
   BlockVertices vertices;
-  std::vector<BlockRow> triangles;
+  std::vector<Row4> triangles;
   std::vector<FanFrame> frames;
 };
 

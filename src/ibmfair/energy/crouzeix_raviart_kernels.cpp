@@ -7,7 +7,7 @@ namespace {
 
 /// From the double area vector N and |N|^2.
 template <class Lanes>
-IBMFAIR_INLINE void store_frame(const Lanes4<Lanes>& N, BlockRow* row) {
+IBMFAIR_INLINE void store_frame(const Lanes4<Lanes>& N, Row4* row) {
   const Lanes length = sqrt(N.w);
   // By |N|^2, not by the length: the division need not wait for the square root.
   const Lanes3<Lanes> n = 0.5 / N.w * length * N.xyz;
@@ -17,7 +17,7 @@ IBMFAIR_INLINE void store_frame(const Lanes4<Lanes>& N, BlockRow* row) {
 
 struct FrameKernel {
   template <class Lanes>
-  IBMFAIR_INLINE static void find(const FanPlaces& fans, const double* X, BlockRow* row) {
+  IBMFAIR_INLINE static void find(const FanPlaces& fans, const double* X, Row4* row) {
     const Lanes3<Lanes> centre = gather<Lanes>(X, fans.centre).xyz;
     Lanes3<Lanes> p = gather<Lanes>(X, fans.rim(0)).xyz - centre;
     Lanes4<Lanes> N = {};
@@ -35,8 +35,7 @@ struct FrameKernel {
   }
 
   template <class Lanes>
-  IBMFAIR_INLINE static void run(const FanRange* range, const BlockVertex* vertices,
-                                 BlockRow* frames) {
+  IBMFAIR_INLINE static void run(const FanRange* range, const BlockVertex* vertices, Row4* frames) {
     const FanGroup* group = range->block.fans.data() + range->first;
     for (const FanGroup* end = group + range->groups; group != end; ++group) {
       for (int first = 0; first < lanes_per_group; first += lane_count<Lanes>) {
@@ -101,9 +100,8 @@ struct HingeKernel {
   /// `row` is that of the first triangle.
   template <class Lanes>
   IBMFAIR_INLINE static Sums<Lanes> find(const FanPlaces& fans, const Index* neighbours,
-                                         double inverse_bound, const double* X,
-                                         const BlockRow* frames, const BlockRow* row,
-                                         Slopes<Lanes>& slopes) {
+                                         double inverse_bound, const double* X, const Row4* frames,
+                                         const Row4* row, Slopes<Lanes>& slopes) {
     const Lanes3<Lanes> centre = gather<Lanes>(X, fans.centre).xyz;
     for (Index i = 0; i <= fans.triangles; ++i) {
       slopes.p[i] = gather<Lanes>(X, fans.rim(i)).xyz - centre;
@@ -162,7 +160,7 @@ struct HingeKernel {
 
   template <class Lanes>
   IBMFAIR_INLINE static HingeSums run(const FanRange* range, double inverse_bound,
-                                      BlockVertex* vertices, const BlockRow* frames) {
+                                      BlockVertex* vertices, const Row4* frames) {
     const MeshBlock& block = range->block;
     Four energy = {}, turn = {};
     Slopes<Lanes> slopes;
@@ -189,13 +187,12 @@ struct HingeKernel {
 
 }  // namespace
 
-void crouzeix_raviart_frames(const FanRange& fans, const BlockVertex* vertices,
-                             BlockRow* triangles) {
+void crouzeix_raviart_frames(const FanRange& fans, const BlockVertex* vertices, Row4* triangles) {
   run_in_lanes<FrameKernel>(&fans, vertices, triangles);
 }
 
 HingeSums crouzeix_raviart_hinges(const FanRange& fans, const HingeTerms& terms, bool gradient,
-                                  BlockVertex* vertices, const BlockRow* triangles) {
+                                  BlockVertex* vertices, const Row4* triangles) {
   const auto run_as = [&]<bool mass, bool with_gradient, bool bounded>() {
     return run_in_lanes<HingeKernel<mass, with_gradient, bounded>>(&fans, terms.inverse_bound,
                                                                    vertices, triangles);

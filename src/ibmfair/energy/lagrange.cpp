@@ -42,7 +42,7 @@ struct VertexEnergy {
 };
 
 /// 1/2 |h_v|^2 / m_v, h_v with the area around v as fourth number.
-VertexEnergy vertex_energy(const BlockRow& h, bool mass) {
+VertexEnergy vertex_energy(const Row4& h, bool mass) {
   const double inverse_mass = mass ? 3 / h.w : 1;
   return {inverse_mass * (h.x * h.x + h.y * h.y + h.z * h.z) / 2, inverse_mass};
 }
@@ -89,7 +89,7 @@ double Lagrange::own_energy(const MeshBlock& b, const BlockVertices& vertices) c
 double Lagrange::own_energy_and_y(const MeshBlock& b, BlockVertices& vertices) const {
   const double q_share = mass_ ? 1.0 / 6.0 : 0;
   const auto find_y = [&](BlockVertex& vertex, bool carries) {
-    const BlockRow h = vertex.sum;
+    const Row4 h = vertex.sum;
     const auto [energy, inverse_mass] = vertex_energy(h, mass_);
     const double share = carries ? inverse_mass : 0;
     vertex.y = {share * h.x, share * h.y, share * h.z, q_share * share * 2 * energy};

@@ -11,22 +11,18 @@
 #include <vector>
 
 #include "ibmfair/base/parallel.h"
+#include "ibmfair/base/row4.h"
 #include "ibmfair/base/types.h"
 #include "ibmfair/energy/triangle_fans.h"
 #include "ibmfair/mesh/topology.h"
 
 namespace ibmfair {
 
-/// A vector and one number more.
-struct alignas(32) BlockRow {
-  double x = 0, y = 0, z = 0, w = 0;
-};
-
 /// What a block holds of a vertex. The three lie together not only to be in the cache together: the
 /// processor takes a load for one that must wait for a store if the last 12 bits of their addresses
 /// agree, which in three arrays they would.
 struct BlockVertex {
-  BlockRow x, y, sum;
+  Row4 x, y, sum;
 };
 using BlockVertices = std::vector<BlockVertex>;
 
@@ -66,8 +62,7 @@ struct FanRange {
   std::int64_t first = 0, groups = 0;
 };
 
-/// Numbers in a row, and in what there is of a vertex: the kernels' places count them.
-inline constexpr Index row_size = sizeof(BlockRow) / sizeof(double);
+/// Numbers in what there is of a vertex.
 inline constexpr Index vertex_size = sizeof(BlockVertex) / sizeof(double);
 
 struct MeshBlocks {

@@ -40,7 +40,10 @@ class GuardedFlow {
         rings_(vertex_rings(problem.topology)),
         folds_(problem.X, problem.topology, problem.unknowns),
         keeps_creases_(problem.options.sharp_angle > 0),
-        relaxation_(problem.topology, rings_, problem.unknowns, problem.parts, keeps_creases_),
+        ring_groups_(problem.topology, rings_, problem.unknowns),
+        relaxation_(problem.topology, ring_groups_, problem.unknowns, problem.parts,
+                    keeps_creases_),
+        measure_(ring_groups_, problem.unknowns, problem.parts),
         h_target_(problem.options.total_time / problem.options.steps),
         has_limit_(problem.options.energy_is_dimensionless()),
         h_(h_target_),
@@ -216,7 +219,7 @@ class GuardedFlow {
   bool distorts() {
     const Stopwatch watch(p_.report.seconds.guard);
     const Points& all = p_.with_others(step_);
-    distortion_ = fraction_ * distortion(all, rings_, p_.unknowns, edge_length_, p_.parts, own_);
+    distortion_ = fraction_ * measure_.of(all, edge_length_, own_);
     return distortion_ > 1;
   }
 
@@ -378,7 +381,9 @@ class GuardedFlow {
   const Rows rings_;
   FoldWatch folds_;
   const bool keeps_creases_;  // what folds over may be one
+  const RingGroups ring_groups_;
   TangentialRelaxation relaxation_;
+  Distortion measure_;
   const double h_target_;
   const bool has_limit_;  // of the energy that a step may take
   double h_;              // the time step to use next

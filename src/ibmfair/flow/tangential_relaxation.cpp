@@ -36,9 +36,15 @@ constexpr double all_left = 0.9995;
 
 constexpr double needle = radians(1);  // the smallest angle of wider triangles
 
+/// What of a step is across the normal, or 0 where that is 0.
+Vec3 across(const Vec3& normal, const Vec3& step) {
+  const double squared = normal.squaredNorm();
+  return squared > 0 ? Vec3(step - normal * (normal.dot(step) / squared)) : Vec3(Vec3::Zero());
+}
+
 }  // namespace
 
-TangentialRelaxation::TangentialRelaxation(const Topology& topology, const Rows& rings,
+TangentialRelaxation::TangentialRelaxation(const Topology& topology, const RingGroups& rings,
                                            const Unknowns& unknowns, const MeshParts& parts,
                                            bool keeps_creases)
     : topology_(topology),
@@ -48,25 +54,19 @@ TangentialRelaxation::TangentialRelaxation(const Topology& topology, const Rows&
       keeps_creases_(keeps_creases) {
   normals_ = Points::Zero(topology.vertex_count, 3);
   left_ = PerVertex::Zero(topology.vertex_count);
-  std::vector<std::uint8_t> near(static_cast<std::size_t>(topology.vertex_count));
-  for (Index v = 0; v < topology.vertex_count; ++v) {
-    near[v] = unknowns.unknown[v] >= 0 ? 1 : 0;
-  }
-  near = grow_one_ring(topology, near);
-  near_ = indices_where(topology.vertex_count, [&](Index v) { return near[v] != 0; });
 }
 
 void TangentialRelaxation::moves(const Points& X, Points& move) {
   move.resize(unknowns_.size(), 3);
-  parallel_for(static_cast<std::int64_t>(near_.size()), [&](std::int64_t i) {
-    const Index v = near_[i], u = unknowns_.unknown[v];
-    const Surroundings around = look_around(X, v);
-    normals_.row(v) = around.normal;
-    left_[v] = around.left;
-    if (u >= 0 && u < unknowns_.size()) {
-      move.row(u) =
-          is_oriented_interior(topology_, v) ? move_along(X, v, around) : Vec3(Vec3::Zero());
-    }
+  run_tasks(rings_.parts(), rings_.are_worth_sharing(), [&](std::int64_t part) {
+    const RingRange range(rings_, part);
+    ForPart<Surroundings> around;
+    find_surroundings(range, X, around);
+    range.for_each([&](Index v, std::int64_t i) { take(X, v, around[i], move); });
+  });
+  parallel_for(static_cast<std::int64_t>(rings_.others.size()), [&](std::int64_t i) {
+    const Index v = rings_.others[i];
+    take(X, v, look_around(X, v), move);
   });
   parts_.refresh(normals_);
   if (keeps_creases_) {
@@ -75,9 +75,27 @@ void TangentialRelaxation::moves(const Points& X, Points& move) {
   parallel_for(move.rows(), [&](std::int64_t u) {
     const Index v = unknowns_.vertex[u];
     if (is_oriented_interior(topology_, v) && sticks_out(v)) {
-      move.row(u) = look_around(X, v).half_way;
+      move.row(u) = look_around(X, v).half_way.xyz();
     }
   });
+}
+
+void TangentialRelaxation::take(const Points& X, Index v, const Surroundings& around,
+                                Points& move) {
+  normals_.row(v) = around.normal.xyz();
+  left_[v] = around.normal.w;
+  const Index u = unknowns_.unknown[v];
+  if (u < 0 || u >= unknowns_.size()) {
+    return;
+  }
+  const bool moves = is_oriented_interior(topology_, v);
+  const bool may_have_crease = keeps_creases_ && left_[v] < all_left;
+  if (moves && may_have_crease) {
+    const Vec3 step = along_creases(X, v, around.half_way.xyz());
+    move.row(u) = across(normals_.row(v), step);
+  } else {
+    move.row(u) = moves ? around.along.xyz() : Vec3(Vec3::Zero());
+  }
 }
 
 bool TangentialRelaxation::moves_at_needles(const Points& X, Points& move) {
@@ -98,44 +116,24 @@ bool TangentialRelaxation::moves_at_needles(const Points& X, Points& move) {
   return true;
 }
 
-TangentialRelaxation::Surroundings TangentialRelaxation::look_around(const Points& X,
-                                                                     Index v) const {
-  const auto ring = rings_[v];
+Surroundings TangentialRelaxation::look_around(const Points& X, Index v) const {
+  const auto ring = rings_.rings[v];
   const Vec3 x = X.row(v);
-  Vec3 normal = Vec3::Zero(), toward = Vec3::Zero();  // in registers
+  Vec3 normal = Vec3::Zero(), toward = Vec3::Zero();
   double lengths = 0;
-  if (is_ringed(topology_, v)) {
-    Vec3 last = X.row(ring.back()).transpose() - x;
-    for (const Index q : ring) {
-      const Vec3 edge = X.row(q).transpose() - x;
-      const Vec3 N = last.cross(edge);
-      normal += N;
-      lengths += N.norm();
-      toward += edge;
-      last = edge;
-    }
-  } else {
-    for (const Index t : topology_.stars[v]) {
-      const Vec3 N = double_area_vector(X, topology_.F, t);
-      normal += N;
-      lengths += N.norm();
-    }
-    for (const Index q : ring) {
-      toward += X.row(q).transpose() - x;
-    }
+  for (const Index t : topology_.stars[v]) {
+    const Vec3 N = double_area_vector(X, topology_.F, t);
+    normal += N;
+    lengths += N.norm();
   }
-  const double half_of_each = 0.5 / std::max(1.0, static_cast<double>(ring.size()));
-  return {.normal = normal,
-          .left = lengths > 0 ? normal.norm() / lengths : 0,
-          .half_way = half_of_each * toward};
-}
-
-Vec3 TangentialRelaxation::move_along(const Points& X, Index v, const Surroundings& around) const {
-  const bool may_have_crease = keeps_creases_ && around.left < all_left;
-  const Vec3 step = may_have_crease ? along_creases(X, v, around.half_way) : around.half_way;
-  const double squared = around.normal.squaredNorm();
-  return squared > 0 ? Vec3(step - around.normal * (around.normal.dot(step) / squared))
-                     : Vec3(Vec3::Zero());
+  for (const Index q : ring) {
+    toward += X.row(q).transpose() - x;
+  }
+  const Vec3 half_way = 0.5 / std::max(1.0, static_cast<double>(ring.size())) * toward;
+  const Vec3 along = across(normal, half_way);
+  return {{normal.x(), normal.y(), normal.z(), lengths > 0 ? normal.norm() / lengths : 0},
+          {half_way.x(), half_way.y(), half_way.z(), 0},
+          {along.x(), along.y(), along.z(), 0}};
 }
 
 bool TangentialRelaxation::sticks_out(Index v) const {
@@ -144,7 +142,7 @@ bool TangentialRelaxation::sticks_out(Index v) const {
   }
   Vec3 sum = Vec3::Zero();
   double length = 0;
-  for (const Index q : rings_[v]) {
+  for (const Index q : rings_.rings[v]) {
     const Vec3 N = normals_.row(q);
     sum += N;
     length += N.norm();

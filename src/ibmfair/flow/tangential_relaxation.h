@@ -6,10 +6,9 @@
 // by step would round it.
 #pragma once
 
-#include <vector>
-
 #include "ibmfair/energy/unknowns.h"
 #include "ibmfair/flow/mesh_parts.h"
+#include "ibmfair/flow/ring_kernels.h"
 #include "ibmfair/mesh/topology.h"
 
 namespace ibmfair {
@@ -18,8 +17,8 @@ namespace ibmfair {
 /// with and stay.
 class TangentialRelaxation {
  public:
-  /// Refers to all that it is given; `rings` are those of vertex_rings.
-  TangentialRelaxation(const Topology& topology, const Rows& rings, const Unknowns& unknowns,
+  /// Refers to all that it is given.
+  TangentialRelaxation(const Topology& topology, const RingGroups& rings, const Unknowns& unknowns,
                        const MeshParts& parts, bool keeps_creases);
 
   /// The moves of one sweep at `X` (one row per unknown, length): half way to the mean of the
@@ -32,16 +31,11 @@ class TangentialRelaxation {
   bool moves_at_needles(const Points& X, Points& move);
 
  private:
-  /// What the triangles and the neighbours around a vertex come to.
-  struct Surroundings {
-    Vec3 normal;    ///< sum of the triangles' double area vectors
-    double left;    ///< its share of the sum of their lengths
-    Vec3 half_way;  ///< from the vertex toward the mean of its neighbours
-  };
+  /// find_surroundings() for one vertex, whatever its ring.
   Surroundings look_around(const Points& X, Index v) const;
 
-  /// The move of v, as long as it does not stick out.
-  Vec3 move_along(const Points& X, Index v, const Surroundings& around) const;
+  /// Keeps the normal of v, and gives its move, as long as it does not stick out.
+  void take(const Points& X, Index v, const Surroundings& around, Points& move);
 
   /// Whether vertex v has hardly a tangent plane, and its neighbours agree on one.
   bool sticks_out(Index v) const;
@@ -50,13 +44,12 @@ class TangentialRelaxation {
   Vec3 along_creases(const Points& X, Index v, const Vec3& step) const;
 
   const Topology& topology_;
-  const Rows& rings_;
+  const RingGroups& rings_;
   const Unknowns& unknowns_;
   const MeshParts& parts_;
   const bool keeps_creases_;
-  std::vector<Index> near_;  // the vertices that move, and their neighbours
-  Points normals_;           // #V x 3, where near: the sum of the triangles' double area vectors
-  PerVertex left_;           // #V, where near: its share of the sum of their lengths
+  Points normals_;  // #V x 3, of the rings' vertices: the sum of the triangles' double area vectors
+  PerVertex left_;  // #V, of the rings' vertices: its share of the sum of their lengths
 };
 
 }  // namespace ibmfair
