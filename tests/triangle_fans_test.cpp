@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <map>
 #include <utility>
 #include <vector>
@@ -161,7 +162,7 @@ TEST(TriangleFans, GoOnOnlyToTheTriangleThatIsNamed) {
           }
         }
       }
-      listed += lanes_per_group * group.triangles;
+      listed += std::ptrdiff_t{lanes_per_group} * group.triangles;
     }
     EXPECT_EQ(found, triangles.size());
   }

@@ -249,7 +249,7 @@ IBMFAIR_INLINE void store_rows(const Lanes3<Lanes>& a, const Lanes& w, double* r
   Four row[lane_count<Lanes>];
   rows_of(a, w, row);
 #pragma GCC unroll 8
-  for (int i = 0; i < lane_count<Lanes>; ++i) {
+  for (std::ptrdiff_t i = 0; i < lane_count<Lanes>; ++i) {
     std::memcpy(rows + 4 * i, &row[i], sizeof row[i]);
   }
 }

@@ -180,10 +180,10 @@ class Builder {
 
   /// Those that the block does not have yet are appended to its triangles.
   void find_neighbours() {
-    const std::size_t count = triangles_.size();
     if (mesh_.surroundings.neighbours.empty()) {
       return;
     }
+    const std::size_t count = triangles_.size();
     for (std::size_t number = 0; number < count; ++number) {
       triangle_[triangles_[number]] = static_cast<Index>(number);
     }
@@ -213,47 +213,56 @@ class Builder {
     return number;
   }
 
+  /// A triangle, or filler, in a group.
+  struct Listed {
+    const FanGroup& group;
+    std::int64_t i;     // in the fan
+    Index lane, place;  // the latter as FanCover lists it
+
+    Index row() const { return static_cast<Index>(lanes_per_group * (group.first_row + i) + lane); }
+  };
+
+  /// Calls act(listed) for all in the first groups.
   template <class Act>
   void for_each_listed(std::int64_t groups, const Act& act) {
     const Index* place = listed_.data();
     for (std::int64_t g = 0; g < groups; ++g) {
       const FanGroup& group = block_.fans[g];
-      for (Index i = 0; i < group.triangles; ++i) {
+      for (std::int64_t i = 0; i < group.triangles; ++i) {
         for (Index lane = 0; lane < lanes_per_group; ++lane) {
-          act(group, i, lane, *place++);
+          act(Listed{group, i, lane, *place++});
         }
       }
     }
   }
 
+  /// By their rows, once all are in groups.
   void write_neighbours() {
     if (beside_.empty()) {
       return;
     }
-    const auto row_in = [](const FanGroup& group, Index i, Index lane) {
-      return static_cast<Index>(lanes_per_group * (group.first_row + i) + lane);
-    };
     row_.resize(triangles_.size());
-    for_each_listed(block_.outer_groups, [&](const FanGroup& group, Index i, Index lane, Index at) {
-      if (at >= 0) {
-        row_[at / 3] = row_in(group, i, lane);
+    for_each_listed(block_.outer_groups, [&](const Listed& one) {
+      if (one.place >= 0) {
+        row_[one.place / 3] = one.row();
       }
     });
-    for_each_listed(block_.groups, [&](const FanGroup& group, Index i, Index lane, Index at) {
+    for_each_listed(block_.groups, [&](const Listed& one) {
       const auto row_behind = [&](Index corner) {
-        const Index other = at < 0 ? -1 : beside_[at / 3][(at + corner) % 3];
-        return row_size * (other < 0 ? row_in(group, i, lane) : row_[other]);
+        const Index other = one.place < 0 ? -1 : beside_[one.place / 3][(one.place + corner) % 3];
+        return row_size * (other < 0 ? one.row() : row_[other]);
       };
-      Index* place = &block_.neighbours[group.first_place + lane];
-      place[lanes_per_group * (i + 1)] = row_behind(0);
-      if (i == 0) {
+      Index* place = &block_.neighbours[one.group.first_place + one.lane];
+      if (one.i == 0) {
         *place = row_behind(2);
       }
-      if (i + 1 == group.triangles) {
-        place[lanes_per_group * (i + 2)] = row_behind(1);
+      place[lanes_per_group * (one.i + 1)] = row_behind(0);
+      if (one.i + 1 == one.group.triangles) {
+        place[lanes_per_group * (one.i + 2)] = row_behind(1);
       }
     });
   }
+
   void find_stars() {
     for (const Index position : block_.halo) {
       for (const Index t : mesh_.topology.stars[mesh_.owned[position]]) {
