@@ -185,13 +185,12 @@ ExitCode run_smooth(SmoothArguments arguments, const CLI::App& app, Console& con
   progress.begin("measure");
   measure(s, options);
 
-  const FlowStatus status = s.figures.flow.status;
-  const OutputOptions output =
-      status == FlowStatus::interrupted ? checkpoint_of(arguments) : arguments.output;
+  const bool interrupted = s.figures.flow.status == FlowStatus::interrupted;
+  const OutputOptions output = interrupted ? checkpoint_of(arguments) : arguments.output;
   write_and_tell(arguments, output, s, report, console, progress);
   report.scene = [&] { return smooth_scene(arguments, s, report.warnings, console); };
   deliver_report(arguments.report, output.write.overwrite, report);
-  return exit_code_of(status);
+  return exit_code_of(s.figures);
 }
 
 }  // namespace

@@ -329,6 +329,20 @@ void add_smooth_figures(const SmoothFigures& figures, const FlowOptions& options
   json["seconds"] = seconds_json(figures);
 }
 
+namespace {
+
+double length_reached(const SmoothFigures& figures) {
+  return figures.cutoff * std::pow(figures.flow.time_reached / figures.total_time, 0.25);
+}
+
+/// Nobody sees a hundredth of a length; and where thin triangles hold a flow up to its last solve,
+/// it is a matter of rounding.
+bool is_nearly_done(const SmoothFigures& figures) {
+  return length_reached(figures) >= 0.99 * figures.cutoff;
+}
+
+}  // namespace
+
 std::string remark_on(const SmoothFigures& figures, const std::string& output,
                       const SmoothArguments& arguments) {
   switch (figures.flow.status) {
@@ -344,22 +358,30 @@ std::string remark_on(const SmoothFigures& figures, const std::string& output,
       return fmt::format("interrupted; {} holds the state that was reached: {}", output,
                          way_on(figures, arguments));
     case FlowStatus::stalled:
-      return fmt::format(
-          "the flow stalled before its time was up; the state that it reached was written: "
-          "smoothed up to a length of {:.4g} instead of {:.4g}",
-          figures.cutoff * std::pow(figures.flow.time_reached / figures.total_time, 0.25),
-          figures.cutoff);
+      return is_nearly_done(figures)
+                 ? ""
+                 : fmt::format(
+                       "the flow stalled before its time was up; the state that it reached "
+                       "was written: smoothed up to a length of {:.4g} instead of {:.4g}",
+                       length_reached(figures), figures.cutoff);
     case FlowStatus::diverged:
       return "the flow diverged; the last finite state was written (smaller steps, or no --plain)";
   }
   return {};
 }
 
-ExitCode exit_code_of(FlowStatus status) {
-  return status == FlowStatus::completed ? ExitCode::done
-         : status == FlowStatus::interrupted
-             ? static_cast<ExitCode>(128 + PostponedEnd::signal_number())
-             : ExitCode::not_reached;
+ExitCode exit_code_of(const SmoothFigures& figures) {
+  switch (figures.flow.status) {
+    case FlowStatus::completed:
+      return ExitCode::done;
+    case FlowStatus::interrupted:
+      return static_cast<ExitCode>(128 + PostponedEnd::signal_number());
+    case FlowStatus::stalled:
+      return is_nearly_done(figures) ? ExitCode::done : ExitCode::not_reached;
+    case FlowStatus::diverged:
+      break;
+  }
+  return ExitCode::not_reached;
 }
 
 }  // namespace ibmfair::commands

@@ -67,7 +67,7 @@ std::string cutoff_lines(const SmoothFigures& figures, bool detailed);
 std::string remark_on(const SmoothFigures& figures, const std::string& output,
                       const SmoothArguments& arguments);
 
-ExitCode exit_code_of(FlowStatus status);
+ExitCode exit_code_of(const SmoothFigures& figures);
 
 /// What a run would take, as aligned lines and as JSON.
 std::string forecast_table(const FlowForecast& forecast);

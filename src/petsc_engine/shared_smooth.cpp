@@ -229,7 +229,7 @@ class SharedSmooth {
     figures_.after = measured(mesh);
     measure_moves(mesh, figures_);
     write(mesh, progress);
-    return commands::exit_code_of(figures_.flow.status);
+    return commands::exit_code_of(figures_);
   }
 
  private:
