@@ -5,7 +5,6 @@
 #include "ibmfair/energy/mesh_blocks.h"
 
 namespace ibmfair {
-
 namespace {
 
 /// Numbers that are kept of a fan: L + 2 vertices and L triangles.

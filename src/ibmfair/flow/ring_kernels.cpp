@@ -79,16 +79,6 @@ struct SurroundingsKernel {
     store<Surroundings>(half_way, Lanes{}, &results->half_way.x);
     store<Surroundings>(share * half_way - off * normal, Lanes{}, &results->along.x);
   }
-
-  template <class Lanes>
-  IBMFAIR_INLINE static void run(const RingRange* range, const double* X, Surroundings* results) {
-    for (std::int64_t g = range->first; g < range->first + range->groups; ++g) {
-      for (int first = 0; first < rings_per_group; first += lane_count<Lanes>) {
-        find(Rings<Lanes, 3>(range->rings, g, first, X), results);
-        results += lane_count<Lanes>;
-      }
-    }
-  }
 };
 
 struct UnsharedKernel {
@@ -110,12 +100,16 @@ struct UnsharedKernel {
     store<Unshared>(own, dot(own, own) / squared_length, &results->own.x);
     store<Unshared>(Lanes3<Lanes>{strain, Lanes{}, Lanes{}}, Lanes{}, &results->strain.x);
   }
+};
 
-  template <class Lanes>
-  IBMFAIR_INLINE static void run(const RingRange* range, const double* moves, Unshared* results) {
+/// Kernel::find() for all vertices of the groups, over a table of rows of this length.
+template <class Kernel, Index row_length>
+struct AllRings {
+  template <class Lanes, class Result>
+  IBMFAIR_INLINE static void run(const RingRange* range, const double* table, Result* results) {
     for (std::int64_t g = range->first; g < range->first + range->groups; ++g) {
       for (int first = 0; first < rings_per_group; first += lane_count<Lanes>) {
-        find(Rings<Lanes, row_size>(range->rings, g, first, moves), results);
+        Kernel::find(Rings<Lanes, row_length>(range->rings, g, first, table), results);
         results += lane_count<Lanes>;
       }
     }
@@ -125,11 +119,11 @@ struct UnsharedKernel {
 }  // namespace
 
 void find_surroundings(const RingRange& range, const Points& X, ForPart<Surroundings>& results) {
-  run_in_lanes<SurroundingsKernel>(&range, X.data(), results.data());
+  run_in_lanes<AllRings<SurroundingsKernel, 3>>(&range, X.data(), results.data());
 }
 
 void find_unshared(const RingRange& range, const Row4* moves, ForPart<Unshared>& results) {
-  run_in_lanes<UnsharedKernel>(&range, &moves->x, results.data());
+  run_in_lanes<AllRings<UnsharedKernel, row_size>>(&range, &moves->x, results.data());
 }
 
 }  // namespace ibmfair
