@@ -158,6 +158,16 @@ std::string way_on(const SmoothFigures& figures, const SmoothArguments& argument
                      count, left / count, what_begins_anew(arguments));
 }
 
+double length_reached(const SmoothFigures& figures) {
+  return figures.cutoff * std::pow(figures.flow.time_reached / figures.total_time, 0.25);
+}
+
+/// Nobody sees a hundredth of a length; and where thin triangles hold a flow up to its last solve,
+/// it is a matter of rounding.
+bool is_nearly_done(const SmoothFigures& figures) {
+  return length_reached(figures) >= 0.99 * figures.cutoff;
+}
+
 }  // namespace
 
 MeshFigures mesh_figures(const Points& X, const Topology& topology, const FlowOptions& options) {
@@ -328,20 +338,6 @@ void add_smooth_figures(const SmoothFigures& figures, const FlowOptions& options
   }
   json["seconds"] = seconds_json(figures);
 }
-
-namespace {
-
-double length_reached(const SmoothFigures& figures) {
-  return figures.cutoff * std::pow(figures.flow.time_reached / figures.total_time, 0.25);
-}
-
-/// Nobody sees a hundredth of a length; and where thin triangles hold a flow up to its last solve,
-/// it is a matter of rounding.
-bool is_nearly_done(const SmoothFigures& figures) {
-  return length_reached(figures) >= 0.99 * figures.cutoff;
-}
-
-}  // namespace
 
 std::string remark_on(const SmoothFigures& figures, const std::string& output,
                       const SmoothArguments& arguments) {
