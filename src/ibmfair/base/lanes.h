@@ -104,6 +104,14 @@ struct Lanes3 {
   Lanes x, y, z;
 };
 
+/// to = from, where `to` is in memory: GCC would copy the whole by way of memory, in halves.
+template <class Lanes>
+IBMFAIR_INLINE void copy(const Lanes3<Lanes>& from, Lanes3<Lanes>& to) {
+  to.x = from.x;
+  to.y = from.y;
+  to.z = from.z;
+}
+
 template <class Lanes>
 IBMFAIR_INLINE Lanes3<Lanes> operator+(const Lanes3<Lanes>& a, const Lanes3<Lanes>& b) {
   return {a.x + b.x, a.y + b.y, a.z + b.z};

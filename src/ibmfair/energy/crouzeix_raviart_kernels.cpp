@@ -10,9 +10,8 @@ template <class Lanes>
 IBMFAIR_INLINE void store_frame(const Lanes4<Lanes>& N, Row4* row) {
   const Lanes length = sqrt(N.w);
   // By |N|^2, not by the length: the division need not wait for the square root.
-  const Lanes3<Lanes> n = 0.5 / N.w * length * N.xyz;
-  // Half of the unit's length to the last digit: in a plane z = 0 it is 1/2, and d below is 0.
-  store_rows<Lanes>(n + (0.5 - 2.0 * dot(n, n)) * n, 1.0 / 12.0 * length, &row->x);
+  const Lanes inverse = 0.5 / N.w * length;
+  store_rows<Lanes>(half_unit(N.xyz, length, inverse), 1.0 / 12.0 * length, &row->x);
 }
 
 struct FrameKernel {

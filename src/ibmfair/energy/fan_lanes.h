@@ -18,6 +18,15 @@ struct FanPlaces {
   }
 };
 
+/// N / (2 |N|), from |N| and `inverse` = 1 / (2 |N|), to the last digit where N has one coordinate
+/// only: in a plane z = 0 it is 1/2, and there is no curvature, not a little.
+template <class Lanes>
+IBMFAIR_INLINE Lanes3<Lanes> half_unit(const Lanes3<Lanes>& N, const Lanes& length,
+                                       const Lanes& inverse) {
+  const Lanes3<Lanes> n = inverse * N;
+  return n + (1.0 - 2.0 * inverse * length) * n;
+}
+
 /// Adds to the vertices of fans, all of four fans before any of the next four, so that sums are
 /// made in the same order however many fit in a register.
 template <class Lanes>

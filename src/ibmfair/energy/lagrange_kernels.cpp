@@ -38,61 +38,63 @@ IBMFAIR_INLINE void add_all(const FanRange& range, bool keep, BlockVertex* verti
 // of the enclosed volume: a sixth of N, the double area vector, from every triangle at v.
 template <bool spontaneous>
 struct Curvature {
-  /// From N and |N|^2. Returns the area.
+  /// All but the normals, with the double area vectors N in their place, and |N|. What waits for a
+  /// root and a quotient is left to the next loop, and more triangles are under way in this one.
   template <class Lanes>
-  IBMFAIR_INLINE static Lanes finish_frame(const Lanes4<Lanes>& N, Frame<Lanes>& frame) {
-    const Lanes length = sqrt(N.w);
-    // By |N|^2, not by the length: the division need not wait for the square root.
-    frame.inverse = 0.5 / N.w * length;
-    const Lanes3<Lanes> n = frame.inverse * N.xyz;
-    // Half of the unit's length to the last digit: in a plane z = 0 it is 1/2, and h_v is 0.
-    frame.n = n + (0.5 - 2.0 * dot(n, n)) * n;
-    return 0.5 * length;
+  IBMFAIR_INLINE static void start_frames(const Fans<Lanes>& fans, const double* X,
+                                          Lanes* lengths) {
+    const Lanes3<Lanes> centre = gather<Lanes>(X, fans.centre).xyz;
+    Frame<Lanes>* frame = fans.frames;
+    Lanes3<Lanes> p = gather<Lanes>(X, fans.rim(0)).xyz - centre;
+    copy(p, frame->p);
+    for (Index i = 0; i < fans.triangles; ++i) {
+      const Lanes3<Lanes> q = gather<Lanes>(X, fans.rim(i + 1)).xyz - centre;
+      const Lanes3<Lanes> N = cross(p, q);
+      const Lanes squared = dot(N, N);
+      lengths[i] = sqrt(squared);
+      copy(N, frame->n);
+      // By |N|^2, not by the length: the division need not wait for the square root.
+      frame->inverse = 0.5 / squared * lengths[i];
+      ++frame;
+      copy(q, frame->p);
+      p = q;
+    }
   }
 
   template <class Lanes>
-  IBMFAIR_INLINE static void find_frames(const Fans<Lanes>& fans, const double* X, Lanes* areas) {
-    const Lanes3<Lanes> centre = gather<Lanes>(X, fans.centre).xyz;
-    Frame<Lanes>* frame = fans.frames;
-    frame->p = gather<Lanes>(X, fans.rim(0)).xyz - centre;
-    Lanes4<Lanes> N = {};
-    for (Index i = 0; i < fans.triangles; ++i) {
-      frame[1].p = gather<Lanes>(X, fans.rim(i + 1)).xyz - centre;
-      const Lanes3<Lanes> next = cross(frame[0].p, frame[1].p);
-      if (i > 0) {
-        *areas++ = finish_frame(N, frame[-1]);  // while the next are under way
-      }
-      N = {next, dot(next, next)};
-      ++frame;
-    }
-    *areas = finish_frame(N, frame[-1]);
+  IBMFAIR_INLINE static Lanes3<Lanes> finish_normal(Frame<Lanes>& frame, const Lanes& length) {
+    const Lanes3<Lanes> n = half_unit(frame.n, length, frame.inverse);
+    copy(n, frame.n);
+    return n;
   }
 
   template <class Lanes>
   IBMFAIR_INLINE static void add(const Fans<Lanes>& fans, BlockVertex* vertices) {
     const double* X = &vertices->x.x;
     VertexSums<Lanes> sums(vertices);
-    Lanes areas[longest_fan];
-    find_frames(fans, X, areas);
+    Lanes lengths[longest_fan];
+    start_frames(fans, X, lengths);
     const Lanes H0 = spontaneous ? gather<Lanes>(X, fans.centre).w : Lanes{};
     Lanes3<Lanes> h = {}, h0 = {};
     Lanes area = {}, area0 = {};
     for (Index i = 0; i < fans.triangles; ++i) {
-      const auto& [p, n, inverse] = fans.frames[i];
+      const Lanes3<Lanes>& p = fans.frames[i].p;
+      const Lanes3<Lanes> n = finish_normal(fans.frames[i], lengths[i]);
+      const Lanes own = 0.5 * lengths[i];
       h = h + cross(fans.frames[i + 1].p, n);
       Lanes3<Lanes> next = cross(n, p);
       if (spontaneous) {
-        const Lanes3<Lanes> a = 2.0 / 3.0 * areas[i] * n;
+        const Lanes3<Lanes> a = 2.0 / 3.0 * own * n;
         const Lanes H1 = gather<Lanes>(X, fans.rim(i)).w, H2 = gather<Lanes>(X, fans.rim(i + 1)).w;
         h = h - H1 * a;
         next = next - H2 * a;
         h0 = h0 - (H0 + H1 + H2) * a;
       }
-      sums.add(h, area + areas[i], fans.rim(i));
+      sums.add(h, area + own, fans.rim(i));
       h0 = h0 - h;
-      area0 = area0 + areas[i];
+      area0 = area0 + own;
       h = next;
-      area = areas[i];
+      area = own;
     }
     sums.add(h, area, fans.rim(fans.triangles));
     sums.add(h0 - h, area0, fans.centre);
@@ -118,18 +120,23 @@ struct Forces {
     const Lanes4<Lanes> y0 = gather<Lanes>(Y, fans.centre);
     Lanes4<Lanes> y1 = gather<Lanes>(Y, fans.rim(0));
     Lanes3<Lanes> f = y1.xyz - y0.xyz;  // the change of p along y
+    Lanes pp = dot(fans.frames[0].p, fans.frames[0].p);
     Lanes3<Lanes> force = {}, force0 = {};
     for (Index i = 0; i < fans.triangles; ++i) {
-      const auto& [p, n, s] = fans.frames[i];
+      const auto& [p, n, inverse] = fans.frames[i];
       const Lanes3<Lanes>& q = fans.frames[i + 1].p;
       const Lanes4<Lanes> y2 = gather<Lanes>(Y, fans.rim(i + 1));
       const Lanes3<Lanes> g = y2.xyz - y0.xyz;  // of q
       // The change of the normal is that of a plane over which the triangle's corners rise by
-      // 2 <n, y>, and the gradient of the area changes along the normal by its slope.
-      const Lanes3<Lanes> slope = 4.0 * s * (dot(n, g) * p - dot(n, f) * q);
+      // 2 <n, y>, and the gradient of the area changes along the normal by its slope, which is
+      // 4 inverse (<n, g> p - <n, f> q): its products with p and q.
+      const Lanes factor = 4.0 * inverse;
+      const Lanes by_p = factor * dot(n, g), by_q = factor * dot(n, f);
+      const Lanes pq = dot(p, q), qq = dot(q, q);
+      const Lanes rise_p = by_p * pp - by_q * pq, rise_q = by_p * pq - by_q * qq;
       const Lanes by_mass = y0.w + y1.w + y2.w;
-      force = force + (cross(g - by_mass * q, n) - dot(slope, q) * n);
-      Lanes3<Lanes> next = cross(n, f - by_mass * p) + dot(slope, p) * n;
+      force = force + (cross(g - by_mass * q, n) - rise_q * n);
+      Lanes3<Lanes> next = cross(n, f - by_mass * p) + rise_p * n;
       if (spontaneous) {
         const Lanes H1 = gather<Lanes>(X, fans.rim(i)).w, H2 = gather<Lanes>(X, fans.rim(i + 1)).w;
         const Lanes3<Lanes> H0_y = (H0 * y0.xyz + H1 * y1.xyz + H2 * y2.xyz) / (Lanes{} + 6.0);
@@ -141,6 +148,7 @@ struct Forces {
       force = next;
       f = g;
       y1 = y2;
+      pp = qq;
     }
     sums.add(force, Lanes{}, fans.rim(fans.triangles));
     sums.add(force0 - force, Lanes{}, fans.centre);
