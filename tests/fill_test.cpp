@@ -232,7 +232,7 @@ TEST(Fill, RefinesToTheLengthOfTheRim) {
   const State patch(mesh_from_triangles(closed_up(state, filling).X, filling.new_F));
   const double mean = mean_edge_length(patch.X, patch.topology.E);
   EXPECT_NEAR(mean, 1.0 / 24, 0.2 / 24);
-  EXPECT_GT(smallest_angles(patch.X, filling.new_F).minCoeff(), 0.3);
+  EXPECT_GT(smallest_angle(patch.X, filling.new_F), 0.3);
 
   options.refine = false;
   EXPECT_EQ(fill_holes(state.X, state.topology, {}, options).new_X.rows(), 0);

@@ -265,7 +265,19 @@ TEST(Geometry, SizesScaleAndDoNotMove) {
 TEST(Geometry, FlatHingesAreOpenAndCubeEdgesAreRight) {
   const State sheet(flat_sheet(4, 3));
   EXPECT_NEAR(dihedral_angles(sheet.X, sheet.topology.H).minCoeff(), std::numbers::pi, 1e-12);
-  EXPECT_NEAR(smallest_angles(sheet.X, sheet.topology.F).minCoeff(), std::atan(0.75), 1e-12);
+  EXPECT_NEAR(smallest_angle(sheet.X, sheet.topology.F), std::atan(0.75), 1e-12);
+}
+
+TEST(Geometry, TheSmallestAngleIsThatOfAllTriangles) {
+  for (const auto& [name, mesh] : all_meshes()) {
+    const State state(mesh);
+    const double smallest = smallest_angles(state.X, state.topology.F).minCoeff();
+    EXPECT_DOUBLE_EQ(smallest_angle(state.X, state.topology.F), smallest) << name;
+  }
+  Triangles without_area(1, 3), none(0, 3);
+  without_area << 0, 1, 1;
+  EXPECT_EQ(smallest_angle(Points::Identity(3, 3), without_area), 0);
+  EXPECT_EQ(smallest_angle(Points(0, 3), none), 0);
 }
 
 TEST(Geometry, NeedlesAreTheTrianglesWithASmallerAngle) {

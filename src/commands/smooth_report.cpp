@@ -181,8 +181,7 @@ MeshFigures mesh_figures(const Points& X, const Topology& topology, double energ
   figures.energy = energy;
   figures.area = surface_area(X, topology.F);
   figures.volume = enclosed_volume(X, topology.F);
-  const Eigen::VectorXd angles = smallest_angles(X, topology.F);
-  figures.smallest_angle = angles.size() > 0 ? degrees(angles.minCoeff()) : 0;
+  figures.smallest_angle = degrees(smallest_angle(X, topology.F));
   const std::vector<std::uint8_t> folded = folded_hinges(X, topology);
   figures.folds = std::count(folded.begin(), folded.end(), 1);
   return figures;

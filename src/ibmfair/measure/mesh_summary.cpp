@@ -50,9 +50,7 @@ void measure(const Points& X, const Topology& topology, MeshSummary& summary) {
     summary.mean_edge = lengths.mean();
     summary.longest_edge = lengths.maxCoeff();
   }
-  if (topology.F.rows() > 0) {
-    summary.smallest_angle = degrees(smallest_angles(X, topology.F).minCoeff());
-  }
+  summary.smallest_angle = degrees(smallest_angle(X, topology.F));
   summary.area = surface_area(X, topology.F);
   if (summary.closed && summary.orientable) {
     summary.volume = enclosed_volume(X, topology.F);

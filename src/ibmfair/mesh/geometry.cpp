@@ -29,6 +29,10 @@ struct Angle {
   double sine, cosine;
 };
 
+double radians(const Angle& angle) {
+  return angle.sine > 0 ? std::atan2(angle.sine, angle.cosine) : 0;
+}
+
 Angle smallest_angle(const Corners& corners) {
   const auto& [a, b, c] = corners;
   const Vec3 u = b - a, v = c - b, w = a - c;
@@ -139,11 +143,23 @@ Vec3 bounding_box_size(const Points& X) {
 
 Eigen::VectorXd smallest_angles(const Points& X, const Triangles& F) {
   Eigen::VectorXd angles(F.rows());
+  parallel_for(F.rows(),
+               [&](std::int64_t t) { angles[t] = radians(smallest_angle(corners(X, F, t))); });
+  return angles;
+}
+
+double smallest_angle(const Points& X, const Triangles& F) {
+  if (F.rows() == 0) {
+    return 0;
+  }
+  Eigen::VectorXd cotangents(F.rows());
   parallel_for(F.rows(), [&](std::int64_t t) {
     const auto [sine, cosine] = smallest_angle(corners(X, F, t));
-    angles[t] = sine > 0 ? std::atan2(sine, cosine) : 0;
+    cotangents[t] = sine > 0 ? cosine / sine : std::numeric_limits<double>::infinity();
   });
-  return angles;
+  Eigen::Index sharpest = 0;
+  cotangents.maxCoeff(&sharpest);
+  return radians(smallest_angle(corners(X, F, sharpest)));
 }
 
 std::vector<Index> needles(const Points& X, const Triangles& F, double angle) {

@@ -54,6 +54,9 @@ Vec3 bounding_box_size(const Points& X);
 /// Smallest corner angle of each triangle, #F, radians; 0 for a triangle without area.
 Eigen::VectorXd smallest_angles(const Points& X, const Triangles& F);
 
+/// The smallest of these; 0 where there is no triangle. Takes half the time.
+double smallest_angle(const Points& X, const Triangles& F);
+
 /// The triangles with a smaller angle than this (radians, below a right angle), or without area.
 std::vector<Index> needles(const Points& X, const Triangles& F, double angle);
 
