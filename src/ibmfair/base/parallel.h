@@ -50,6 +50,18 @@ void parallel_for(std::int64_t count, Body&& body) {
   });
 }
 
+/// Calls body(first, last) for ranges that make up 0 .. count - 1, one for each of a few threads
+/// where the `work` (passes of a loop) is worth sharing. For sorting into rows: every body goes
+/// through all there is and takes what belongs to its rows, which so get it in order.
+template <class Body>
+void parallel_ranges(std::int64_t count, std::int64_t work, const Body& body) {
+  const bool share = work >= worth_sharing;
+  constexpr std::int64_t few = 8;
+  const std::int64_t ranges = share ? std::min(few, static_cast<std::int64_t>(worker_count())) : 1;
+  run_tasks(ranges, share,
+            [&](std::int64_t i) { body(count * i / ranges, count * (i + 1) / ranges); });
+}
+
 /// Calls task(first, last, scratch) on parts of 0 .. count - 1 of `part_size` each, in parallel;
 /// scratch is a vector of at least `scratch_size` entries, zeros or what earlier tasks of the same
 /// thread have left.

@@ -84,26 +84,26 @@ std::vector<Part> dissect(const Rows& graph, const Nodes& nodes, const Points& X
 }  // namespace
 
 Rows graph_of(const SymmetricMatrix& J) {
-  const auto each_edge = [&](auto&& act) {
-    for (std::int64_t j = 0; j < J.size(); ++j) {
-      for (std::int64_t k = J.column_first[j] + 1; k < J.column_first[j + 1]; ++k) {
-        act(static_cast<Index>(j), static_cast<Index>(J.row[k]));
+  const auto each_end = [&](const auto& act) {
+    parallel_ranges(J.size(), std::ssize(J.row), [&](std::int64_t first, std::int64_t last) {
+      const auto is_own = [&](std::int64_t i) { return i >= first && i < last; };
+      for (std::int64_t j = 0; j < J.size(); ++j) {
+        const bool own = is_own(j);
+        for (std::int64_t k = J.column_first[j] + 1; k < J.column_first[j + 1]; ++k) {
+          const std::int64_t i = J.row[k];
+          if (own) act(j, i);
+          if (is_own(i)) act(i, j);
+        }
       }
-    }
+    });
   };
   Rows graph;
   graph.first.assign(static_cast<std::size_t>(J.size()) + 1, 0);
-  each_edge([&](Index j, Index i) {
-    ++graph.first[j + 1];
-    ++graph.first[i + 1];
-  });
+  each_end([&](std::int64_t j, std::int64_t) { ++graph.first[j + 1]; });
   std::partial_sum(graph.first.begin(), graph.first.end(), graph.first.begin());
   graph.value.resize(static_cast<std::size_t>(graph.first.back()));
   std::vector<std::int64_t> next(graph.first.begin(), graph.first.end() - 1);
-  each_edge([&](Index j, Index i) {
-    graph.value[next[j]++] = i;
-    graph.value[next[i]++] = j;
-  });
+  each_end([&](std::int64_t j, std::int64_t i) { graph.value[next[j]++] = static_cast<Index>(i); });
   return graph;
 }
 

@@ -1,7 +1,11 @@
 #include "ibmfair/solve/supernodes.h"
 
 #include <algorithm>
+#include <cstdint>
+#include <iterator>
 #include <numeric>
+
+#include "ibmfair/base/parallel.h"
 
 namespace ibmfair {
 namespace {
@@ -85,13 +89,15 @@ EliminatedColumns eliminated_columns(const SymmetricMatrix& J, const Supernodes&
   columns.first.assign(n + 1, 0);
   columns.place.resize(J.row.size());
   columns.source.resize(J.row.size());
-  const auto each = [&](auto&& act) {
-    for (std::int64_t j = 0; j < J.size(); ++j) {
-      for (std::int64_t k = J.column_first[j]; k < J.column_first[j + 1]; ++k) {
-        const auto [column, row] = std::minmax(turn[j], turn[J.row[k]]);
-        act(column, row, k);
+  const auto each = [&](const auto& act) {
+    parallel_ranges(J.size(), std::ssize(J.row), [&](std::int64_t first, std::int64_t last) {
+      for (std::int64_t j = 0; j < J.size(); ++j) {
+        for (std::int64_t k = J.column_first[j]; k < J.column_first[j + 1]; ++k) {
+          const auto [column, row] = std::minmax(turn[j], turn[J.row[k]]);
+          if (column >= first && column < last) act(column, row, k);
+        }
       }
-    }
+    });
   };
   each([&](Index column, Index, std::int64_t) { ++columns.first[column + 1]; });
   std::partial_sum(columns.first.begin(), columns.first.end(), columns.first.begin());
