@@ -107,6 +107,19 @@ double CrouzeixRaviart::largest_turn() const {
   return turns_.empty() ? 0 : *std::max_element(turns_.begin(), turns_.end());
 }
 
+/// A hinge is looked at in every block that owns one of its vertices.
+std::vector<std::uint8_t> CrouzeixRaviart::near_turns(double turn) const {
+  std::vector<std::uint8_t> near(blocks_.owned.size() + blocks_.untouched.size(), 0);
+  for (std::size_t b = 0; b < turns_.size(); ++b) {
+    if (turns_[b] >= turn) {
+      for (const Index v : blocks_.owned_of(blocks_.block[b])) {
+        near[v] = 1;
+      }
+    }
+  }
+  return near;
+}
+
 double CrouzeixRaviart::energy(const Points& X) {
   return loop_.sum(blocks_, [&](const MeshBlock& b, BlockScratch& scratch) {
     return block_energy(b, X, nullptr, scratch);

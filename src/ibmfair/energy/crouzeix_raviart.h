@@ -30,6 +30,7 @@ class CrouzeixRaviart final : public BendingEnergy {
   double energy(const Points& X) override;
   double energy_and_gradient(const Points& X, Points& G) override;
   double largest_turn() const override;
+  std::vector<std::uint8_t> near_turns(double turn) const override;
   const Rows& stencils() const override { return stencils_; }
   void linearise(const Points& X, StencilWeights& weights) override;
 

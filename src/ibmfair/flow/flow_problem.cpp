@@ -59,7 +59,15 @@ double FlowProblem::energy_at(const Points& Y) {
 }
 
 bool FlowProblem::has_no_folds(double energy, double angle) const {
-  return std::isfinite(energy) && rules_out_folds(bending_->largest_turn(), angle);
+  return std::isfinite(energy) && bending_->largest_turn() < least_turn(angle);
+}
+
+std::vector<Index> FlowProblem::new_folds(FoldWatch& folds, const Points& Y, double energy) const {
+  if (has_no_folds(energy)) {
+    return {};
+  }
+  return std::isfinite(energy) ? folds.new_folds(Y, bending_->near_turns(least_turn()))
+                               : folds.new_folds(Y);
 }
 
 void FlowProblem::update_gradient() {

@@ -42,6 +42,9 @@ class FlowProblem {
   /// a smaller dihedral angle than `angle` (radians); where false, there may be some.
   bool has_no_folds(double energy, double angle = fold_angle) const;
 
+  /// The vertices of hinges that have folded over at Y, which is that place (FoldWatch::new_folds).
+  std::vector<Index> new_folds(FoldWatch& folds, const Points& Y, double energy) const;
+
   /// Evaluates the energy and its gradient at the state, where they are not known.
   void update_gradient();
 

@@ -13,8 +13,7 @@ FoldFreeLanding displace_without_folds(const FlowProblem& problem, FoldWatch& fo
       return result;
     }
     result.energy = energy_at(Y);
-    const std::vector<Index> folding =
-        problem.has_no_folds(result.energy) ? std::vector<Index>() : folds.new_folds(Y);
+    const std::vector<Index> folding = problem.new_folds(folds, Y, result.energy);
     if (!problem.parts.any(!folding.empty())) {
       return result;
     }

@@ -48,9 +48,9 @@ std::vector<std::uint8_t> folded_hinges(const Points& X, const Topology& topolog
   return folded;
 }
 
-bool rules_out_folds(double largest_turn, double angle) {
+double least_turn(double angle) {
   // Wider than the angle itself, as the two ways to it round differently.
-  return largest_turn < 1 + std::cos(1.01 * angle);
+  return 1 + std::cos(1.01 * angle);
 }
 
 FoldWatch::FoldWatch(const Points& X, const Topology& topology, const Unknowns& unknowns)
@@ -75,13 +75,15 @@ void FoldWatch::list_hinges() {
   normals_.resize(listed.size());
 }
 
-std::vector<Index> FoldWatch::new_folds(const Points& X) {
+std::vector<Index> FoldWatch::new_folds(const Points& X, const std::vector<std::uint8_t>& near) {
   if (normals_.empty()) {
     list_hinges();
   }
-  find_normals(X);
-  parallel_for(static_cast<std::int64_t>(hinges_.size()),
-               [&](std::int64_t i) { folded_[i] = is_folded_now(i) ? 1 : 0; });
+  find_normals(X, near);
+  parallel_for(static_cast<std::int64_t>(hinges_.size()), [&](std::int64_t i) {
+    const bool is_near = near.empty() || near[topology_.H(hinges_[i], 0)] != 0;
+    folded_[i] = is_near && is_folded_now(i) ? 1 : 0;
+  });
   std::vector<Index> vertices;
   for (std::size_t i = 0; i < hinges_.size(); ++i) {
     if (folded_[i]) {
@@ -94,9 +96,13 @@ std::vector<Index> FoldWatch::new_folds(const Points& X) {
   return vertices;
 }
 
-void FoldWatch::find_normals(const Points& X) {
+/// Of the triangles of all hinges with a near vertex.
+void FoldWatch::find_normals(const Points& X, const std::vector<std::uint8_t>& near) {
   parallel_for(static_cast<std::int64_t>(triangles_.size()), [&](std::int64_t i) {
-    normals_[triangles_[i]] = double_area_vector(X, topology_.F, triangles_[i]);
+    const auto x = topology_.F.row(triangles_[i]);
+    if (near.empty() || near[x[0]] != 0 || near[x[1]] != 0 || near[x[2]] != 0) {
+      normals_[triangles_[i]] = double_area_vector(X, topology_.F, triangles_[i]);
+    }
   });
 }
 

@@ -17,9 +17,9 @@ inline constexpr double fold_angle = 0.17453292519943295;
 std::vector<std::uint8_t> folded_hinges(const Points& X, const Topology& topology,
                                         double angle = fold_angle);
 
-/// Whether no hinge can have a smaller dihedral angle than `angle` where this is the largest
-/// 1 + cos(theta) (BendingEnergy::largest_turn).
-bool rules_out_folds(double largest_turn, double angle = fold_angle);
+/// All hinges with a smaller dihedral angle than `angle` turn by more than this, as the energy sees
+/// it: 1 + cos(theta) (BendingEnergy::largest_turn).
+double least_turn(double angle = fold_angle);
 
 /// Watches the hinges that a set of unknown vertices can move.
 class FoldWatch {
@@ -29,11 +29,12 @@ class FoldWatch {
   FoldWatch(const Points& X, const Topology& topology, const Unknowns& unknowns);
 
   /// The vertices (sorted, each once) of hinges folded at `X` that were not folded at the start.
-  std::vector<Index> new_folds(const Points& X);
+  /// Only hinges are looked at whose vertices are `near` (#V flags, or empty for all).
+  std::vector<Index> new_folds(const Points& X, const std::vector<std::uint8_t>& near = {});
 
  private:
   void list_hinges();
-  void find_normals(const Points& X);
+  void find_normals(const Points& X, const std::vector<std::uint8_t>& near);
   bool is_folded_now(std::size_t i) const;
 
   const Topology& topology_;

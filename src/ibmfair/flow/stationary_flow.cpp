@@ -112,7 +112,7 @@ bool StationaryFlow::search(const Points& step) {
     const double trial = problem_.energy_and_gradient_at(Y, gradient);
     const double predicted = (fraction - fraction * fraction / 2) * slope;
     const double ratio = (energy_ - trial) / std::min(predicted, energy_);
-    if (ratio >= accepted_share && (problem_.has_no_folds(trial) || folds_.new_folds(Y).empty())) {
+    if (ratio >= accepted_share && problem_.new_folds(folds_, Y, trial).empty()) {
       last_move_ = fraction * move;
       accept(fraction * step, Y, gradient, trial);
       adapt(fraction, ratio);
