@@ -12,6 +12,7 @@
 
 #include "ibmfair/base/errors.h"
 #include "ibmfair/base/parallel.h"
+#include "ibmfair/base/sort_into_rows.h"
 #include "ibmfair/solve/separator.h"
 
 namespace ibmfair {
@@ -84,27 +85,14 @@ std::vector<Part> dissect(const Rows& graph, const Nodes& nodes, const Points& X
 }  // namespace
 
 Rows graph_of(const SymmetricMatrix& J) {
-  const auto each_end = [&](const auto& act) {
-    parallel_ranges(J.size(), std::ssize(J.row), [&](std::int64_t first, std::int64_t last) {
-      const auto is_own = [&](std::int64_t i) { return i >= first && i < last; };
-      for (std::int64_t j = 0; j < J.size(); ++j) {
-        const bool own = is_own(j);
-        for (std::int64_t k = J.column_first[j] + 1; k < J.column_first[j + 1]; ++k) {
-          const std::int64_t i = J.row[k];
-          if (own) act(j, i);
-          if (is_own(i)) act(i, j);
-        }
+  return sort_into_rows(static_cast<Index>(J.size()), std::ssize(J.row), [&](const auto& put) {
+    for (std::int64_t j = 0; j < J.size(); ++j) {
+      for (std::int64_t k = J.column_first[j] + 1; k < J.column_first[j + 1]; ++k) {
+        put(j, J.row[k]);
+        put(J.row[k], static_cast<Index>(j));
       }
-    });
-  };
-  Rows graph;
-  graph.first.assign(static_cast<std::size_t>(J.size()) + 1, 0);
-  each_end([&](std::int64_t j, std::int64_t) { ++graph.first[j + 1]; });
-  std::partial_sum(graph.first.begin(), graph.first.end(), graph.first.begin());
-  graph.value.resize(static_cast<std::size_t>(graph.first.back()));
-  std::vector<std::int64_t> next(graph.first.begin(), graph.first.end() - 1);
-  each_end([&](std::int64_t j, std::int64_t i) { graph.value[next[j]++] = static_cast<Index>(i); });
-  return graph;
+    }
+  });
 }
 
 std::vector<Index> minimum_degree(const Rows& graph) {

@@ -1,0 +1,35 @@
+// A counting sort on several threads.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <numeric>
+#include <vector>
+
+#include "ibmfair/base/parallel.h"
+#include "ibmfair/base/rows.h"
+
+namespace ibmfair {
+
+/// Rows 0 .. count - 1, each with its values in the order in which they come. `each(put)` calls
+/// put(row, value) for about `work` of them, the same each time; those of other rows are dropped.
+template <class Each>
+Rows sort_into_rows(Index count, std::int64_t work, const Each& each) {
+  const auto for_own_rows = [&](const auto& take) {
+    parallel_ranges(count, work, [&](std::int64_t first, std::int64_t last) {
+      each([&](std::int64_t row, Index value) {
+        if (row >= first && row < last) take(static_cast<std::size_t>(row), value);
+      });
+    });
+  };
+  Rows rows;
+  rows.first.assign(static_cast<std::size_t>(count) + 1, 0);
+  for_own_rows([&](std::size_t row, Index /*value*/) { ++rows.first[row + 1]; });
+  std::partial_sum(rows.first.begin(), rows.first.end(), rows.first.begin());
+  rows.value.resize(static_cast<std::size_t>(rows.first.back()));
+  std::vector<std::int64_t> next(rows.first.begin(), rows.first.end() - 1);
+  for_own_rows([&](std::size_t row, Index value) { rows.value[next[row]++] = value; });
+  return rows;
+}
+
+}  // namespace ibmfair
