@@ -88,7 +88,8 @@ class BendingEnergy {
   virtual double largest_turn() const { return std::numeric_limits<double>::infinity(); }
 
   /// Flags (#V) of the vertices of all hinges at which the last evaluation saw 1 + cos(theta) of
-  /// `turn` or more, and of others around them. Empty where any hinge may be one of these.
+  /// `turn` or more, and of others around them. Empty where any hinge may be one of these; says
+  /// nothing where the energy was not finite.
   virtual std::vector<std::uint8_t> near_turns(double /*turn*/) const { return {}; }
 
   /// The vertices of each stencil.

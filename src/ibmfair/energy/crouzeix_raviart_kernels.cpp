@@ -9,9 +9,8 @@ namespace {
 template <class Lanes>
 IBMFAIR_INLINE void store_frame(const Lanes4<Lanes>& N, Row4* row) {
   const Lanes length = sqrt(N.w);
-  // By |N|^2, not by the length: the division need not wait for the square root.
-  const Lanes inverse = 0.5 / N.w * length;
-  store_rows<Lanes>(half_unit(N.xyz, length, inverse), 1.0 / 12.0 * length, &row->x);
+  const Lanes3<Lanes> n = half_unit(N.xyz, length, half_inverse(N.w, length));
+  store_rows<Lanes>(n, 1.0 / 12.0 * length, &row->x);
 }
 
 struct FrameKernel {

@@ -53,8 +53,7 @@ struct Curvature {
       const Lanes squared = dot(N, N);
       lengths[i] = sqrt(squared);
       copy(N, frame->n);
-      // By |N|^2, not by the length: the division need not wait for the square root.
-      frame->inverse = 0.5 / squared * lengths[i];
+      frame->inverse = half_inverse(squared, lengths[i]);
       ++frame;
       copy(q, frame->p);
       p = q;
