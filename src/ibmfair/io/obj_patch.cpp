@@ -64,7 +64,7 @@ void replace_numbers(ObjScanner& scan, BytePatcher& text, const Points& X, Eigen
                      Changed changed) {
   for (int c = 0; c < 3; ++c) {
     const char* start = scan.position();
-    scan.skip_number();
+    scan.skip_argument();
     if (changed(c)) text.replace(start, scan.position_after(), X(row, c));
   }
 }
@@ -88,7 +88,8 @@ void patch_text(const PatchRequest& request, const NormalPlan& normals, ByteSink
   ObjScanner scan(request.source);
   Eigen::Index vertex = 0;
   std::size_t normal = 0;
-  while (scan.next_statement()) {
+  const bool plain = ObjScanner::has_plain_lines(request.source);
+  for (; scan.next_statement(); plain ? scan.skip_plain_line() : void()) {
     const std::string_view keyword = scan.keyword();
     if (keyword == "v") {
       const Points& before = request.mesh.X;

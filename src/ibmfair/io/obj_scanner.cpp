@@ -16,29 +16,28 @@ bool ObjScanner::next_statement() {
     if (p_ == end_) return false;
     if (*p_ == '#') {
       // A comment ends with its line, whatever it ends in: `# C:\meshes\` continues nothing.
-      while (!is(*p_, line_end))
-        ++p_;
+      skip_to(line_end);
     }
     if (p_ == end_) return false;
     if (!is(*p_, line_end)) break;
     ++p_;
   }
   const char* start = p_++;
-  while (!is(*p_, delimiter))
-    ++p_;
+  skip_to(delimiter);
   keyword_ = {start, static_cast<std::size_t>(p_ - start)};
   return true;
 }
 
 void ObjScanner::skip_line() {
-  while (!is(*p_, line_end)) {
+  while (true) {
+    skip_to(statement_end | continuation);
+    if (is(*p_, line_end)) return;
     if (*p_ == '\\') {
       const char* before = p_;
       skip_continuations();
       if (p_ == before) ++p_;
-    } else if (*p_ == '#' && is(p_[-1], blank)) {
-      while (!is(*p_, line_end))
-        ++p_;
+    } else if (is(p_[-1], blank)) {
+      skip_to(line_end);
     } else {
       ++p_;
     }
@@ -75,8 +74,7 @@ void ObjScanner::corner_references(const char* start, RawCorner& corner) {
 std::string_view ObjScanner::word() {
   if (at_statement_end()) return {};
   const char* start = p_;
-  while (!is(*p_, blank | line_end))
-    ++p_;
+  skip_to(blank | line_end);
   return {start, static_cast<std::size_t>(p_ - start)};
 }
 

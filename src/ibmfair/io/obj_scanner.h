@@ -65,6 +65,12 @@ class ObjScanner {
   /// Passes over such a number.
   void skip_number() { any_real(); }
 
+  /// Passes over an argument, whatever it says.
+  void skip_argument() {
+    skip_blanks();
+    skip_to(delimiter);
+  }
+
   /// Reads `v`, `v/t`, `v//n` or `v/t/n`; throws BadFile where it is none of these.
   RawCorner corner() {
     skip_blanks();
@@ -108,7 +114,8 @@ class ObjScanner {
   static constexpr std::uint8_t blank = 1;
   static constexpr std::uint8_t line_end = 2;
   static constexpr std::uint8_t statement_end = 4;  // a line end or a comment
-  static constexpr std::uint8_t delimiter = 8;      // any of these, or a continuation
+  static constexpr std::uint8_t continuation = 8;   // where a line end follows
+  static constexpr std::uint8_t delimiter = 16;     // any of these
   static constexpr std::array<std::uint8_t, 256> kinds = [] {
     std::array<std::uint8_t, 256> table{};
     for (const unsigned char c : {' ', '\t', '\v', '\f'})
@@ -116,13 +123,20 @@ class ObjScanner {
     for (const unsigned char c : {'\n', '\r'})
       table[c] = line_end | statement_end | delimiter;
     table['#'] = statement_end | delimiter;
-    table['\\'] = delimiter;
+    table['\\'] = continuation | delimiter;
     return table;
   }();
   static bool is(char c, std::uint8_t kind) {
     return (kinds[static_cast<unsigned char>(c)] & kind) != 0;
   }
 
+  /// Goes to the next character of that kind. Not with p_ itself, which would be stored each time.
+  void skip_to(std::uint8_t kind) {
+    const char* p = p_;
+    while (!is(*p, kind))
+      ++p;
+    p_ = p;
+  }
   void skip_blanks() {
     while (is(*p_, blank))
       ++p_;

@@ -1,6 +1,7 @@
 // Walks a text of numbers separated by blanks and ends of lines: the body of OFF and ascii PLY.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <string_view>
 
@@ -15,37 +16,38 @@ namespace ibmfair {
 class TokenCursor {
  public:
   TokenCursor(const SourceBytes& source, const char* start, bool comments)
-      : source_(source), p_(start), end_(source.end()), comments_(comments) {}
+      : source_(source),
+        p_(start),
+        end_(source.end()),
+        comment_(comments ? hash : std::uint8_t{0}) {}
 
   /// Goes to the next token on this or a later line; false at the end of the text.
   bool skip_to_token() {
-    while (p_ != end_) {
-      if (is_blank(*p_) || is_line_end(*p_)) {
-        ++p_;
-      } else if (comments_ && *p_ == '#') {
-        skip_comment();
-      } else {
-        return true;
-      }
+    skip_space();
+    while (is(*p_, comment_)) {
+      skip_comment();
+      skip_space();
     }
-    return false;
+    return p_ != end_;
   }
 
   /// Whether nothing more (than a comment) follows on this line.
   bool at_line_end() {
-    while (p_ != end_ && is_blank(*p_))
-      ++p_;
-    return p_ == end_ || is_line_end(*p_) || (comments_ && *p_ == '#');
+    const char* p = p_;
+    while (is(*p, blank))
+      ++p;
+    p_ = p;
+    return is(*p, line_end | comment_);
   }
 
   /// Goes behind the end of this line, passing over a comment, and returns that end: empty where
   /// more follows on the line or the text ends with it.
   std::string_view take_line_end() {
     if (!at_line_end()) return {};
-    if (p_ != end_ && !is_line_end(*p_)) skip_comment();
-    const std::string_view line_end = leading_line_end({p_, static_cast<std::size_t>(end_ - p_)});
-    p_ += line_end.size();
-    return line_end;
+    skip_comment();
+    const std::string_view end = leading_line_end({p_, static_cast<std::size_t>(end_ - p_)});
+    p_ += end.size();
+    return end;
   }
 
   /// Where the cursor stands; after skip_to_token() the start of a token.
@@ -56,7 +58,7 @@ class TokenCursor {
     double value = 0.0;
     if (!skip_to_token()) fail(p_, "the file ends before its last row does");
     const char* after = parse_real(p_, end_, value);
-    if (after == nullptr || !is_delimiter(after)) fail(p_, describe_bad_real(p_, end_));
+    if (after == nullptr || !ends_token(*after)) fail(p_, describe_bad_real(p_, end_));
     p_ = after;
     return value;
   }
@@ -66,7 +68,7 @@ class TokenCursor {
     std::int64_t value = 0;
     if (!skip_to_token()) fail(p_, "the file ends before its last row does");
     const char* after = parse_integer(p_, end_, value);
-    if (after == nullptr || !is_delimiter(after)) fail(p_, "not an integer");
+    if (after == nullptr || !ends_token(*after)) fail(p_, "not an integer");
     p_ = after;
     return value;
   }
@@ -74,10 +76,12 @@ class TokenCursor {
   /// Passes over a token, whatever it says, and returns it.
   std::string_view token() {
     if (!skip_to_token()) fail(p_, "the file ends before its last row does");
-    const char* start = p_;
-    while (!is_delimiter(p_))
-      ++p_;
-    return {start, static_cast<std::size_t>(p_ - start)};
+    const char* const start = p_;
+    const char* p = start;
+    while (!ends_token(*p))
+      ++p;
+    p_ = p;
+    return {start, static_cast<std::size_t>(p - start)};
   }
 
   /// Goes to where another cursor over the same text stands.
@@ -91,20 +95,40 @@ class TokenCursor {
   }
 
  private:
-  static bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\v' || c == '\f'; }
-  static bool is_line_end(char c) { return c == '\n' || c == '\r'; }
-  bool is_delimiter(const char* p) const {
-    return p == end_ || is_blank(*p) || is_line_end(*p) || (comments_ && *p == '#');
+  // What a character may be. The text ends with a line feed beyond its last byte, so that only what
+  // passes over the ends of lines needs to look out for the end.
+  static constexpr std::uint8_t blank = 1;
+  static constexpr std::uint8_t line_end = 2;
+  static constexpr std::uint8_t hash = 4;
+  static constexpr std::array<std::uint8_t, 256> kinds = [] {
+    std::array<std::uint8_t, 256> table{};
+    for (const unsigned char c : {' ', '\t', '\v', '\f'})
+      table[c] = blank;
+    for (const unsigned char c : {'\n', '\r'})
+      table[c] = line_end;
+    table['#'] = hash;
+    return table;
+  }();
+  static bool is(char c, std::uint8_t kind) {
+    return (kinds[static_cast<unsigned char>(c)] & kind) != 0;
+  }
+  bool ends_token(char c) const { return is(c, blank | line_end | comment_); }
+
+  void skip_space() {
+    const char* p = p_;
+    while (p != end_ && is(*p, blank | line_end))
+      ++p;
+    p_ = p;
   }
   void skip_comment() {
-    while (p_ != end_ && !is_line_end(*p_))
+    while (!is(*p_, line_end))
       ++p_;
   }
 
   const SourceBytes& source_;
   const char* p_;
   const char* end_;
-  bool comments_;
+  std::uint8_t comment_;  // `hash` where the text has comments
 };
 
 }  // namespace ibmfair
