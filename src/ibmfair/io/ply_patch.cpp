@@ -283,10 +283,12 @@ class Patcher {
 
   template <class T>
   void replace_by(const Span& span, T value, BytePatcher& file) const {
-    char text[real_text_capacity];
-    file.replace(span.first, span.last,
-                 layout_.header.encoding == Encoding::ascii ? real_text(value, text)
-                                                            : bytes_of(value, swapped_, text));
+    if (layout_.header.encoding == Encoding::ascii) {
+      file.replace(span.first, span.last, value);
+    } else {
+      char bytes[sizeof(T)];
+      file.replace(span.first, span.last, bytes_of(value, swapped_, bytes));
+    }
   }
 
   void replace(const Span& span, double value, Type type, BytePatcher& file) const {
