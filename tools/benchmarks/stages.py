@@ -13,28 +13,64 @@ STAGES = ["read", "topology", "bind", "pattern", "assemble", "analyse", "factor"
           "solve", "solve float32", "rows", "20 iterations", "gradient", "energy",
           "lagrange gradient", "lagrange energy", "write"]
 THREADS = ["1", "2"]
+# Repetitions in a process, and processes, of which a large mesh is worth a few only.
+SAMPLES = (3, 6)
+SAMPLES_OF_LEVEL = {8: (3, 3), 9: (1, 2)}
 # What the nanoseconds of a gradient are divided by.
 PER_STENCIL = {"gradient": ("hinges", "ns per hinge"),
                "lagrange gradient": ("triangles", "ns per triangle")}
 
 
-def kernels(mesh, target, repetitions):
-    """The context, and for NAME/THREADS the shortest seconds with bytes or flops."""
-    run = subprocess.run([os.path.join(PROGRAMS, "kernels"), mesh, target,
-                          "--benchmark_format=json",
-                          f"--benchmark_repetitions={repetitions}",
-                          "--benchmark_enable_random_interleaving=true"],
-                         capture_output=True, text=True)
-    if run.returncode != 0:
-        sys.exit(f"kernels {mesh}: exit {run.returncode}\n{run.stderr}")
-    report = json.loads(run.stdout)
-    shortest = {}
-    for entry in report["benchmarks"]:
-        name = "/".join(entry["name"].split("/")[:2])
-        if entry["run_type"] == "iteration" and \
-                not entry["real_time"] > shortest.get(name, entry)["real_time"]:
-            shortest[name] = entry
-    return report["context"], shortest
+class Mesh:
+    """What has been measured of a mesh so far. It is measured again after the others: what else the
+    machine does may last for as long as one of them takes."""
+
+    def __init__(self, name, path, repetitions, rounds):
+        self.name, self.path, self.repetitions, self.rounds = name, path, repetitions, rounds
+        self.counts = {}
+        self.shortest = {}  # for NAME/THREADS, with bytes or flops
+        self.smoothing = []  # seconds and peak memory of whole commands
+
+    def measure(self, target):
+        note(f"stages of {self.name}")
+        run = subprocess.run([os.path.join(PROGRAMS, "kernels"), self.path, target,
+                              "--benchmark_format=json",
+                              f"--benchmark_repetitions={self.repetitions}",
+                              "--benchmark_enable_random_interleaving=true"],
+                             capture_output=True, text=True)
+        if run.returncode != 0:
+            sys.exit(f"kernels {self.path}: exit {run.returncode}\n{run.stderr}")
+        report = json.loads(run.stdout)
+        self.counts = {count: int(report["context"][count])
+                       for count in ("vertices", "triangles", "hinges")}
+        for entry in report["benchmarks"]:
+            if entry["run_type"] == "iteration":
+                self.add("/".join(entry["name"].split("/")[:2]), entry)
+        smoothing = wall_clock([PROGRAM, "smooth", self.path, target, "--steps", 16, "--quiet",
+                                "--overwrite"])
+        if smoothing:
+            self.smoothing.append(smoothing)
+
+    def add(self, name, entry):
+        if not entry["real_time"] > self.shortest.get(name, entry)["real_time"]:
+            self.shortest[name] = entry
+
+    def result(self):
+        limit = limits(self.shortest)
+        figures = {}
+        for stage in STAGES:
+            for threads in THREADS:
+                entry = self.shortest.get(f"{stage}/{threads}")
+                if entry is not None:
+                    seconds = entry["real_time"]
+                    least = least_seconds(stage, threads, entry, limit)
+                    figures.setdefault(stage, {})[threads] = {
+                        "seconds": seconds, "limit": least, "ratio": seconds / least}
+        result = {"mesh": self.name, "limits": limit, "stages": figures, **self.counts}
+        if self.smoothing:
+            result["smooth"] = {"seconds": min(seconds for seconds, _ in self.smoothing),
+                                "peak_bytes": max(peak for _, peak in self.smoothing)}
+        return result
 
 
 def limits(entries):
@@ -56,43 +92,27 @@ def least_seconds(stage, threads, entry, limit):
     return entry["bytes"] / limit["memory"][threads]
 
 
-def measure_mesh(name, path, repetitions, scratch):
-    note(f"stages of {name}")
-    target = os.path.join(scratch, "smoothed.off")
-    context, entries = kernels(path, target, repetitions)
-    limit = limits(entries)
-    figures = {}
-    for stage in STAGES:
-        for threads in THREADS:
-            entry = entries.get(f"{stage}/{threads}")
-            if entry is not None:
-                seconds = entry["real_time"]
-                least = least_seconds(stage, threads, entry, limit)
-                figures.setdefault(stage, {})[threads] = {
-                    "seconds": seconds, "limit": least, "ratio": seconds / least}
-    result = {"mesh": name, "limits": limit, "stages": figures}
-    for count in ("vertices", "triangles", "hinges"):
-        result[count] = int(context[count])
-    smoothing = wall_clock([PROGRAM, "smooth", path, target, "--steps", 16, "--quiet",
-                            "--overwrite"])
-    if smoothing:
-        result["smooth"] = dict(zip(("seconds", "peak_bytes"), smoothing))
-    return result
+def meshes(largest, scratch):
+    for level in range(4, largest + 1):
+        mesh = make(scratch, f"icosphere{level}.off", "icosphere", "--subdivide", level)
+        name = "sphere " + short_count(10 * 4 ** level + 2)
+        yield Mesh(name, mesh, *SAMPLES_OF_LEVEL.get(level, SAMPLES))
+    for model in MODELS:
+        source = os.path.join(SHARED, "models", model + ".off")
+        if os.path.exists(source):
+            yield Mesh(model.split("_")[0], source, *SAMPLES)
+        else:
+            note(f"{source}: not there, left out")
 
 
 def measure(largest, scratch):
-    results = []
-    for level in range(4, largest + 1):
-        mesh = make(scratch, "icosphere.off", "icosphere", "--subdivide", level)
-        name = "sphere " + short_count(10 * 4 ** level + 2)
-        results.append(measure_mesh(name, mesh, {8: 3, 9: 1}.get(level, 5), scratch))
-    for model in MODELS:
-        source = os.path.join(SHARED, "models", model + ".off")
-        if not os.path.exists(source):
-            note(f"{source}: not there, left out")
-            continue
-        results.append(measure_mesh(model.split("_")[0], source, 5, scratch))
-    return results
+    all_meshes = list(meshes(largest, scratch))
+    target = os.path.join(scratch, "smoothed.off")
+    for done in range(max(mesh.rounds for mesh in all_meshes)):
+        for mesh in all_meshes:
+            if done < mesh.rounds:
+                mesh.measure(target)
+    return [mesh.result() for mesh in all_meshes]
 
 
 def ratios(results):
