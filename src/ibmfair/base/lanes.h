@@ -209,13 +209,13 @@ IBMFAIR_INLINE Lanes4<Lanes> gather(const double* rows, const std::int32_t* at) 
   return gather_rows<Lanes>(row);
 }
 
-/// Lane i from the row `rows + 4 * i`; the same is read behind it.
+/// Lane i from the row `rows + stride * i`; the same is read behind it.
 template <class Lanes>
-IBMFAIR_INLINE Lanes4<Lanes> load_rows(const double* rows) {
+IBMFAIR_INLINE Lanes4<Lanes> load_rows(const double* rows, std::ptrdiff_t stride = 4) {
   const double* row[lane_count<Lanes>];
   for (const double*& start : row) {
     start = rows;
-    rows += 4;
+    rows += stride;
   }
   return simd_detail::turned(row);
 }
@@ -251,15 +251,27 @@ IBMFAIR_INLINE void rows_of(const Lanes3<Eight>& a, const Eight& w, Four (&row)[
   row[7] = high_half(r57);
 }
 
-/// Writes lane i to the row `rows + 4 * i`. Unrolled: GCC would copy them all once more.
+/// Writes lane i to the row `rows + stride * i`. Unrolled: GCC would copy them all once more.
 template <class Lanes>
-IBMFAIR_INLINE void store_rows(const Lanes3<Lanes>& a, const Lanes& w, double* rows) {
+IBMFAIR_INLINE void store_rows(const Lanes3<Lanes>& a, const Lanes& w, double* rows,
+                               std::ptrdiff_t stride = 4) {
   Four row[lane_count<Lanes>];
   rows_of(a, w, row);
 #pragma GCC unroll 8
   for (std::ptrdiff_t i = 0; i < lane_count<Lanes>; ++i) {
-    std::memcpy(rows + 4 * i, &row[i], sizeof row[i]);
+    std::memcpy(rows + stride * i, &row[i], sizeof row[i]);
   }
+}
+
+/// a where the lane's number at `flags` is positive, and 0 elsewhere.
+IBMFAIR_INLINE Four where(const float* flags, const Four& a) {
+  using Flags = float __attribute__((vector_size(16)));
+  Flags all;
+  std::memcpy(&all, flags, sizeof all);
+  return __builtin_convertvector(all, Four) > Four{} ? a : Four{};
+}
+IBMFAIR_INLINE Eight where(const float* flags, const Eight& a) {
+  return both_halves(where(flags, low_half(a)), where(flags + 4, high_half(a)));
 }
 
 /// Adds to the row at `to`.

@@ -37,14 +37,23 @@ FanFrame* frames_for(const MeshBlock& b, std::vector<FanFrame>& frames) {
   return frames.data();
 }
 
-struct VertexEnergy {
-  double energy, inverse_mass;
-};
-
-/// 1/2 |h_v|^2 / m_v, h_v with the area around v as fourth number.
-VertexEnergy vertex_energy(const Row4& h, bool mass) {
-  const double inverse_mass = mass ? 3 / h.w : 1;
-  return {inverse_mass * (h.x * h.x + h.y * h.y + h.z * h.z) / 2, inverse_mass};
+/// Of one block; `centre` and `own` are #V, the latter or empty for all.
+VertexRoles roles_in(const MeshBlocks& blocks, const MeshBlock& b,
+                     const std::vector<std::uint8_t>& centre,
+                     const std::vector<std::uint8_t>& own) {
+  VertexRoles roles;
+  for (const Index v : blocks.owned_of(b)) {
+    const bool counts = centre[v] && (own.empty() || own[v]);
+    roles.carries.push_back(centre[v]);
+    roles.counts.push_back(counts ? 1 : 0);
+  }
+  for (Index i = 0; i < b.rim; ++i) {
+    roles.carries.push_back(centre[blocks.owned[b.halo[i]]]);
+  }
+  const std::size_t whole = (roles.carries.size() + lanes_per_group - 1) / lanes_per_group;
+  roles.carries.resize(whole * lanes_per_group, 0);
+  roles.counts.resize(whole * lanes_per_group, 0);
+  return roles;
 }
 
 }  // namespace
@@ -53,11 +62,9 @@ Lagrange::Lagrange(const Topology& topology, const EnergyOptions& options)
     : mass_(options.mass), stencils_(complete_stars(topology, options.active)) {
   const std::vector<std::uint8_t> centre = is_centre(stencils_, topology.vertex_count);
   blocks_ = mesh_blocks(topology, triangles_around(topology, centre), {.whole_stars = true});
-  carries_.reserve(blocks_.owned.size());
-  counts_.reserve(blocks_.owned.size());
-  for (const Index v : blocks_.owned) {
-    carries_.push_back(centre[v]);
-    counts_.push_back(centre[v] && (options.own_vertices.empty() || options.own_vertices[v]));
+  roles_.reserve(blocks_.block.size());
+  for (const MeshBlock& b : blocks_.block) {
+    roles_.push_back(roles_in(blocks_, b, centre, options.own_vertices));
   }
   if (options.spontaneous_curvature.size() > 0) {
     spontaneous_.reserve(blocks_.owned.size());
@@ -74,38 +81,8 @@ void Lagrange::load(const MeshBlock& b, const Points& X, BlockVertices& vertices
   }
 }
 
-/// Of a block's own vertices, whose sums are h_v.
-double Lagrange::own_energy(const MeshBlock& b, const BlockVertices& vertices) const {
-  double E = 0;
-  for (Index i = 0; i < b.owned; ++i) {
-    const double energy = vertex_energy(vertices[filler_vertices + i].sum, mass_).energy;
-    E += counts_[b.first_owned + i] != 0 ? energy : 0;
-  }
-  return E;
-}
-
-/// The same, and gives y_v to all vertices of whose triangles the block misses none, and clears
-/// their sums.
-double Lagrange::own_energy_and_y(const MeshBlock& b, BlockVertices& vertices) const {
-  const double q_share = mass_ ? 1.0 / 6.0 : 0;
-  const auto find_y = [&](BlockVertex& vertex, bool carries) {
-    const Row4 h = vertex.sum;
-    const auto [energy, inverse_mass] = vertex_energy(h, mass_);
-    const double share = carries ? inverse_mass : 0;
-    vertex.y = {share * h.x, share * h.y, share * h.z, q_share * share * 2 * energy};
-    vertex.sum = {};
-    return energy;
-  };
-  BlockVertex* vertex = &vertices[filler_vertices];
-  double E = 0;
-  for (std::int64_t position = b.first_owned; position < b.first_owned + b.owned; ++position) {
-    const double energy = find_y(*vertex++, carries_[position] != 0);
-    E += counts_[position] != 0 ? energy : 0;
-  }
-  for (Index i = 0; i < b.rim; ++i) {
-    find_y(*vertex++, carries_[b.halo[i]] != 0);
-  }
-  return E;
+const VertexRoles& Lagrange::roles(const MeshBlock& b) const {
+  return roles_[&b - blocks_.block.data()];
 }
 
 double Lagrange::energy(const Points& X) {
@@ -117,7 +94,7 @@ double Lagrange::energy(const Points& X) {
       lagrange_curvature({b, first, groups}, !spontaneous_.empty(), false, vertices.data(),
                          frames.data());
     });
-    return own_energy(b, vertices);
+    return lagrange_energy(roles(b), b.owned, mass_, &vertices[filler_vertices]);
   });
 }
 
@@ -132,7 +109,8 @@ double Lagrange::energy_and_gradient(const Points& X, Points& G) {
       lagrange_curvature({b, first, groups}, spontaneous, true, vertices.data(), frames);
     };
     compute_and_prefetch(blocks_, b, b.outer_groups, {nullptr, &G}, add_curvature);
-    const double E = own_energy_and_y(b, vertices);
+    const double E =
+        lagrange_energy_and_y(roles(b), b.owned + b.rim, mass_, &vertices[filler_vertices]);
     const auto add_forces = [&](std::int64_t first, std::int64_t groups) {
       lagrange_forces({b, first, groups}, spontaneous, vertices.data(), frames);
     };

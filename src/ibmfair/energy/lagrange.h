@@ -20,6 +20,7 @@
 
 #include "ibmfair/energy/bending_energy.h"
 #include "ibmfair/energy/block_loop.h"
+#include "ibmfair/energy/lagrange_kernels.h"
 #include "ibmfair/energy/mesh_blocks.h"
 
 namespace ibmfair {
@@ -36,16 +37,13 @@ class Lagrange final : public BendingEnergy {
  private:
   void load(const MeshBlock& b, const Points& X, BlockVertices& vertices) const;
 
-  double own_energy(const MeshBlock& b, const BlockVertices& vertices) const;
-
-  double own_energy_and_y(const MeshBlock& b, BlockVertices& vertices) const;
+  const VertexRoles& roles(const MeshBlock& b) const;
 
   bool mass_;
-  Rows stencils_;                      // #U: the centre, then its ring in the order it is walked
-  MeshBlocks blocks_;                  // of the triangles around U
-  std::vector<std::uint8_t> carries_;  // like blocks_.owned, whether the vertex is in U
-  std::vector<std::uint8_t> counts_;   // and, too, whether it belongs to this part of the mesh
-  std::vector<double> spontaneous_;    // like blocks_.owned: H0, or empty for none
+  Rows stencils_;                    // #U: the centre, then its ring in the order it is walked
+  MeshBlocks blocks_;                // of the triangles around U
+  std::vector<VertexRoles> roles_;   // one a block
+  std::vector<double> spontaneous_;  // like blocks_.owned: H0, or empty for none
   BlockLoop loop_;
 };
 

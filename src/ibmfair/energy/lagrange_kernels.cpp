@@ -107,15 +107,38 @@ struct Curvature {
   }
 };
 
+template <bool mass, bool with_y>
+struct Energy {
+  template <class Lanes>
+  IBMFAIR_INLINE static double run(const VertexRoles* roles, Index count, BlockVertex* vertices) {
+    Four E = {};
+    for (Index i = 0; i < count; i += lane_count<Lanes>, vertices += lane_count<Lanes>) {
+      const Lanes4<Lanes> h = load_rows<Lanes>(&vertices->sum.x, vertex_size);
+      const Lanes inverse_mass = mass ? 3.0 / h.w : Lanes{} + 1.0;
+      const Lanes energy = 0.5 * inverse_mass * dot(h.xyz, h.xyz);
+      add_to(E, where(&roles->counts[i], energy));
+      if (with_y) {
+        const Lanes share = where(&roles->carries[i], inverse_mass);
+        const Lanes H0 = load_rows<Lanes>(&vertices->x.x, vertex_size).w;
+        const Lanes q = mass ? 1.0 / 3.0 * share * energy : Lanes{};
+        store_rows<Lanes>(share * h.xyz, q, &vertices->x.x, vertex_size);
+        store_rows(Lanes3<Lanes>{}, H0, &vertices->sum.x, vertex_size);
+      }
+    }
+    return sum(E);
+  }
+};
+
 // dE = sum_v <y_v, d h_v> - 1/2 |y_v|^2 d m_v: the Hessian of the area applied to y, and the
 // derivative of the mass; with spontaneous curvature less H0_v <y_v, d a_v>.
 template <bool spontaneous>
 struct Forces {
   template <class Lanes>
   IBMFAIR_INLINE static void add(const Fans<Lanes>& fans, BlockVertex* vertices) {
-    const double *X = &vertices->x.x, *Y = &vertices->y.x;
+    const double* Y = &vertices->x.x;
+    const double* H = &vertices->sum.x;  // whose fourth numbers nothing is added to
     VertexSums<Lanes> sums(vertices);
-    const Lanes H0 = spontaneous ? gather<Lanes>(X, fans.centre).w : Lanes{};
+    const Lanes H0 = spontaneous ? gather<Lanes>(H, fans.centre).w : Lanes{};
     const Lanes4<Lanes> y0 = gather<Lanes>(Y, fans.centre);
     Lanes4<Lanes> y1 = gather<Lanes>(Y, fans.rim(0));
     Lanes3<Lanes> f = y1.xyz - y0.xyz;  // the change of p along y
@@ -137,7 +160,7 @@ struct Forces {
       force = force + (cross(g - by_mass * q, n) - rise_q * n);
       Lanes3<Lanes> next = cross(n, f - by_mass * p) + rise_p * n;
       if (spontaneous) {
-        const Lanes H1 = gather<Lanes>(X, fans.rim(i)).w, H2 = gather<Lanes>(X, fans.rim(i + 1)).w;
+        const Lanes H1 = gather<Lanes>(H, fans.rim(i)).w, H2 = gather<Lanes>(H, fans.rim(i + 1)).w;
         const Lanes3<Lanes> H0_y = (H0 * y0.xyz + H1 * y1.xyz + H2 * y2.xyz) / (Lanes{} + 6.0);
         force = force - cross(q, H0_y);
         next = next - cross(H0_y, p);
@@ -169,6 +192,17 @@ void lagrange_curvature(const FanRange& fans, bool spontaneous, bool keep, Block
   } else {
     run_in_lanes<Curvature<false>>(&fans, keep, vertices, frames);
   }
+}
+
+double lagrange_energy(const VertexRoles& roles, Index count, bool mass, BlockVertex* vertices) {
+  return mass ? run_in_lanes<Energy<true, false>>(&roles, count, vertices)
+              : run_in_lanes<Energy<false, false>>(&roles, count, vertices);
+}
+
+double lagrange_energy_and_y(const VertexRoles& roles, Index count, bool mass,
+                             BlockVertex* vertices) {
+  return mass ? run_in_lanes<Energy<true, true>>(&roles, count, vertices)
+              : run_in_lanes<Energy<false, true>>(&roles, count, vertices);
 }
 
 void lagrange_forces(const FanRange& fans, bool spontaneous, BlockVertex* vertices,

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <vector>
 
 #include "ibmfair/energy/mesh_blocks.h"
 
@@ -15,8 +16,23 @@ namespace ibmfair {
 void lagrange_curvature(const FanRange& fans, bool spontaneous, bool keep, BlockVertex* vertices,
                         FanFrame* frames);
 
-/// Adds the gradient of the energy to the sums of the vertices, whose y is y_v = h_v / m_v with
-/// |y_v|^2 / 6 as fourth number, or 0 where masses are left out.
+/// Of a block's vertices, its own and then its rim, 1 or 0 each; a multiple of lanes_per_group, with
+/// zeros for what is behind them. In floats, as these become masks at once.
+struct VertexRoles {
+  std::vector<float> carries;  ///< whether the vertex is in U
+  std::vector<float> counts;   ///< whether its energy is this block's
+};
+
+/// The energy of those of the first `count` vertices that count, from their sums h_v.
+double lagrange_energy(const VertexRoles& roles, Index count, bool mass, BlockVertex* vertices);
+
+/// The same, and puts y_v = h_v / m_v, or 0 where v is not in U, in the place of x_v, with
+/// |y_v|^2 / 6 as fourth number or 0 where masses are left out; and clears the sums, but for the
+/// fourth number, which becomes that of x_v.
+double lagrange_energy_and_y(const VertexRoles& roles, Index count, bool mass,
+                             BlockVertex* vertices);
+
+/// Adds the gradient of the energy to the sums of the vertices, which are as this has left them.
 void lagrange_forces(const FanRange& fans, bool spontaneous, BlockVertex* vertices,
                      FanFrame* frames);
 

@@ -315,8 +315,8 @@ class Builder {
 
 void MeshBlocks::load(const MeshBlock& b, const Points& X, BlockVertices& vertices) const {
   const std::size_t count = static_cast<std::size_t>(filler_vertices + b.owned) + b.halo.size();
-  if (vertices.size() < count) {
-    vertices.resize(count);
+  if (vertices.size() < count + lanes_per_group) {
+    vertices.resize(count + lanes_per_group);
   }
   vertices[0].x = {};
   for (Index i = 1; i < filler_vertices; ++i) {

@@ -18,11 +18,12 @@
 
 namespace ibmfair {
 
-/// What a block holds of a vertex. The three lie together not only to be in the cache together: the
-/// processor takes a load for one that must wait for a store if the last 12 bits of their addresses
-/// agree, which in three arrays they would.
-struct BlockVertex {
-  Row4 x, y, sum;
+/// What a block holds of a vertex: what is gathered from it, first of all its position, and what is
+/// added to it. They share a cache line, in which the block has few enough to keep them at hand. In
+/// arrays of their own the last 12 bits of their addresses would agree, and the processor take a
+/// load of one for one that must wait for a store to the other.
+struct alignas(64) BlockVertex {
+  Row4 x, sum;
 };
 using BlockVertices = std::vector<BlockVertex>;
 
@@ -81,7 +82,7 @@ struct MeshBlocks {
   }
 
   /// The positions of a block's vertices, x out of X (#V x 3), and sums of zero. The list may grow,
-  /// but never shrinks.
+  /// but never shrinks, and has room for lanes_per_group more.
   void load(const MeshBlock& b, const Points& X, BlockVertices& vertices) const;
   /// The fourth number of their x, out of numbers that stand like `owned`.
   void load(const MeshBlock& b, const std::vector<double>& w, BlockVertices& vertices) const;
