@@ -1,4 +1,4 @@
-// The loops of energy/lagrange.cpp over the fans of one block, several fans at a time.
+// The loops of energy/lagrange.cpp over the fans and the vertices of one block, several at a time.
 #pragma once
 
 #include <cstdint>

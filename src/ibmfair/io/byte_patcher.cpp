@@ -24,8 +24,11 @@ void BytePatcher::copy_up_to(const char* p) {
 
 void BytePatcher::put_off(const char* first, const char* last, double value, bool single) {
   const auto size = static_cast<std::size_t>(first - copied_);
-  if (pieces_.size() == most_pieces || piece_bytes_ + size > most_bytes) write_pieces();
-  if (size > most_bytes) copy_up_to(first);
+  if (size > most_bytes) {
+    copy_up_to(first);
+  } else if (pieces_.size() == most_pieces || piece_bytes_ + size > most_bytes) {
+    write_pieces();
+  }
   pieces_.push_back({{copied_, first}, value, single});
   piece_bytes_ += pieces_.back().copied.size();
   copied_ = last;

@@ -47,9 +47,7 @@ void ObjScanner::skip_line() {
 void ObjScanner::skip_continuations() {
   while (p_ != end_ && *p_ == '\\' && p_ + 1 != end_ && (p_[1] == '\n' || p_[1] == '\r')) {
     const bool pair = p_[1] == '\r' && p_ + 2 != end_ && p_[2] == '\n';
-    p_ += pair ? 3 : 2;
-    while (is(*p_, blank))
-      ++p_;
+    p_ = characters::find_not(p_ + (pair ? 3 : 2), blank);
   }
 }
 

@@ -1,11 +1,11 @@
 // Walks an OBJ text statement by statement, without copying and without counting lines.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <cstring>
 #include <string_view>
 
+#include "ibmfair/io/characters.h"
 #include "ibmfair/io/numbers.h"
 #include "ibmfair/io/source_bytes.h"
 
@@ -109,37 +109,16 @@ class ObjScanner {
   }
 
  private:
-  // What a character may be. The text ends with a line feed beyond its last byte, so that none of
-  // the loops over these needs to look out for the end.
-  static constexpr std::uint8_t blank = 1;
-  static constexpr std::uint8_t line_end = 2;
-  static constexpr std::uint8_t statement_end = 4;  // a line end or a comment
-  static constexpr std::uint8_t continuation = 8;   // where a line end follows
-  static constexpr std::uint8_t delimiter = 16;     // any of these
-  static constexpr std::array<std::uint8_t, 256> kinds = [] {
-    std::array<std::uint8_t, 256> table{};
-    for (const unsigned char c : {' ', '\t', '\v', '\f'})
-      table[c] = blank | delimiter;
-    for (const unsigned char c : {'\n', '\r'})
-      table[c] = line_end | statement_end | delimiter;
-    table['#'] = statement_end | delimiter;
-    table['\\'] = continuation | delimiter;
-    return table;
-  }();
-  static bool is(char c, std::uint8_t kind) {
-    return (kinds[static_cast<unsigned char>(c)] & kind) != 0;
-  }
+  static constexpr std::uint8_t blank = characters::blank;
+  static constexpr std::uint8_t line_end = characters::line_end;
+  static constexpr std::uint8_t continuation = characters::backslash;  // where a line end follows
+  static constexpr std::uint8_t statement_end = line_end | characters::hash;
+  static constexpr std::uint8_t delimiter = blank | statement_end | continuation;
 
-  /// Goes to the next character of that kind. Not with p_ itself, which would be stored each time.
-  void skip_to(std::uint8_t kind) {
-    const char* p = p_;
-    while (!is(*p, kind))
-      ++p;
-    p_ = p;
-  }
+  static bool is(char c, std::uint8_t kind) { return characters::is(c, kind); }
+  void skip_to(std::uint8_t kind) { p_ = characters::find(p_, kind); }
   void skip_blanks() {
-    while (is(*p_, blank))
-      ++p_;
+    p_ = characters::find_not(p_, blank);
     if (*p_ == '\\') skip_continuations();
   }
   bool index(std::int64_t& value) {

@@ -1,10 +1,10 @@
 // Walks a text of numbers separated by blanks and ends of lines: the body of OFF and ascii PLY.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <string_view>
 
+#include "ibmfair/io/characters.h"
 #include "ibmfair/io/line_end.h"
 #include "ibmfair/io/numbers.h"
 #include "ibmfair/io/source_bytes.h"
@@ -19,12 +19,12 @@ class TokenCursor {
       : source_(source),
         p_(start),
         end_(source.end()),
-        comment_(comments ? hash : std::uint8_t{0}) {}
+        comment_(comments ? characters::hash : std::uint8_t{0}) {}
 
   /// Goes to the next token on this or a later line; false at the end of the text.
   bool skip_to_token() {
     skip_space();
-    while (is(*p_, comment_)) {
+    while (characters::is(*p_, comment_)) {
       skip_comment();
       skip_space();
     }
@@ -33,11 +33,8 @@ class TokenCursor {
 
   /// Whether nothing more (than a comment) follows on this line.
   bool at_line_end() {
-    const char* p = p_;
-    while (is(*p, blank))
-      ++p;
-    p_ = p;
-    return is(*p, line_end | comment_);
+    p_ = characters::find_not(p_, characters::blank);
+    return characters::is(*p_, characters::line_end | comment_);
   }
 
   /// Goes behind the end of this line, passing over a comment, and returns that end: empty where
@@ -45,9 +42,9 @@ class TokenCursor {
   std::string_view take_line_end() {
     if (!at_line_end()) return {};
     skip_comment();
-    const std::string_view end = leading_line_end({p_, static_cast<std::size_t>(end_ - p_)});
-    p_ += end.size();
-    return end;
+    const std::string_view line_end = leading_line_end({p_, static_cast<std::size_t>(end_ - p_)});
+    p_ += line_end.size();
+    return line_end;
   }
 
   /// Where the cursor stands; after skip_to_token() the start of a token.
@@ -58,7 +55,8 @@ class TokenCursor {
     double value = 0.0;
     if (!skip_to_token()) fail(p_, "the file ends before its last row does");
     const char* after = parse_real(p_, end_, value);
-    if (after == nullptr || !ends_token(*after)) fail(p_, describe_bad_real(p_, end_));
+    if (after == nullptr || !characters::is(*after, token_end()))
+      fail(p_, describe_bad_real(p_, end_));
     p_ = after;
     return value;
   }
@@ -68,7 +66,7 @@ class TokenCursor {
     std::int64_t value = 0;
     if (!skip_to_token()) fail(p_, "the file ends before its last row does");
     const char* after = parse_integer(p_, end_, value);
-    if (after == nullptr || !ends_token(*after)) fail(p_, "not an integer");
+    if (after == nullptr || !characters::is(*after, token_end())) fail(p_, "not an integer");
     p_ = after;
     return value;
   }
@@ -76,12 +74,9 @@ class TokenCursor {
   /// Passes over a token, whatever it says, and returns it.
   std::string_view token() {
     if (!skip_to_token()) fail(p_, "the file ends before its last row does");
-    const char* const start = p_;
-    const char* p = start;
-    while (!ends_token(*p))
-      ++p;
-    p_ = p;
-    return {start, static_cast<std::size_t>(p - start)};
+    const char* start = p_;
+    p_ = characters::find(start, token_end());
+    return {start, static_cast<std::size_t>(p_ - start)};
   }
 
   /// Goes to where another cursor over the same text stands.
@@ -95,40 +90,20 @@ class TokenCursor {
   }
 
  private:
-  // What a character may be. The text ends with a line feed beyond its last byte, so that only what
-  // passes over the ends of lines needs to look out for the end.
-  static constexpr std::uint8_t blank = 1;
-  static constexpr std::uint8_t line_end = 2;
-  static constexpr std::uint8_t hash = 4;
-  static constexpr std::array<std::uint8_t, 256> kinds = [] {
-    std::array<std::uint8_t, 256> table{};
-    for (const unsigned char c : {' ', '\t', '\v', '\f'})
-      table[c] = blank;
-    for (const unsigned char c : {'\n', '\r'})
-      table[c] = line_end;
-    table['#'] = hash;
-    return table;
-  }();
-  static bool is(char c, std::uint8_t kind) {
-    return (kinds[static_cast<unsigned char>(c)] & kind) != 0;
-  }
-  bool ends_token(char c) const { return is(c, blank | line_end | comment_); }
+  std::uint8_t token_end() const { return characters::blank | characters::line_end | comment_; }
 
   void skip_space() {
     const char* p = p_;
-    while (p != end_ && is(*p, blank | line_end))
+    while (p != end_ && characters::is(*p, characters::blank | characters::line_end))
       ++p;
     p_ = p;
   }
-  void skip_comment() {
-    while (!is(*p_, line_end))
-      ++p_;
-  }
+  void skip_comment() { p_ = characters::find(p_, characters::line_end); }
 
   const SourceBytes& source_;
   const char* p_;
   const char* end_;
-  std::uint8_t comment_;  // `hash` where the text has comments
+  std::uint8_t comment_;  // what one starts with, where there are any
 };
 
 }  // namespace ibmfair
