@@ -9,6 +9,8 @@
 
 /// Functions that are part of such a kernel: they become part of all of its versions.
 #define IBMFAIR_INLINE __attribute__((always_inline)) inline
+/// The same for lambdas, behind their parameters.
+#define IBMFAIR_INLINE_LAMBDA __attribute__((always_inline))
 
 // Elsewhere the compiler makes of the vectors what the machine has.
 #if defined(__x86_64__) && defined(__GNUC__)

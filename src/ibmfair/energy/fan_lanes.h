@@ -18,6 +18,22 @@ struct FanPlaces {
   }
 };
 
+/// Calls begin(i), finish(i) and put(i) for the triangles of fans, i = 0 .. count - 1, but begin(i
+/// + 1) already before put(i). The processor looks ahead less far than from one triangle to the
+/// next: where all that it sees waits for the first of a chain of operations, it stands still.
+template <class Begin, class Finish, class Put>
+IBMFAIR_INLINE void overlapping(Index count, const Begin& begin, const Finish& finish,
+                                const Put& put) {
+  begin(0);
+  for (Index i = 0; i + 1 < count; ++i) {
+    finish(i);
+    begin(i + 1);
+    put(i);
+  }
+  finish(count - 1);
+  put(count - 1);
+}
+
 /// 1 / (2 |N|), from |N|^2 and |N|: a division by the first need not wait for the square root.
 template <class Lanes>
 IBMFAIR_INLINE Lanes half_inverse(const Lanes& squared, const Lanes& length) {

@@ -39,32 +39,30 @@ IBMFAIR_INLINE void add_all(const FanRange& range, bool keep, BlockVertex* verti
 template <bool spontaneous>
 struct Curvature {
   /// All but the normals, with the double area vectors N in their place, and |N|. What waits for a
-  /// root and a quotient is left to the next loop, and more triangles are under way in this one.
+  /// root and a quotient is left to the next loop, and these to when the next N is under way.
   template <class Lanes>
   IBMFAIR_INLINE static void start_frames(const Fans<Lanes>& fans, const double* X,
                                           Lanes* lengths) {
     const Lanes3<Lanes> centre = gather<Lanes>(X, fans.centre).xyz;
-    Frame<Lanes>* frame = fans.frames;
     Lanes3<Lanes> p = gather<Lanes>(X, fans.rim(0)).xyz - centre;
-    copy(p, frame->p);
+    copy(p, fans.frames[0].p);
+    Lanes squared = {};
+    const auto find_length = [&](Index i) IBMFAIR_INLINE_LAMBDA {
+      lengths[i] = sqrt(squared);
+      fans.frames[i].inverse = half_inverse(squared, lengths[i]);
+    };
     for (Index i = 0; i < fans.triangles; ++i) {
       const Lanes3<Lanes> q = gather<Lanes>(X, fans.rim(i + 1)).xyz - centre;
       const Lanes3<Lanes> N = cross(p, q);
-      const Lanes squared = dot(N, N);
-      lengths[i] = sqrt(squared);
-      copy(N, frame->n);
-      frame->inverse = half_inverse(squared, lengths[i]);
-      ++frame;
-      copy(q, frame->p);
+      if (i > 0) {
+        find_length(i - 1);
+      }
+      squared = dot(N, N);
+      copy(N, fans.frames[i].n);
+      copy(q, fans.frames[i + 1].p);
       p = q;
     }
-  }
-
-  template <class Lanes>
-  IBMFAIR_INLINE static Lanes3<Lanes> finish_normal(Frame<Lanes>& frame, const Lanes& length) {
-    const Lanes3<Lanes> n = half_unit(frame.n, length, frame.inverse);
-    copy(n, frame.n);
-    return n;
+    find_length(fans.triangles - 1);
   }
 
   template <class Lanes>
@@ -74,14 +72,18 @@ struct Curvature {
     Lanes lengths[longest_fan];
     start_frames(fans, X, lengths);
     const Lanes H0 = spontaneous ? gather<Lanes>(X, fans.centre).w : Lanes{};
-    Lanes3<Lanes> h = {}, h0 = {};
-    Lanes area = {}, area0 = {};
-    for (Index i = 0; i < fans.triangles; ++i) {
-      const Lanes3<Lanes>& p = fans.frames[i].p;
-      const Lanes3<Lanes> n = finish_normal(fans.frames[i], lengths[i]);
-      const Lanes own = 0.5 * lengths[i];
+    Lanes3<Lanes> n = {}, h = {}, next = {}, h0 = {};
+    Lanes own = {}, area = {}, area0 = {};
+    const auto find_normal = [&](Index i) IBMFAIR_INLINE_LAMBDA {
+      n = half_unit(fans.frames[i].n, lengths[i], fans.frames[i].inverse);
+      copy(n, fans.frames[i].n);
+    };
+    const auto find_curvature = [&](Index i) IBMFAIR_INLINE_LAMBDA {
+      own = 0.5 * lengths[i];
+      area = area + own;
+      area0 = area0 + own;
       h = h + cross(fans.frames[i + 1].p, n);
-      Lanes3<Lanes> next = cross(n, p);
+      next = cross(n, fans.frames[i].p);
       if (spontaneous) {
         const Lanes3<Lanes> a = 2.0 / 3.0 * own * n;
         const Lanes H1 = gather<Lanes>(X, fans.rim(i)).w, H2 = gather<Lanes>(X, fans.rim(i + 1)).w;
@@ -89,12 +91,14 @@ struct Curvature {
         next = next - H2 * a;
         h0 = h0 - (H0 + H1 + H2) * a;
       }
-      sums.add(h, area + own, fans.rim(i));
+    };
+    const auto put = [&](Index i) IBMFAIR_INLINE_LAMBDA {
+      sums.add(h, area, fans.rim(i));
       h0 = h0 - h;
-      area0 = area0 + own;
       h = next;
       area = own;
-    }
+    };
+    overlapping(fans.triangles, find_normal, find_curvature, put);
     sums.add(h, area, fans.rim(fans.triangles));
     sums.add(h0 - h, area0, fans.centre);
     sums.finish();
@@ -140,38 +144,48 @@ struct Forces {
     VertexSums<Lanes> sums(vertices);
     const Lanes H0 = spontaneous ? gather<Lanes>(H, fans.centre).w : Lanes{};
     const Lanes4<Lanes> y0 = gather<Lanes>(Y, fans.centre);
-    Lanes4<Lanes> y1 = gather<Lanes>(Y, fans.rim(0));
-    Lanes3<Lanes> f = y1.xyz - y0.xyz;  // the change of p along y
-    Lanes pp = dot(fans.frames[0].p, fans.frames[0].p);
-    Lanes3<Lanes> force = {}, force0 = {};
-    for (Index i = 0; i < fans.triangles; ++i) {
+    Lanes4<Lanes> y1 = {}, y2 = gather<Lanes>(Y, fans.rim(0));
+    Lanes3<Lanes> f = {}, g = y2.xyz - y0.xyz;  // the changes of p and q along y
+    Lanes pp = {}, pq = {}, qq = dot(fans.frames[0].p, fans.frames[0].p);
+    Lanes by_p = {}, by_q = {}, by_mass = {};
+    Lanes3<Lanes> force = {}, next = {}, force0 = {};
+    const auto find_products = [&](Index i) IBMFAIR_INLINE_LAMBDA {
       const auto& [p, n, inverse] = fans.frames[i];
       const Lanes3<Lanes>& q = fans.frames[i + 1].p;
-      const Lanes4<Lanes> y2 = gather<Lanes>(Y, fans.rim(i + 1));
-      const Lanes3<Lanes> g = y2.xyz - y0.xyz;  // of q
+      y1 = y2;
+      y2 = gather<Lanes>(Y, fans.rim(i + 1));
+      f = g;
+      g = y2.xyz - y0.xyz;
       // The change of the normal is that of a plane over which the triangle's corners rise by
       // 2 <n, y>, and the gradient of the area changes along the normal by its slope, which is
-      // 4 inverse (<n, g> p - <n, f> q): its products with p and q.
+      // 4 inverse (<n, g> p - <n, f> q).
       const Lanes factor = 4.0 * inverse;
-      const Lanes by_p = factor * dot(n, g), by_q = factor * dot(n, f);
-      const Lanes pq = dot(p, q), qq = dot(q, q);
+      by_p = factor * dot(n, g);
+      by_q = factor * dot(n, f);
+      pp = qq;
+      pq = dot(p, q);
+      qq = dot(q, q);
+      by_mass = y0.w + y1.w + y2.w;
+    };
+    const auto find_forces = [&](Index i) IBMFAIR_INLINE_LAMBDA {
+      const auto& [p, n, inverse] = fans.frames[i];
+      const Lanes3<Lanes>& q = fans.frames[i + 1].p;
       const Lanes rise_p = by_p * pp - by_q * pq, rise_q = by_p * pq - by_q * qq;
-      const Lanes by_mass = y0.w + y1.w + y2.w;
       force = force + (cross(g - by_mass * q, n) - rise_q * n);
-      Lanes3<Lanes> next = cross(n, f - by_mass * p) + rise_p * n;
+      next = cross(n, f - by_mass * p) + rise_p * n;
       if (spontaneous) {
         const Lanes H1 = gather<Lanes>(H, fans.rim(i)).w, H2 = gather<Lanes>(H, fans.rim(i + 1)).w;
         const Lanes3<Lanes> H0_y = (H0 * y0.xyz + H1 * y1.xyz + H2 * y2.xyz) / (Lanes{} + 6.0);
         force = force - cross(q, H0_y);
         next = next - cross(H0_y, p);
       }
+    };
+    const auto put = [&](Index i) IBMFAIR_INLINE_LAMBDA {
       sums.add(force, Lanes{}, fans.rim(i));
       force0 = force0 - force;
       force = next;
-      f = g;
-      y1 = y2;
-      pp = qq;
-    }
+    };
+    overlapping(fans.triangles, find_products, find_forces, put);
     sums.add(force, Lanes{}, fans.rim(fans.triangles));
     sums.add(force0 - force, Lanes{}, fans.centre);
     sums.finish();
