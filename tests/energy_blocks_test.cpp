@@ -165,9 +165,7 @@ TEST(EnergyBlocks, WholeStarsMissNoTriangleOfACorner) {
   ASSERT_GT(blocks.block.size(), 1);
   for (const MeshBlock& b : blocks.block) {
     std::vector<Index> vertex(blocks.owned_of(b).begin(), blocks.owned_of(b).end());
-    for (const Index position : b.halo) {
-      vertex.push_back(blocks.owned[position]);
-    }
+    vertex.insert(vertex.end(), b.halo.begin(), b.halo.end());
     std::vector<int> triangles(filler_vertices + vertex.size(), 0);
     for (std::int64_t g = 0; g < b.outer_groups; ++g) {
       for (const auto& corners : triangles_of(b.fans[g], b.corners, vertex_size)) {

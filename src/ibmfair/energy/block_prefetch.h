@@ -64,8 +64,7 @@ void compute_and_prefetch(const MeshBlocks& blocks, const MeshBlock& b, std::int
       results.advance(end, all_groups, [&](Index v) { fetch(*wanted.G, v); });
     }
     own.advance(end, all_groups, [&](Index v) { fetch(*wanted.X, v); });
-    halo.advance(end, all_groups,
-                 [&](Index position) { fetch(*wanted.X, blocks.owned[position]); });
+    halo.advance(end, all_groups, [&](Index v) { fetch(*wanted.X, v); });
   }
 }
 

@@ -48,7 +48,7 @@ VertexRoles roles_in(const MeshBlocks& blocks, const MeshBlock& b,
     roles.counts.push_back(counts ? 1 : 0);
   }
   for (Index i = 0; i < b.rim; ++i) {
-    roles.carries.push_back(centre[blocks.owned[b.halo[i]]]);
+    roles.carries.push_back(centre[b.halo[i]]);
   }
   const std::size_t whole = (roles.carries.size() + lanes_per_group - 1) / lanes_per_group;
   roles.carries.resize(whole * lanes_per_group, 0);
@@ -59,24 +59,20 @@ VertexRoles roles_in(const MeshBlocks& blocks, const MeshBlock& b,
 }  // namespace
 
 Lagrange::Lagrange(const Topology& topology, const EnergyOptions& options)
-    : mass_(options.mass), stencils_(complete_stars(topology, options.active)) {
+    : mass_(options.mass),
+      spontaneous_(options.spontaneous_curvature),
+      stencils_(complete_stars(topology, options.active)) {
   const std::vector<std::uint8_t> centre = is_centre(stencils_, topology.vertex_count);
   blocks_ = mesh_blocks(topology, triangles_around(topology, centre), {.whole_stars = true});
   roles_.reserve(blocks_.block.size());
   for (const MeshBlock& b : blocks_.block) {
     roles_.push_back(roles_in(blocks_, b, centre, options.own_vertices));
   }
-  if (options.spontaneous_curvature.size() > 0) {
-    spontaneous_.reserve(blocks_.owned.size());
-    for (const Index v : blocks_.owned) {
-      spontaneous_.push_back(options.spontaneous_curvature[v]);
-    }
-  }
 }
 
 void Lagrange::load(const MeshBlock& b, const Points& X, BlockVertices& vertices) const {
   blocks_.load(b, X, vertices);
-  if (!spontaneous_.empty()) {
+  if (is_spontaneous()) {
     blocks_.load(b, spontaneous_, vertices);
   }
 }
@@ -91,7 +87,7 @@ double Lagrange::energy(const Points& X) {
     load(b, X, vertices);
     std::array<FanFrame, longest_fan + 1> frames;
     compute_and_prefetch(blocks_, b, b.groups, {&X}, [&](std::int64_t first, std::int64_t groups) {
-      lagrange_curvature({b, first, groups}, !spontaneous_.empty(), false, vertices.data(),
+      lagrange_curvature({b, first, groups}, is_spontaneous(), false, vertices.data(),
                          frames.data());
     });
     return lagrange_energy(roles(b), b.owned, mass_, &vertices[filler_vertices]);
@@ -104,15 +100,14 @@ double Lagrange::energy_and_gradient(const Points& X, Points& G) {
     BlockVertices& vertices = scratch.vertices;
     load(b, X, vertices);
     FanFrame* frames = frames_for(b, scratch.frames);
-    const bool spontaneous = !spontaneous_.empty();
     const auto add_curvature = [&](std::int64_t first, std::int64_t groups) {
-      lagrange_curvature({b, first, groups}, spontaneous, true, vertices.data(), frames);
+      lagrange_curvature({b, first, groups}, is_spontaneous(), true, vertices.data(), frames);
     };
     compute_and_prefetch(blocks_, b, b.outer_groups, {nullptr, &G}, add_curvature);
     const double E =
         lagrange_energy_and_y(roles(b), b.owned + b.rim, mass_, &vertices[filler_vertices]);
     const auto add_forces = [&](std::int64_t first, std::int64_t groups) {
-      lagrange_forces({b, first, groups}, spontaneous, vertices.data(), frames);
+      lagrange_forces({b, first, groups}, is_spontaneous(), vertices.data(), frames);
     };
     compute_and_prefetch(blocks_, b, b.groups, {&X}, add_forces);
     blocks_.store(b, vertices, G);

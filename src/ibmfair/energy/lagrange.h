@@ -39,11 +39,13 @@ class Lagrange final : public BendingEnergy {
 
   const VertexRoles& roles(const MeshBlock& b) const;
 
+  bool is_spontaneous() const { return spontaneous_.size() > 0; }
+
   bool mass_;
-  Rows stencils_;                    // #U: the centre, then its ring in the order it is walked
-  MeshBlocks blocks_;                // of the triangles around U
-  std::vector<VertexRoles> roles_;   // one a block
-  std::vector<double> spontaneous_;  // like blocks_.owned: H0, or empty for none
+  PerVertex spontaneous_;           // H0, or empty for none
+  Rows stencils_;                   // #U: the centre, then its ring in the order it is walked
+  MeshBlocks blocks_;               // of the triangles around U
+  std::vector<VertexRoles> roles_;  // one a block
   BlockLoop loop_;
 };
 

@@ -264,8 +264,8 @@ class Builder {
   }
 
   void find_stars() {
-    for (const Index position : block_.halo) {
-      for (const Index t : mesh_.topology.stars[mesh_.owned[position]]) {
+    for (const Index v : block_.halo) {
+      for (const Index t : mesh_.topology.stars[v]) {
         if (mesh_.kept[t] && is_new(t)) {
           triangles_.push_back(t);
         }
@@ -285,14 +285,13 @@ class Builder {
 
   /// In the block.
   Index number_of(Index v) {
-    const Index position = mesh_.position[v];
     if (is_own(v)) {
-      return filler_vertices + static_cast<Index>(position - block_.first_owned);
+      return filler_vertices + static_cast<Index>(mesh_.position[v] - block_.first_owned);
     }
     Index& number = vertex_[v];
     if (number < 0) {
       number = filler_vertices + block_.owned + static_cast<Index>(block_.halo.size());
-      block_.halo.push_back(position);
+      block_.halo.push_back(v);
     }
     return number;
   }
@@ -331,19 +330,18 @@ void MeshBlocks::load(const MeshBlock& b, const Points& X, BlockVertices& vertic
   for (const Index v : owned_of(b)) {
     load_one(v);
   }
-  for (const Index position : b.halo) {
-    load_one(owned[position]);
+  for (const Index v : b.halo) {
+    load_one(v);
   }
 }
 
-void MeshBlocks::load(const MeshBlock& b, const std::vector<double>& w,
-                      BlockVertices& vertices) const {
+void MeshBlocks::load(const MeshBlock& b, const PerVertex& w, BlockVertices& vertices) const {
   BlockVertex* to = &vertices[filler_vertices];
-  for (Index i = 0; i < b.owned; ++i) {
-    (to++)->x.w = w[b.first_owned + i];
+  for (const Index v : owned_of(b)) {
+    (to++)->x.w = w[v];
   }
-  for (const Index position : b.halo) {
-    (to++)->x.w = w[position];
+  for (const Index v : b.halo) {
+    (to++)->x.w = w[v];
   }
 }
 

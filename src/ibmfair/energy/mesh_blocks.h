@@ -43,7 +43,7 @@ inline constexpr Index lanes_per_group = 8;
 struct MeshBlock {
   std::int64_t first_owned = 0;   ///< in MeshBlocks::owned
   Index owned = 0;                ///< vertices
-  std::vector<Index> halo;        ///< the others, as positions in MeshBlocks::owned
+  std::vector<Index> halo;        ///< the others, as the mesh numbers them
   Index rim = 0;                  ///< the first of these are corners of the first `groups`
   std::vector<FanGroup> fans;     ///< the groups
   std::vector<Index> corners;     ///< their places: `vertex_size` times the vertex
@@ -84,8 +84,8 @@ struct MeshBlocks {
   /// The positions of a block's vertices, x out of X (#V x 3), and sums of zero. The list may grow,
   /// but never shrinks, and has room for lanes_per_group more.
   void load(const MeshBlock& b, const Points& X, BlockVertices& vertices) const;
-  /// The fourth number of their x, out of numbers that stand like `owned`.
-  void load(const MeshBlock& b, const std::vector<double>& w, BlockVertices& vertices) const;
+  /// The fourth number of their x out of w (#V).
+  void load(const MeshBlock& b, const PerVertex& w, BlockVertices& vertices) const;
   /// A block's sums to its own vertices in G (#V x 3).
   void store(const MeshBlock& b, const BlockVertices& vertices, Points& G) const;
   /// Makes G #V x 3, zero where no block stores anything.
