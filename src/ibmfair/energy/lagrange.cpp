@@ -104,8 +104,8 @@ double Lagrange::energy_and_gradient(const Points& X, Points& G) {
       lagrange_curvature({b, first, groups}, is_spontaneous(), true, vertices.data(), frames);
     };
     compute_and_prefetch(blocks_, b, b.outer_groups, {nullptr, &G}, add_curvature);
-    const double E =
-        lagrange_energy_and_y(roles(b), b.owned + b.rim, mass_, &vertices[filler_vertices]);
+    const double E = lagrange_energy_and_y(roles(b), b.owned + b.rim, mass_, is_spontaneous(),
+                                           &vertices[filler_vertices]);
     const auto add_forces = [&](std::int64_t first, std::int64_t groups) {
       lagrange_forces({b, first, groups}, is_spontaneous(), vertices.data(), frames);
     };

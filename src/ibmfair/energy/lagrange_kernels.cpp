@@ -111,7 +111,7 @@ struct Curvature {
   }
 };
 
-template <bool mass, bool with_y>
+template <bool mass, bool with_y, bool spontaneous>
 struct Energy {
   template <class Lanes>
   IBMFAIR_INLINE static double run(const VertexRoles* roles, Index count, BlockVertex* vertices) {
@@ -123,7 +123,7 @@ struct Energy {
       add_to(E, where(&roles->counts[i], energy));
       if (with_y) {
         const Lanes share = where(&roles->carries[i], inverse_mass);
-        const Lanes H0 = load_rows<Lanes>(&vertices->x.x, vertex_size).w;
+        const Lanes H0 = spontaneous ? load_rows<Lanes>(&vertices->x.x, vertex_size).w : Lanes{};
         const Lanes q = mass ? 1.0 / 3.0 * share * energy : Lanes{};
         store_rows<Lanes>(share * h.xyz, q, &vertices->x.x, vertex_size);
         store_rows(Lanes3<Lanes>{}, H0, &vertices->sum.x, vertex_size);
@@ -209,14 +209,17 @@ void lagrange_curvature(const FanRange& fans, bool spontaneous, bool keep, Block
 }
 
 double lagrange_energy(const VertexRoles& roles, Index count, bool mass, BlockVertex* vertices) {
-  return mass ? run_in_lanes<Energy<true, false>>(&roles, count, vertices)
-              : run_in_lanes<Energy<false, false>>(&roles, count, vertices);
+  return mass ? run_in_lanes<Energy<true, false, false>>(&roles, count, vertices)
+              : run_in_lanes<Energy<false, false, false>>(&roles, count, vertices);
 }
 
-double lagrange_energy_and_y(const VertexRoles& roles, Index count, bool mass,
+double lagrange_energy_and_y(const VertexRoles& roles, Index count, bool mass, bool spontaneous,
                              BlockVertex* vertices) {
-  return mass ? run_in_lanes<Energy<true, true>>(&roles, count, vertices)
-              : run_in_lanes<Energy<false, true>>(&roles, count, vertices);
+  const auto run_with = [&]<bool has_mass>() {
+    return spontaneous ? run_in_lanes<Energy<has_mass, true, true>>(&roles, count, vertices)
+                       : run_in_lanes<Energy<has_mass, true, false>>(&roles, count, vertices);
+  };
+  return mass ? run_with.operator()<true>() : run_with.operator()<false>();
 }
 
 void lagrange_forces(const FanRange& fans, bool spontaneous, BlockVertex* vertices,

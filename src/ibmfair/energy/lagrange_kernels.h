@@ -27,9 +27,9 @@ struct VertexRoles {
 double lagrange_energy(const VertexRoles& roles, Index count, bool mass, BlockVertex* vertices);
 
 /// The same, and puts y_v = h_v / m_v, or 0 where v is not in U, in the place of x_v, with
-/// |y_v|^2 / 6 as fourth number or 0 where masses are left out; and clears the sums, but for the
-/// fourth number, which becomes that of x_v.
-double lagrange_energy_and_y(const VertexRoles& roles, Index count, bool mass,
+/// |y_v|^2 / 6 as fourth number or 0 where masses are left out; and clears the sums, but if
+/// `spontaneous` for the fourth number, which becomes that of x_v.
+double lagrange_energy_and_y(const VertexRoles& roles, Index count, bool mass, bool spontaneous,
                              BlockVertex* vertices);
 
 /// Adds the gradient of the energy to the sums of the vertices, which are as this has left them.
