@@ -7,6 +7,7 @@
 #include "ibmfair/base/threads.h"
 #include "ibmfair/energy/bending_energy.h"
 #include "ibmfair/energy/mesh_blocks.h"
+#include "ibmfair/energy/vertex_blocks.h"
 #include "ibmfair/shapes/grids.h"
 #include "ibmfair/shapes/noise.h"
 #include "ibmfair/shapes/polyhedra.h"
@@ -154,6 +155,22 @@ TEST(EnergyBlocks, EveryTriangleIsOwnedOnceAndFewAreRepeated) {
     EXPECT_EQ(std::adjacent_find(vertices.begin(), vertices.end()), vertices.end());
     EXPECT_EQ(static_cast<Eigen::Index>(vertices.size()), mesh.X.rows());
   }
+}
+
+TEST(EnergyBlocks, AMeshThatIsNumberedByItsBlocksHasTheSameOnes) {
+  const TriangleMesh mesh = make_icosphere({5, {}});
+  const std::vector<std::uint8_t> all(mesh.F.rows(), 1);
+  const Rows blocks = vertex_blocks(build_topology(mesh.X, mesh.F), all);
+  ASSERT_GT(blocks.size(), 2);
+  std::vector<Index> number(blocks.value.size());
+  for (std::size_t i = 0; i < number.size(); ++i) {
+    number[blocks.value[i]] = static_cast<Index>(i);
+  }
+  const TriangleMesh there = renumbered(mesh, number);
+  const Rows runs = vertex_blocks(build_topology(there.X, there.F), all);
+  EXPECT_EQ(runs.first, blocks.first);
+  EXPECT_TRUE(std::is_sorted(runs.value.begin(), runs.value.end()));
+  EXPECT_EQ(runs.value.size(), number.size());
 }
 
 TEST(EnergyBlocks, WholeStarsMissNoTriangleOfACorner) {

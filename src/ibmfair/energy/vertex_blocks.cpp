@@ -24,13 +24,19 @@ std::vector<Index> corners_of(const Topology& topology, const std::vector<std::u
   });
 }
 
-/// Cuts the list into runs of nearly equal length.
-Rows runs(std::vector<Index> vertices) {
+/// Blocks of nearly equal length, and no vertices in them yet.
+Rows empty_blocks(std::size_t vertices) {
   Rows blocks;
-  const std::size_t count = (vertices.size() + block_size - 1) / block_size;
+  const std::size_t count = (vertices + block_size - 1) / block_size;
   for (std::size_t b = 1; b <= count; ++b) {
-    blocks.first.push_back(static_cast<std::int64_t>(vertices.size() * b / count));
+    blocks.first.push_back(static_cast<std::int64_t>(vertices * b / count));
   }
+  return blocks;
+}
+
+/// Cuts the list into runs.
+Rows runs(std::vector<Index> vertices) {
+  Rows blocks = empty_blocks(vertices.size());
   blocks.value = std::move(vertices);
   return blocks;
 }
@@ -57,23 +63,23 @@ double repetition(const Topology& topology, const std::vector<std::uint8_t>& kep
   return triangles_and_places[1] / std::max(triangles_and_places[0], 1.0);
 }
 
-/// Each block grows from where an earlier one stopped, so that no gaps are left between them.
+/// Each block grows from where an earlier one stopped, so that no gaps are left between them. They
+/// are the runs of their vertices: a mesh that is numbered by its blocks has the same ones.
 Rows grown(const Topology& topology, const std::vector<std::uint8_t>& kept,
            const std::vector<Index>& vertices) {
   enum State : std::uint8_t { free, waiting, taken };
   std::vector<std::uint8_t> state(static_cast<std::size_t>(topology.vertex_count), free);
-  Rows blocks;
+  Rows blocks = empty_blocks(vertices.size());
   blocks.value.reserve(vertices.size());
   std::vector<Index> seeds = vertices;  // last resort: the first vertex left, in the input's order
   std::size_t next_seed = 0;
   std::vector<Index> front;  // reached by earlier blocks, but not taken
   std::size_t next_front = 0;
   std::vector<Index> queue;
-  while (blocks.value.size() < vertices.size()) {
+  for (Index b = 0; b < blocks.size(); ++b) {
     queue.clear();
     std::size_t next = 0;
-    const std::size_t full = std::min(blocks.value.size() + block_size, vertices.size());
-    while (blocks.value.size() < full) {
+    while (static_cast<std::int64_t>(blocks.value.size()) < blocks.first[b + 1]) {
       if (next == queue.size()) {
         while (next_front < front.size() && state[front[next_front]] == taken) {
           ++next_front;
@@ -99,7 +105,6 @@ Rows grown(const Topology& topology, const std::vector<std::uint8_t>& kept,
       state[queue[next]] = free;
       front.push_back(queue[next]);
     }
-    blocks.first.push_back(static_cast<std::int64_t>(blocks.value.size()));
   }
   return blocks;
 }
