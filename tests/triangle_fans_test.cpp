@@ -74,6 +74,7 @@ void expect_each_once(const CornerTriples& triangles, Index vertex_count) {
   std::sort(expected.begin(), expected.end());
   const Listed found = listed(fans);
   EXPECT_EQ(found.triangles, expected);
+  EXPECT_LE(found.fillers.size(), longest_fan * lanes_per_group / 2);
   for (const auto& x : found.fillers) {
     EXPECT_EQ(x[0], 0);
     EXPECT_EQ(x[2], x[1] + 1);

@@ -25,6 +25,7 @@ void FanCover::append(const CornerTriples& triangles, const CornerTriples& besid
   listed_.clear();
   take_whole_stars();
   take_what_is_left();
+  cut_what_fills_no_group();
   std::size_t more_groups = 0, more_places = 0;
   for (Index length = longest_fan; length > 0; --length) {
     more_groups += groups_of(length);
@@ -165,6 +166,62 @@ void FanCover::take_from(Index corner, Index centre) {
     std::vector<Index>& fans = fans_[length];
     fans.insert(fans.end(), vertices.begin(), vertices.begin() + length + 2);
     fans.insert(fans.end(), triangles.begin(), triangles.begin() + length);
+  }
+}
+
+/// A group that lacks fans takes as long as a full one. So what is left over of all lengths is cut
+/// into pieces that fill groups, or nearly.
+void FanCover::cut_what_fills_no_group() {
+  for (Index length = 1; length <= longest_fan; ++length) {
+    std::vector<Index>& fans = fans_[length];
+    const std::size_t size = size_of_fan(length);
+    const std::size_t in_groups = fans.size() - fans.size() % (lanes_per_group * size);
+    for (std::size_t first = in_groups; first < fans.size(); first += size) {
+      const Index* const fan = &fans[first];
+      Rest& rest = rest_.emplace_back(Rest{fan[0], length, {}, {}});
+      std::copy_n(fan + 1, length + 1, rest.rim.begin());
+      std::copy_n(fan + length + 2, length, rest.places.begin());
+    }
+    fans.resize(in_groups);
+  }
+  while (!rest_.empty()) {
+    cut_pieces(best_length_of_pieces());
+    std::erase_if(rest_, [](const Rest& rest) { return rest.length == 0; });
+  }
+}
+
+/// That at which the next group takes the least time for a triangle.
+Index FanCover::best_length_of_pieces() const {
+  constexpr double besides = 1.5;  // what a fan takes besides its triangles, over what one takes
+  Index best = 1;
+  double most = 0;
+  for (Index length = 1; length <= longest_fan; ++length) {
+    Index pieces = 0;
+    for (const Rest& rest : rest_) {
+      pieces += rest.length / length;
+    }
+    const double done = length * std::min(pieces, lanes_per_group) / (length + besides);
+    if (done >= most) {
+      most = done;
+      best = length;
+    }
+  }
+  return best;
+}
+
+/// A group of them, if there are as many.
+void FanCover::cut_pieces(Index length) {
+  std::vector<Index>& fans = fans_[length];
+  Index wanted = lanes_per_group;
+  for (Rest& rest : rest_) {
+    for (; rest.length >= length && wanted > 0; --wanted) {
+      rest.length -= length;
+      const auto rim = rest.rim.begin() + rest.length;
+      const auto places = rest.places.begin() + rest.length;
+      fans.push_back(rest.centre);
+      fans.insert(fans.end(), rim, rim + length + 1);
+      fans.insert(fans.end(), places, places + length);
+    }
   }
 }
 

@@ -58,12 +58,22 @@ class FanCover {
     Index triangle() const { return place / 3; }
   };
 
+  /// What is left of a fan as pieces are cut off at its end.
+  struct Rest {
+    Index centre, length;
+    std::array<Index, longest_fan + 1> rim;
+    std::array<Index, longest_fan> places;  // of the triangles' corners
+  };
+
   void find_stars(const CornerTriples& triangles, Index vertex_count);
   void take_whole_stars();
   void take_what_is_left();
   void take(Index centre);
   void take_from(Index corner, Index centre);
   bool goes_on(const Corner& from, const Corner& to) const;
+  void cut_what_fills_no_group();
+  Index best_length_of_pieces() const;
+  void cut_pieces(Index length);
   std::size_t groups_of(Index length) const;
   void append_groups(Index length, Index place_of_vertex, std::vector<Index>& places,
                      std::vector<FanGroup>& groups);
@@ -83,6 +93,7 @@ class FanCover {
   std::vector<std::uint8_t> entered_;                     // by corner, whether a fan goes on there
   std::array<std::vector<Index>, longest_fan + 1> fans_;  // by length: the centre, the rim, and the
                                                           // places of the triangles' corners
+  std::vector<Rest> rest_;
   std::vector<Index> listed_;
   const CornerTriples* beside_ = nullptr;  // in append()
 };
