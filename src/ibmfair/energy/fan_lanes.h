@@ -18,9 +18,9 @@ struct FanPlaces {
   }
 };
 
-/// Calls begin(i), finish(i) and put(i) for the triangles of fans, i = 0 .. count - 1, but begin(i
-/// + 1) already before put(i). The processor looks ahead less far than from one triangle to the
-/// next: where all that it sees waits for the first of a chain of operations, it stands still.
+/// Calls begin(i), finish(i) and put(i) for each of `count` triangles, but begins the next one
+/// before it puts this one. The processor looks ahead less far than from one triangle to the next:
+/// where all that it sees waits for the first of a chain of operations, it stands still.
 template <class Begin, class Finish, class Put>
 IBMFAIR_INLINE void overlapping(Index count, const Begin& begin, const Finish& finish,
                                 const Put& put) {
