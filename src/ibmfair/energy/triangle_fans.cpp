@@ -149,24 +149,31 @@ void FanCover::take(Index centre) {
 
 /// Makes a fan that begins with this corner, if none has it yet.
 void FanCover::take_from(Index corner, Index centre) {
-  std::array<Index, longest_fan + 2> vertices{centre, corners_[corner].next};
-  std::array<Index, longest_fan> triangles;
-  Index length = 0;
-  while (corner >= 0 && taken_[corners_[corner].triangle()] == 0 && length < longest_fan) {
+  Fan fan{.centre = centre};
+  fan.rim[0] = corners_[corner].next;
+  while (corner >= 0 && taken_[corners_[corner].triangle()] == 0 && fan.length < longest_fan) {
     const Corner& of_centre = corners_[corner];
     taken_[of_centre.triangle()] = 1;
     --left_[centre];
     --left_[of_centre.next];
     --left_[of_centre.previous];
-    triangles[length] = of_centre.place;
-    vertices[++length + 1] = of_centre.previous;
+    fan.places[fan.length] = of_centre.place;
+    fan.rim[++fan.length] = of_centre.previous;
     corner = after_[corner];
   }
-  if (length > 0) {
-    std::vector<Index>& fans = fans_[length];
-    fans.insert(fans.end(), vertices.begin(), vertices.begin() + length + 2);
-    fans.insert(fans.end(), triangles.begin(), triangles.begin() + length);
+  if (fan.length > 0) {
+    list_end(fan, fan.length);
   }
+}
+
+/// The last triangles of the fan, as one of so many.
+void FanCover::list_end(const Fan& fan, Index length) {
+  std::vector<Index>& fans = fans_[length];
+  const auto rim = fan.rim.begin() + (fan.length - length);
+  const auto places = fan.places.begin() + (fan.length - length);
+  fans.push_back(fan.centre);
+  fans.insert(fans.end(), rim, rim + length + 1);
+  fans.insert(fans.end(), places, places + length);
 }
 
 /// A group that lacks fans takes as long as a full one. So what is left over of all lengths is cut
@@ -177,16 +184,16 @@ void FanCover::cut_what_fills_no_group() {
     const std::size_t size = size_of_fan(length);
     const std::size_t in_groups = fans.size() - fans.size() % (lanes_per_group * size);
     for (std::size_t first = in_groups; first < fans.size(); first += size) {
-      const Index* const fan = &fans[first];
-      Rest& rest = rest_.emplace_back(Rest{fan[0], length, {}, {}});
-      std::copy_n(fan + 1, length + 1, rest.rim.begin());
-      std::copy_n(fan + length + 2, length, rest.places.begin());
+      Fan fan{.centre = fans[first], .length = length};
+      std::copy_n(&fans[first + 1], length + 1, fan.rim.begin());
+      std::copy_n(&fans[first + length + 2], length, fan.places.begin());
+      rest_.push_back(fan);
     }
     fans.resize(in_groups);
   }
   while (!rest_.empty()) {
     cut_pieces(best_length_of_pieces());
-    std::erase_if(rest_, [](const Rest& rest) { return rest.length == 0; });
+    std::erase_if(rest_, [](const Fan& rest) { return rest.length == 0; });
   }
 }
 
@@ -197,7 +204,7 @@ Index FanCover::best_length_of_pieces() const {
   double most = 0;
   for (Index length = 1; length <= longest_fan; ++length) {
     Index pieces = 0;
-    for (const Rest& rest : rest_) {
+    for (const Fan& rest : rest_) {
       pieces += rest.length / length;
     }
     const double done = length * std::min(pieces, lanes_per_group) / (length + besides);
@@ -211,16 +218,11 @@ Index FanCover::best_length_of_pieces() const {
 
 /// A group of them, if there are as many.
 void FanCover::cut_pieces(Index length) {
-  std::vector<Index>& fans = fans_[length];
   Index wanted = lanes_per_group;
-  for (Rest& rest : rest_) {
+  for (Fan& rest : rest_) {
     for (; rest.length >= length && wanted > 0; --wanted) {
+      list_end(rest, length);
       rest.length -= length;
-      const auto rim = rest.rim.begin() + rest.length;
-      const auto places = rest.places.begin() + rest.length;
-      fans.push_back(rest.centre);
-      fans.insert(fans.end(), rim, rim + length + 1);
-      fans.insert(fans.end(), places, places + length);
     }
   }
 }

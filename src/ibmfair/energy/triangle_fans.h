@@ -58,9 +58,8 @@ class FanCover {
     Index triangle() const { return place / 3; }
   };
 
-  /// What is left of a fan as pieces are cut off at its end.
-  struct Rest {
-    Index centre, length;
+  struct Fan {
+    Index centre = 0, length = 0;  // the latter in triangles
     std::array<Index, longest_fan + 1> rim;
     std::array<Index, longest_fan> places;  // of the triangles' corners
   };
@@ -74,6 +73,7 @@ class FanCover {
   void cut_what_fills_no_group();
   Index best_length_of_pieces() const;
   void cut_pieces(Index length);
+  void list_end(const Fan& fan, Index length);
   std::size_t groups_of(Index length) const;
   void append_groups(Index length, Index place_of_vertex, std::vector<Index>& places,
                      std::vector<FanGroup>& groups);
@@ -93,7 +93,7 @@ class FanCover {
   std::vector<std::uint8_t> entered_;                     // by corner, whether a fan goes on there
   std::array<std::vector<Index>, longest_fan + 1> fans_;  // by length: the centre, the rim, and the
                                                           // places of the triangles' corners
-  std::vector<Rest> rest_;
+  std::vector<Fan> rest_;  // what is left of those that fill no group
   std::vector<Index> listed_;
   const CornerTriples* beside_ = nullptr;  // in append()
 };
