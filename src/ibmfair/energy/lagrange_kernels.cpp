@@ -146,10 +146,10 @@ struct Forces {
     const Lanes4<Lanes> y0 = gather<Lanes>(Y, fans.centre);
     Lanes4<Lanes> y1 = {}, y2 = gather<Lanes>(Y, fans.rim(0));
     Lanes3<Lanes> f = {}, g = y2.xyz - y0.xyz;  // the changes of p and q along y
-    Lanes pp = {}, pq = {}, qq = dot(fans.frames[0].p, fans.frames[0].p);
-    Lanes by_p = {}, by_q = {}, by_mass = {};
+    Lanes qq = dot(fans.frames[0].p, fans.frames[0].p);
+    Lanes rise_p = {}, rise_q = {}, by_mass = {};
     Lanes3<Lanes> force = {}, next = {}, force0 = {};
-    const auto find_products = [&](Index i) IBMFAIR_INLINE_LAMBDA {
+    const auto find_rises = [&](Index i) IBMFAIR_INLINE_LAMBDA {
       const auto& [p, n, inverse] = fans.frames[i];
       const Lanes3<Lanes>& q = fans.frames[i + 1].p;
       y1 = y2;
@@ -159,19 +159,18 @@ struct Forces {
       // The change of the normal is that of a plane over which the triangle's corners rise by
       // 2 <n, y>, and the gradient of the area changes along the normal by its slope, which is
       // 4 inverse (<n, g> p - <n, f> q).
-      const Lanes factor = 4.0 * inverse;
-      by_p = factor * dot(n, g);
-      by_q = factor * dot(n, f);
-      pp = qq;
-      pq = dot(p, q);
+      const Lanes3<Lanes> along_n = 4.0 * inverse * n;
+      const Lanes by_p = dot(along_n, g), by_q = dot(along_n, f);
+      const Lanes pp = qq, pq = dot(p, q);
       qq = dot(q, q);
+      rise_p = by_p * pp - by_q * pq;
+      rise_q = by_p * pq - by_q * qq;
       by_mass = y0.w + y1.w + y2.w;
     };
     const auto find_forces = [&](Index i) IBMFAIR_INLINE_LAMBDA {
-      const auto& [p, n, inverse] = fans.frames[i];
+      const Lanes3<Lanes>&p = fans.frames[i].p, &n = fans.frames[i].n;
       const Lanes3<Lanes>& q = fans.frames[i + 1].p;
-      const Lanes rise_p = by_p * pp - by_q * pq, rise_q = by_p * pq - by_q * qq;
-      force = force + (cross(g - by_mass * q, n) - rise_q * n);
+      force = force + cross(g - by_mass * q, n) - rise_q * n;
       next = cross(n, f - by_mass * p) + rise_p * n;
       if (spontaneous) {
         const Lanes H1 = gather<Lanes>(H, fans.rim(i)).w, H2 = gather<Lanes>(H, fans.rim(i + 1)).w;
@@ -185,7 +184,7 @@ struct Forces {
       force0 = force0 - force;
       force = next;
     };
-    overlapping(fans.triangles, find_products, find_forces, put);
+    overlapping(fans.triangles, find_rises, find_forces, put);
     sums.add(force, Lanes{}, fans.rim(fans.triangles));
     sums.add(force0 - force, Lanes{}, fans.centre);
     sums.finish();
