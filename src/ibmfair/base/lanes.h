@@ -263,15 +263,15 @@ IBMFAIR_INLINE void store_rows(const Lanes3<Lanes>& a, const Lanes& w, double* r
   }
 }
 
-/// a where the lane's number at `flags` is positive, and 0 elsewhere.
-IBMFAIR_INLINE Four where(const float* flags, const Four& a) {
-  using Flags = float __attribute__((vector_size(16)));
-  Flags all;
-  std::memcpy(&all, flags, sizeof all);
-  return __builtin_convertvector(all, Four) > Four{} ? a : Four{};
+/// a where the lane's number at `masks` is -1, and 0 where it is 0. GCC widens all four at once
+/// only where they are written one by one.
+IBMFAIR_INLINE Four where(const std::int8_t* masks, const Four& a) {
+  using Bits = std::int64_t __attribute__((vector_size(32)));
+  const Bits all = {masks[0], masks[1], masks[2], masks[3]};
+  return reinterpret_cast<Four>(reinterpret_cast<Bits>(a) & all);
 }
-IBMFAIR_INLINE Eight where(const float* flags, const Eight& a) {
-  return both_halves(where(flags, low_half(a)), where(flags + 4, high_half(a)));
+IBMFAIR_INLINE Eight where(const std::int8_t* masks, const Eight& a) {
+  return both_halves(where(masks, low_half(a)), where(masks + 4, high_half(a)));
 }
 
 /// Adds to the row at `to`.

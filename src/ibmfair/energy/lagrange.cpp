@@ -44,11 +44,11 @@ VertexRoles roles_in(const MeshBlocks& blocks, const MeshBlock& b,
   VertexRoles roles;
   for (const Index v : blocks.owned_of(b)) {
     const bool counts = centre[v] && (own.empty() || own[v]);
-    roles.carries.push_back(centre[v]);
-    roles.counts.push_back(counts ? 1 : 0);
+    roles.carries.push_back(centre[v] ? -1 : 0);
+    roles.counts.push_back(counts ? -1 : 0);
   }
   for (Index i = 0; i < b.rim; ++i) {
-    roles.carries.push_back(centre[b.halo[i]]);
+    roles.carries.push_back(centre[b.halo[i]] ? -1 : 0);
   }
   const std::size_t whole = (roles.carries.size() + lanes_per_group - 1) / lanes_per_group;
   roles.carries.resize(whole * lanes_per_group, 0);

@@ -115,14 +115,15 @@ template <bool mass, bool with_y, bool spontaneous>
 struct Energy {
   template <class Lanes>
   IBMFAIR_INLINE static double run(const VertexRoles* roles, Index count, BlockVertex* vertices) {
+    const std::int8_t *counts = roles->counts.data(), *carries = roles->carries.data();
     Four E = {};
     for (Index i = 0; i < count; i += lane_count<Lanes>, vertices += lane_count<Lanes>) {
       const Lanes4<Lanes> h = load_rows<Lanes>(&vertices->sum.x, vertex_size);
       const Lanes inverse_mass = mass ? 3.0 / h.w : Lanes{} + 1.0;
       const Lanes energy = 0.5 * inverse_mass * dot(h.xyz, h.xyz);
-      add_to(E, where(&roles->counts[i], energy));
+      add_to(E, where(counts + i, energy));
       if (with_y) {
-        const Lanes share = where(&roles->carries[i], inverse_mass);
+        const Lanes share = where(carries + i, inverse_mass);
         const Lanes H0 = spontaneous ? load_rows<Lanes>(&vertices->x.x, vertex_size).w : Lanes{};
         const Lanes q = mass ? 1.0 / 3.0 * share * energy : Lanes{};
         store_rows<Lanes>(share * h.xyz, q, &vertices->x.x, vertex_size);

@@ -16,11 +16,11 @@ namespace ibmfair {
 void lagrange_curvature(const FanRange& fans, bool spontaneous, bool keep, BlockVertex* vertices,
                         FanFrame* frames);
 
-/// Of a block's vertices, its own and then its rim, 1 or 0 each; a multiple of lanes_per_group, with
-/// zeros for what is behind them. In floats, as these become masks at once.
+/// Of a block's vertices, its own and then its rim, -1 or 0 each, which are masks; a multiple of
+/// lanes_per_group, with zeros for what is behind them.
 struct VertexRoles {
-  std::vector<float> carries;  ///< whether the vertex is in U
-  std::vector<float> counts;   ///< whether its energy is this block's
+  std::vector<std::int8_t> carries;  ///< whether the vertex is in U
+  std::vector<std::int8_t> counts;   ///< whether its energy is this block's
 };
 
 /// The energy of those of the first `count` vertices that count, from their sums h_v.
