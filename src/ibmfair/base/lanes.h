@@ -192,6 +192,13 @@ IBMFAIR_INLINE Lanes4<Eight> turned(const double* const (&r)[8]) {
 
 }  // namespace simd_detail
 
+/// The three numbers at `row`, and 0.
+IBMFAIR_INLINE Four three_numbers(const double* row) {
+  const simd_detail::HalfAt& low = *reinterpret_cast<const simd_detail::HalfAt*>(row);
+  const simd_detail::HalfAt high = {row[2], 0};
+  return __builtin_shufflevector(low, high, 0, 1, 2, 3);
+}
+
 /// Lane i from the four numbers at `row[i]`. May read two numbers more behind them, and drops
 /// these: behind the last there must be room.
 template <class Lanes>

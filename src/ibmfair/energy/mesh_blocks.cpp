@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <array>
-#include <cstring>
 #include <initializer_list>
 #include <utility>
 
 #include "ibmfair/base/parallel.h"
+#include "ibmfair/energy/block_rows.h"
 #include "ibmfair/energy/vertex_blocks.h"
 #include "ibmfair/mesh/select.h"
 
@@ -321,18 +321,9 @@ void MeshBlocks::load(const MeshBlock& b, const Points& X, BlockVertices& vertic
   for (Index i = 1; i < filler_vertices; ++i) {
     vertices[i].x = {1, static_cast<double>(i), 0, 0};
   }
-  BlockVertex* to = &vertices[filler_vertices];
-  const auto load_one = [&](Index v) {
-    std::memcpy(&to->x.x, X.data() + 3 * std::ptrdiff_t{v}, 3 * sizeof(double));
-    to->sum = {};
-    ++to;
-  };
-  for (const Index v : owned_of(b)) {
-    load_one(v);
-  }
-  for (const Index v : b.halo) {
-    load_one(v);
-  }
+  BlockVertex* own = &vertices[filler_vertices];
+  load_rows(owned_of(b), X, own);
+  load_rows(b.halo, X, own + b.owned);
 }
 
 void MeshBlocks::load(const MeshBlock& b, const PerVertex& w, BlockVertices& vertices) const {
@@ -346,11 +337,7 @@ void MeshBlocks::load(const MeshBlock& b, const PerVertex& w, BlockVertices& ver
 }
 
 void MeshBlocks::store(const MeshBlock& b, const BlockVertices& vertices, Points& G) const {
-  const BlockVertex* from = &vertices[filler_vertices];
-  for (const Index v : owned_of(b)) {
-    std::memcpy(G.data() + 3 * std::ptrdiff_t{v}, &from->sum.x, 3 * sizeof(double));
-    ++from;
-  }
+  store_sums(owned_of(b), &vertices[filler_vertices], G);
 }
 
 void MeshBlocks::prepare(Points& G) const {

@@ -1,0 +1,36 @@
+#include "ibmfair/energy/block_rows.h"
+
+#include <cstddef>
+#include <cstring>
+
+#include "ibmfair/base/lanes.h"
+
+namespace ibmfair {
+namespace {
+
+struct LoadRows {
+  IBMFAIR_INLINE static void run(const Index* v, std::size_t count, const double* X,
+                                 BlockVertex* to) {
+    for (const Index* end = v + count; v != end; ++v, ++to) {
+      const Four x = three_numbers(X + 3 * std::ptrdiff_t{*v}), zero = {};
+      std::memcpy(&to->x, &x, sizeof x);
+      std::memcpy(&to->sum, &zero, sizeof zero);
+    }
+  }
+};
+
+}  // namespace
+
+void load_rows(std::span<const Index> v, const Points& X, BlockVertex* to) {
+  run<LoadRows>(v.data(), v.size(), X.data(), to);
+}
+
+void store_sums(std::span<const Index> v, const BlockVertex* from, Points& G) {
+  double* rows = G.data();
+  for (const Index row : v) {
+    std::memcpy(rows + 3 * std::ptrdiff_t{row}, &from->sum.x, 3 * sizeof(double));
+    ++from;
+  }
+}
+
+}  // namespace ibmfair
