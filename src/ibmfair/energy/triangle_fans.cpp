@@ -149,7 +149,8 @@ void FanCover::take(Index centre) {
 
 /// Makes a fan that begins with this corner, if none has it yet.
 void FanCover::take_from(Index corner, Index centre) {
-  Fan fan{.centre = centre};
+  Fan fan;
+  fan.centre = centre;
   fan.rim[0] = corners_[corner].next;
   while (corner >= 0 && taken_[corners_[corner].triangle()] == 0 && fan.length < longest_fan) {
     const Corner& of_centre = corners_[corner];
@@ -184,7 +185,9 @@ void FanCover::cut_what_fills_no_group() {
     const std::size_t size = size_of_fan(length);
     const std::size_t in_groups = fans.size() - fans.size() % (lanes_per_group * size);
     for (std::size_t first = in_groups; first < fans.size(); first += size) {
-      Fan fan{.centre = fans[first], .length = length};
+      Fan fan;
+      fan.centre = fans[first];
+      fan.length = length;
       std::copy_n(&fans[first + 1], length + 1, fan.rim.begin());
       std::copy_n(&fans[first + length + 2], length, fan.places.begin());
       rest_.push_back(fan);
