@@ -24,23 +24,26 @@ struct BlockPrefetch {
 
 namespace block_prefetch_detail {
 
-/// To the second cache: the first is small.
-inline void fetch(const Points& rows, Index v) {
-  __builtin_prefetch(rows.data() + 3 * std::ptrdiff_t{v}, 0, 2);
-}
+/// Asks for cache lines of rows, an equal part of them in each of some steps.
+class Walk {
+ public:
+  Walk() = default;
+  Walk(const Points& rows, std::span<const Index> lines, std::int64_t steps)
+      : rows_(rows.data()), lines_(lines), part_((lines.size() + steps - 1) / steps) {}
 
-/// A list of which as large a share is done as of the groups.
-struct Walk {
-  std::span<const Index> list;
-  std::size_t done = 0;
-
-  template <class Take>
-  void advance(std::int64_t groups, std::int64_t all_groups, const Take& take) {
-    const std::size_t end = list.size() * static_cast<std::size_t>(groups) / all_groups;
-    for (; done < end; ++done) {
-      take(list[done]);
+  void step() {
+    const std::size_t part = std::min(part_, lines_.size());
+    for (const Index line : lines_.first(part)) {
+      // To the second cache: the first is small.
+      __builtin_prefetch(rows_ + numbers_per_line * std::ptrdiff_t{line}, 0, 2);
     }
+    lines_ = lines_.subspan(part);
   }
+
+ private:
+  const double* rows_ = nullptr;
+  std::span<const Index> lines_;
+  std::size_t part_ = 0;
 };
 
 }  // namespace block_prefetch_detail
@@ -49,22 +52,21 @@ struct Walk {
 template <class Compute>
 void compute_and_prefetch(const MeshBlocks& blocks, const MeshBlock& b, std::int64_t all_groups,
                           const BlockPrefetch& wanted, const Compute& compute) {
-  using block_prefetch_detail::fetch;
-  constexpr std::int64_t few = 8;
-  block_prefetch_detail::Walk results{blocks.owned_of(b)}, own, halo;
+  using block_prefetch_detail::Walk;
+  constexpr std::int64_t few = 2;  // of many lines at once some would be forgotten
+  const std::int64_t steps = (all_groups + few - 1) / few;
+  Walk results, positions;
+  if (wanted.G != nullptr) {
+    results = Walk(*wanted.G, b.own_lines(), steps);
+  }
   if (wanted.X != nullptr && &b != &blocks.block.back()) {
     const MeshBlock& next = *(&b + 1);  // most likely the next one of this thread, too
-    own.list = blocks.owned_of(next);
-    halo.list = next.halo;
+    positions = Walk(*wanted.X, next.lines, steps);
   }
   for (std::int64_t first = 0; first < all_groups; first += few) {
-    const std::int64_t end = std::min(first + few, all_groups);
-    compute(first, end - first);
-    if (wanted.G != nullptr) {
-      results.advance(end, all_groups, [&](Index v) { fetch(*wanted.G, v); });
-    }
-    own.advance(end, all_groups, [&](Index v) { fetch(*wanted.X, v); });
-    halo.advance(end, all_groups, [&](Index v) { fetch(*wanted.X, v); });
+    compute(first, std::min(few, all_groups - first));
+    results.step();
+    positions.step();
   }
 }
 

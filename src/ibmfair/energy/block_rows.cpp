@@ -13,8 +13,8 @@ struct LoadRows {
                                  BlockVertex* to) {
     for (const Index* end = v + count; v != end; ++v, ++to) {
       const Four x = three_numbers(X + 3 * std::ptrdiff_t{*v}), zero = {};
-      std::memcpy(&to->x, &x, sizeof x);
-      std::memcpy(&to->sum, &zero, sizeof zero);
+      std::memcpy(&to->x.x, &x, sizeof x);
+      std::memcpy(&to->sum.x, &zero, sizeof zero);
     }
   }
 };

@@ -97,6 +97,7 @@ class Builder {
     } else {
       take_neighbours();
     }
+    find_lines();
     return std::move(block_);
   }
 
@@ -273,6 +274,27 @@ class Builder {
     }
   }
 
+  void find_lines() {
+    line_.clear();
+    for (Index i = 0; i < block_.owned; ++i) {
+      add_lines_of(mesh_.owned[block_.first_owned + i]);
+    }
+    block_.own_line_count = block_.lines.size();
+    for (const Index v : block_.halo) {
+      add_lines_of(v);
+    }
+  }
+
+  void add_lines_of(Index v) {
+    for (const std::int64_t number : {3 * std::int64_t{v}, 3 * std::int64_t{v} + 2}) {
+      const auto line = static_cast<Index>(number / numbers_per_line);
+      if (Index& found = line_[line]; found < 0) {
+        found = 0;
+        block_.lines.push_back(line);
+      }
+    }
+  }
+
   /// Whether the block has not had this triangle before.
   bool is_new(Index t) {
     Index& number = triangle_[t];
@@ -298,7 +320,7 @@ class Builder {
 
   const WholeMesh& mesh_;
   LocalNumbers vertex_;  // those it does not own
-  LocalNumbers triangle_;
+  LocalNumbers triangle_, line_;
   std::vector<Index> triangles_;  // the block's: first those that are its own and count
   std::size_t own_ = 0;           // of these
   std::vector<Index> shared_;

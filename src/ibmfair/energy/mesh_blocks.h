@@ -55,6 +55,11 @@ struct MeshBlock {
   std::int64_t own_groups = 0;    ///< those of the triangles that count, each in one block's
   std::int64_t groups = 0;        ///< and of all others at its own vertices
   std::int64_t outer_groups = 0;  ///< and of what is wanted around both
+  std::vector<Index> lines;  ///< where Points keep the vertices' rows: cache lines, counted from
+                             ///< the first row on, those of its own vertices first
+  std::size_t own_line_count = 0;  ///< of these
+
+  std::span<const Index> own_lines() const { return {lines.data(), own_line_count}; }
 };
 
 /// Which groups of a block.
@@ -62,6 +67,9 @@ struct FanRange {
   const MeshBlock& block;
   std::int64_t first = 0, groups = 0;
 };
+
+/// Numbers in a line of a cache.
+inline constexpr Index numbers_per_line = 64 / sizeof(double);
 
 /// Numbers in what there is of a vertex.
 inline constexpr Index vertex_size = sizeof(BlockVertex) / sizeof(double);
