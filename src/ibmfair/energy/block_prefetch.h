@@ -1,8 +1,7 @@
-// Computing a block while the memory for what follows is on its way. Positions are read, and
-// gradients written, in the order of the mesh's vertices, which need not be that of the block: they
-// come from memory one cache line at a time. Where they were asked for all at once, before they are
-// used, a fourth of the time of a gradient went into waiting. Each had better have a pass over the
-// block of its own.
+// Memory that is on its way while a block is computed. Positions are read, and gradients written,
+// in the order of the mesh's vertices, which need not be that of the block: they come from memory
+// one cache line at a time. Where they were asked for all at once, before they are used, a fourth
+// of the time of a gradient went into waiting; and of a hundred asked for at once some are dropped.
 #pragma once
 
 #include <algorithm>
@@ -11,24 +10,18 @@
 #include <span>
 
 #include "ibmfair/base/types.h"
-#include "ibmfair/energy/mesh_blocks.h"
 
 namespace ibmfair {
 
-/// What is fetched while a block is computed, where given: positions (#V x 3) for the block after
-/// it, and the places of the block's own vertices in the gradient (#V x 3).
-struct BlockPrefetch {
-  const Points* X = nullptr;
-  const Points* G = nullptr;
-};
+/// Numbers in a line of a cache.
+inline constexpr Index numbers_per_line = 64 / sizeof(double);
 
-namespace block_prefetch_detail {
-
-/// Asks for cache lines of rows, an equal part of them in each of some steps.
-class Walk {
+/// Asks for lines of rows, an equal part of them in each of some steps. Each had better have a pass
+/// over a block of its own.
+class BlockPrefetch {
  public:
-  Walk() = default;
-  Walk(const Points& rows, std::span<const Index> lines, std::int64_t steps)
+  BlockPrefetch() = default;
+  BlockPrefetch(const Points& rows, std::span<const Index> lines, std::int64_t steps)
       : rows_(rows.data()), lines_(lines), part_((lines.size() + steps - 1) / steps) {}
 
   void step() {
@@ -45,29 +38,5 @@ class Walk {
   std::span<const Index> lines_;
   std::size_t part_ = 0;
 };
-
-}  // namespace block_prefetch_detail
-
-/// Calls compute(first, groups) for a few of the groups 0 .. all_groups - 1 of a block at a time.
-template <class Compute>
-void compute_and_prefetch(const MeshBlocks& blocks, const MeshBlock& b, std::int64_t all_groups,
-                          const BlockPrefetch& wanted, const Compute& compute) {
-  using block_prefetch_detail::Walk;
-  constexpr std::int64_t few = 2;  // of many lines at once some would be forgotten
-  const std::int64_t steps = (all_groups + few - 1) / few;
-  Walk results, positions;
-  if (wanted.G != nullptr) {
-    results = Walk(*wanted.G, b.own_lines(), steps);
-  }
-  if (wanted.X != nullptr && &b != &blocks.block.back()) {
-    const MeshBlock& next = *(&b + 1);  // most likely the next one of this thread, too
-    positions = Walk(*wanted.X, next.lines, steps);
-  }
-  for (std::int64_t first = 0; first < all_groups; first += few) {
-    compute(first, std::min(few, all_groups - first));
-    results.step();
-    positions.step();
-  }
-}
 
 }  // namespace ibmfair

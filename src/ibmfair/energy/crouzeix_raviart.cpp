@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "ibmfair/base/parallel.h"
-#include "ibmfair/energy/block_prefetch.h"
 #include "ibmfair/energy/crouzeix_raviart_kernels.h"
 #include "ibmfair/mesh/corners.h"
 #include "ibmfair/mesh/geometry.h"
@@ -86,19 +85,13 @@ double CrouzeixRaviart::block_energy(const MeshBlock& b, const Points& X, const 
   if (scratch.triangles.size() < triangles) {
     scratch.triangles.resize(triangles);
   }
-  HingeSums sums;
-  const auto find_frames = [&](std::int64_t first, std::int64_t groups) {
-    crouzeix_raviart_frames({b, first, groups}, scratch.vertices.data(), scratch.triangles.data());
-  };
-  const auto add_hinges = [&](std::int64_t first, std::int64_t groups) {
-    const HingeSums more =
-        crouzeix_raviart_hinges({b, first, groups}, terms_, G != nullptr, scratch.vertices.data(),
-                                scratch.triangles.data());
-    sums.energy += more.energy;
-    sums.largest_turn = std::max(sums.largest_turn, more.largest_turn);
-  };
-  compute_and_prefetch(blocks_, b, b.outer_groups, {nullptr, G}, find_frames);
-  compute_and_prefetch(blocks_, b, b.groups, {&X}, add_hinges);
+  BlockVertex* vertices = scratch.vertices.data();
+  Row4* frames = scratch.triangles.data();
+  crouzeix_raviart_frames(
+      G != nullptr ? blocks_.fetching_sums(b, b.outer_groups, *G) : BlockPass{b, b.outer_groups},
+      vertices, frames);
+  const HingeSums sums = crouzeix_raviart_hinges(blocks_.fetching_next(b, b.groups, X), terms_,
+                                                 G != nullptr, vertices, frames);
   turns_[&b - blocks_.block.data()] = sums.largest_turn;
   return sums.energy;
 }

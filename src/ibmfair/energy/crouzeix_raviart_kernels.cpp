@@ -33,14 +33,16 @@ struct FrameKernel {
   }
 
   template <class Lanes>
-  IBMFAIR_INLINE static void run(const FanRange* range, const BlockVertex* vertices, Row4* frames) {
-    const FanGroup* group = range->block.fans.data() + range->first;
-    for (const FanGroup* end = group + range->groups; group != end; ++group) {
+  IBMFAIR_INLINE static void run(const BlockPass* pass, const BlockVertex* vertices, Row4* frames) {
+    const FanGroup* group = pass->block.fans.data();
+    BlockPrefetch fetch = pass->fetch;
+    for (const FanGroup* end = group + pass->groups; group != end; ++group) {
       for (int first = 0; first < lanes_per_group; first += lane_count<Lanes>) {
-        const FanPlaces fans{range->block.corners.data() + group->first_place + first,
+        const FanPlaces fans{pass->block.corners.data() + group->first_place + first,
                              group->triangles};
         find<Lanes>(fans, &vertices->x.x, frames + lanes_per_group * group->first_row + first);
       }
+      fetch.step();
     }
   }
 };
@@ -157,12 +159,13 @@ struct HingeKernel {
   }
 
   template <class Lanes>
-  IBMFAIR_INLINE static HingeSums run(const FanRange* range, double inverse_bound,
+  IBMFAIR_INLINE static HingeSums run(const BlockPass* pass, double inverse_bound,
                                       BlockVertex* vertices, const Row4* frames) {
-    const MeshBlock& block = range->block;
+    const MeshBlock& block = pass->block;
     Four energy = {}, turn = {};
     Slopes<Lanes> slopes;
-    for (std::int64_t g = range->first; g < range->first + range->groups; ++g) {
+    BlockPrefetch fetch = pass->fetch;
+    for (std::int64_t g = 0; g < pass->groups; ++g) {
       const FanGroup& group = block.fans[g];
       for (int first = 0; first < lanes_per_group; first += lane_count<Lanes>) {
         const std::int64_t place = group.first_place + first;
@@ -178,6 +181,7 @@ struct HingeKernel {
           add_forces(fans, slopes, vertices);
         }
       }
+      fetch.step();
     }
     return {sum(energy) / 2, 2 * largest(turn)};
   }
@@ -185,14 +189,14 @@ struct HingeKernel {
 
 }  // namespace
 
-void crouzeix_raviart_frames(const FanRange& fans, const BlockVertex* vertices, Row4* triangles) {
-  run_in_lanes<FrameKernel>(&fans, vertices, triangles);
+void crouzeix_raviart_frames(const BlockPass& pass, const BlockVertex* vertices, Row4* triangles) {
+  run_in_lanes<FrameKernel>(&pass, vertices, triangles);
 }
 
-HingeSums crouzeix_raviart_hinges(const FanRange& fans, const HingeTerms& terms, bool gradient,
+HingeSums crouzeix_raviart_hinges(const BlockPass& pass, const HingeTerms& terms, bool gradient,
                                   BlockVertex* vertices, const Row4* triangles) {
   const auto run_as = [&]<bool mass, bool with_gradient, bool bounded>() {
-    return run_in_lanes<HingeKernel<mass, with_gradient, bounded>>(&fans, terms.inverse_bound,
+    return run_in_lanes<HingeKernel<mass, with_gradient, bounded>>(&pass, terms.inverse_bound,
                                                                    vertices, triangles);
   };
   const auto run_with = [&]<bool mass, bool with_gradient>() {

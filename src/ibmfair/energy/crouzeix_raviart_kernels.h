@@ -7,7 +7,7 @@ namespace ibmfair {
 
 /// Half the unit normal and a sixth of the area of every triangle of the fans, in its row
 /// (MeshBlock::neighbours): so scaled they need no factors in the hinges.
-void crouzeix_raviart_frames(const FanRange& fans, const BlockVertex* vertices, Row4* triangles);
+void crouzeix_raviart_frames(const BlockPass& pass, const BlockVertex* vertices, Row4* triangles);
 
 /// What a hinge adds to the energy.
 struct HingeTerms {
@@ -22,7 +22,7 @@ struct HingeSums {
 
 /// The sums over the hinges of the fans. Adds the gradient of their energy to the sums of the
 /// vertices, if `gradient`.
-HingeSums crouzeix_raviart_hinges(const FanRange& fans, const HingeTerms& terms, bool gradient,
+HingeSums crouzeix_raviart_hinges(const BlockPass& pass, const HingeTerms& terms, bool gradient,
                                   BlockVertex* vertices, const Row4* triangles);
 
 }  // namespace ibmfair

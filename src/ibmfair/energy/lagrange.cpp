@@ -3,7 +3,6 @@
 #include <array>
 
 #include "ibmfair/base/parallel.h"
-#include "ibmfair/energy/block_prefetch.h"
 #include "ibmfair/energy/complete_stars.h"
 #include "ibmfair/energy/lagrange_kernels.h"
 
@@ -86,10 +85,8 @@ double Lagrange::energy(const Points& X) {
     BlockVertices& vertices = scratch.vertices;
     load(b, X, vertices);
     std::array<FanFrame, longest_fan + 1> frames;
-    compute_and_prefetch(blocks_, b, b.groups, {&X}, [&](std::int64_t first, std::int64_t groups) {
-      lagrange_curvature({b, first, groups}, is_spontaneous(), false, vertices.data(),
-                         frames.data());
-    });
+    lagrange_curvature(blocks_.fetching_next(b, b.groups, X), is_spontaneous(), false,
+                       vertices.data(), frames.data());
     return lagrange_energy(roles(b), b.owned, mass_, &vertices[filler_vertices]);
   });
 }
@@ -100,16 +97,12 @@ double Lagrange::energy_and_gradient(const Points& X, Points& G) {
     BlockVertices& vertices = scratch.vertices;
     load(b, X, vertices);
     FanFrame* frames = frames_for(b, scratch.frames);
-    const auto add_curvature = [&](std::int64_t first, std::int64_t groups) {
-      lagrange_curvature({b, first, groups}, is_spontaneous(), true, vertices.data(), frames);
-    };
-    compute_and_prefetch(blocks_, b, b.outer_groups, {nullptr, &G}, add_curvature);
+    lagrange_curvature(blocks_.fetching_sums(b, b.outer_groups, G), is_spontaneous(), true,
+                       vertices.data(), frames);
     const double E = lagrange_energy_and_y(roles(b), b.owned + b.rim, mass_, is_spontaneous(),
                                            &vertices[filler_vertices]);
-    const auto add_forces = [&](std::int64_t first, std::int64_t groups) {
-      lagrange_forces({b, first, groups}, is_spontaneous(), vertices.data(), frames);
-    };
-    compute_and_prefetch(blocks_, b, b.groups, {&X}, add_forces);
+    lagrange_forces(blocks_.fetching_next(b, b.groups, X), is_spontaneous(), vertices.data(),
+                    frames);
     blocks_.store(b, vertices, G);
     return E;
   });

@@ -20,17 +20,19 @@ struct Fans : FanPlaces {
 
 /// Calls Kernel::add(fans, vertices) for all fans of the groups.
 template <class Kernel, class Lanes>
-IBMFAIR_INLINE void add_all(const FanRange& range, bool keep, BlockVertex* vertices,
+IBMFAIR_INLINE void add_all(const BlockPass& pass, bool keep, BlockVertex* vertices,
                             FanFrame* frames) {
   static_assert(lanes_per_group / lane_count<Lanes> * sizeof(Frame<Lanes>) == sizeof(FanFrame));
-  const FanGroup* group = range.block.fans.data() + range.first;
-  for (const FanGroup* end = group + range.groups; group != end; ++group) {
-    const Index* centres = range.block.corners.data() + group->first_place;
+  const FanGroup* group = pass.block.fans.data();
+  BlockPrefetch fetch = pass.fetch;
+  for (const FanGroup* end = group + pass.groups; group != end; ++group) {
+    const Index* centres = pass.block.corners.data() + group->first_place;
     auto* kept = reinterpret_cast<Frame<Lanes>*>(frames + (keep ? group->first_row : 0));
     for (int first = 0; first < lanes_per_group; first += lane_count<Lanes>) {
       Kernel::add(Fans<Lanes>{{centres + first, group->triangles}, kept}, vertices);
       kept += group->triangles + 1;
     }
+    fetch.step();
   }
 }
 
@@ -105,9 +107,9 @@ struct Curvature {
   }
 
   template <class Lanes>
-  IBMFAIR_INLINE static void run(const FanRange* range, bool keep, BlockVertex* vertices,
+  IBMFAIR_INLINE static void run(const BlockPass* pass, bool keep, BlockVertex* vertices,
                                  FanFrame* frames) {
-    add_all<Curvature, Lanes>(*range, keep, vertices, frames);
+    add_all<Curvature, Lanes>(*pass, keep, vertices, frames);
   }
 };
 
@@ -192,19 +194,19 @@ struct Forces {
   }
 
   template <class Lanes>
-  IBMFAIR_INLINE static void run(const FanRange* range, BlockVertex* vertices, FanFrame* frames) {
-    add_all<Forces, Lanes>(*range, true, vertices, frames);
+  IBMFAIR_INLINE static void run(const BlockPass* pass, BlockVertex* vertices, FanFrame* frames) {
+    add_all<Forces, Lanes>(*pass, true, vertices, frames);
   }
 };
 
 }  // namespace
 
-void lagrange_curvature(const FanRange& fans, bool spontaneous, bool keep, BlockVertex* vertices,
+void lagrange_curvature(const BlockPass& pass, bool spontaneous, bool keep, BlockVertex* vertices,
                         FanFrame* frames) {
   if (spontaneous) {
-    run_in_lanes<Curvature<true>>(&fans, keep, vertices, frames);
+    run_in_lanes<Curvature<true>>(&pass, keep, vertices, frames);
   } else {
-    run_in_lanes<Curvature<false>>(&fans, keep, vertices, frames);
+    run_in_lanes<Curvature<false>>(&pass, keep, vertices, frames);
   }
 }
 
@@ -222,12 +224,12 @@ double lagrange_energy_and_y(const VertexRoles& roles, Index count, bool mass, b
   return mass ? run_with.operator()<true>() : run_with.operator()<false>();
 }
 
-void lagrange_forces(const FanRange& fans, bool spontaneous, BlockVertex* vertices,
+void lagrange_forces(const BlockPass& pass, bool spontaneous, BlockVertex* vertices,
                      FanFrame* frames) {
   if (spontaneous) {
-    run_in_lanes<Forces<true>>(&fans, vertices, frames);
+    run_in_lanes<Forces<true>>(&pass, vertices, frames);
   } else {
-    run_in_lanes<Forces<false>>(&fans, vertices, frames);
+    run_in_lanes<Forces<false>>(&pass, vertices, frames);
   }
 }
 

@@ -13,7 +13,7 @@ namespace ibmfair {
 /// number of x_v is the spontaneous curvature H0_v, and h_v is less H0_v times the gradient of the
 /// volume. Keeps what the forces need in `frames`, one for each vertex of a rim in the groups up to
 /// there, or where `keep` is not set uses the first longest_fan + 1 of them.
-void lagrange_curvature(const FanRange& fans, bool spontaneous, bool keep, BlockVertex* vertices,
+void lagrange_curvature(const BlockPass& pass, bool spontaneous, bool keep, BlockVertex* vertices,
                         FanFrame* frames);
 
 /// Of a block's vertices, its own and then its rim, -1 or 0 each, which are masks; a multiple of
@@ -33,7 +33,7 @@ double lagrange_energy_and_y(const VertexRoles& roles, Index count, bool mass, b
                              BlockVertex* vertices);
 
 /// Adds the gradient of the energy to the sums of the vertices, which are as this has left them.
-void lagrange_forces(const FanRange& fans, bool spontaneous, BlockVertex* vertices,
+void lagrange_forces(const BlockPass& pass, bool spontaneous, BlockVertex* vertices,
                      FanFrame* frames);
 
 }  // namespace ibmfair

@@ -362,6 +362,19 @@ void MeshBlocks::store(const MeshBlock& b, const BlockVertices& vertices, Points
   store_sums(owned_of(b), &vertices[filler_vertices], G);
 }
 
+BlockPass MeshBlocks::fetching_sums(const MeshBlock& b, std::int64_t groups,
+                                    const Points& G) const {
+  return {b, groups, {G, b.own_lines(), groups}};
+}
+
+BlockPass MeshBlocks::fetching_next(const MeshBlock& b, std::int64_t groups,
+                                    const Points& X) const {
+  if (&b == &block.back()) {
+    return {b, groups};
+  }
+  return {b, groups, {X, (&b + 1)->lines, groups}};
+}
+
 void MeshBlocks::prepare(Points& G) const {
   G.resize(static_cast<Eigen::Index>(owned.size() + untouched.size()), 3);
   parallel_for(static_cast<std::int64_t>(untouched.size()),

@@ -13,6 +13,7 @@
 #include "ibmfair/base/parallel.h"
 #include "ibmfair/base/row4.h"
 #include "ibmfair/base/types.h"
+#include "ibmfair/energy/block_prefetch.h"
 #include "ibmfair/energy/triangle_fans.h"
 #include "ibmfair/mesh/topology.h"
 
@@ -62,14 +63,12 @@ struct MeshBlock {
   std::span<const Index> own_lines() const { return {lines.data(), own_line_count}; }
 };
 
-/// Which groups of a block.
-struct FanRange {
+/// A loop over the first groups of a block, with a step of `fetch` after each.
+struct BlockPass {
   const MeshBlock& block;
-  std::int64_t first = 0, groups = 0;
+  std::int64_t groups = 0;
+  BlockPrefetch fetch = {};
 };
-
-/// Numbers in a line of a cache.
-inline constexpr Index numbers_per_line = 64 / sizeof(double);
 
 /// Numbers in what there is of a vertex.
 inline constexpr Index vertex_size = sizeof(BlockVertex) / sizeof(double);
@@ -96,6 +95,11 @@ struct MeshBlocks {
   void load(const MeshBlock& b, const PerVertex& w, BlockVertices& vertices) const;
   /// A block's sums to its own vertices in G (#V x 3).
   void store(const MeshBlock& b, const BlockVertices& vertices, Points& G) const;
+  /// A loop that fetches the rows of G that the block will store.
+  BlockPass fetching_sums(const MeshBlock& b, std::int64_t groups, const Points& G) const;
+  /// A loop that fetches the rows of X of the next block, which most likely is the next one of this
+  /// thread, too.
+  BlockPass fetching_next(const MeshBlock& b, std::int64_t groups, const Points& X) const;
   /// Makes G #V x 3, zero where no block stores anything.
   void prepare(Points& G) const;
 };
