@@ -1,5 +1,7 @@
 // Meshes of several blocks, whose triangles are shared out among threads.
 #include <algorithm>
+#include <set>
+#include <span>
 
 #include <gtest/gtest.h>
 
@@ -197,6 +199,29 @@ TEST(EnergyBlocks, WholeStarsMissNoTriangleOfACorner) {
       EXPECT_EQ(triangles[filler_vertices + i],
                 std::count_if(star.begin(), star.end(), [&](Index t) { return kept[t] != 0; }));
     }
+  }
+}
+
+TEST(EnergyBlocks, LinesHoldEachRowOfABlockAndComeOnce) {
+  const TriangleMesh mesh = make_icosphere({5, {}});
+  const Topology topology = build_topology(mesh.X, mesh.F);
+  const MeshBlocks blocks =
+      mesh_blocks(topology, std::vector<std::uint8_t>(topology.usable.size(), 1));
+  for (const MeshBlock& b : blocks.block) {
+    std::set<std::int64_t> lines;
+    const auto add_rows = [&](std::span<const Index> vertices) {
+      for (const Index v : vertices) {
+        for (const int k : {0, 1, 2}) {
+          lines.insert((3 * std::int64_t{v} + k) / numbers_per_line);
+        }
+      }
+    };
+    add_rows(blocks.owned_of(b));
+    EXPECT_EQ(std::set<std::int64_t>(b.own_lines().begin(), b.own_lines().end()), lines);
+    EXPECT_EQ(b.own_lines().size(), lines.size());
+    add_rows(b.halo);
+    EXPECT_EQ(std::set<std::int64_t>(b.lines.begin(), b.lines.end()), lines);
+    EXPECT_EQ(b.lines.size(), lines.size());
   }
 }
 
