@@ -1,6 +1,6 @@
 // Four or eight numbers at a time, for the kernels that measurably need it. Only additions,
-// multiplications, divisions and square roots are used, lane by lane and none fused, so that all
-// versions of a kernel give the same bytes.
+// multiplications, divisions and square roots are used, lane by lane, so that all versions of a
+// kernel give the same bytes; but for the baseline's, where a file has products fused.
 //
 // For .cpp files of kernels only. Vectors are wider than the baseline's registers, so they must not
 // cross a border between functions that are not inlined: kernels take pointers and numbers.

@@ -1,8 +1,9 @@
 // Kernels that are written once, with the compiler's own vectors, and compiled several times: for
 // the processor that every x86-64 has, for AVX2, and some for AVX-512 (base/lanes.h). run() chooses
 // between them when the program runs; results do not depend on the choice, as vector operations
-// round lane by lane and nothing is fused (-ffp-contract=off, but for solve/front_factor.cpp and
-// solve/front_solve.cpp).
+// round lane by lane and nothing is fused (-ffp-contract=off). Only in the files that
+// CMakeLists.txt compiles with -ffp-contract=fast products are added without being rounded, where
+// there is AVX2.
 #pragma once
 
 #include "ibmfair/base/instruction_set.h"
