@@ -45,6 +45,16 @@ class LocalNumbers {
     return entry.number;
   }
 
+  /// Gives the key a number if it has none, and tells whether that is so.
+  bool insert(Index key) {
+    Index& number = (*this)[key];
+    if (number >= 0) {
+      return false;
+    }
+    number = 0;
+    return true;
+  }
+
  private:
   struct Entry {
     Index stamp = -1;  // what stands there is of the block with this one
@@ -112,7 +122,7 @@ class Builder {
     shared_.clear();
     for (Index i = 0; i < block_.owned; ++i) {
       for (const Index t : mesh_.topology.stars[mesh_.owned[block_.first_owned + i]]) {
-        if (mesh_.kept[t] && is_new(t)) {
+        if (mesh_.kept[t] && triangle_.insert(t)) {
           const bool counts = mesh_.counted.empty() || mesh_.counted[t] != 0;
           (counts && is_own(mesh_.topology.F(t, 0)) ? triangles_ : shared_).push_back(t);
         }
@@ -267,7 +277,7 @@ class Builder {
   void find_stars() {
     for (const Index v : block_.halo) {
       for (const Index t : mesh_.topology.stars[v]) {
-        if (mesh_.kept[t] && is_new(t)) {
+        if (mesh_.kept[t] && triangle_.insert(t)) {
           triangles_.push_back(t);
         }
       }
@@ -288,21 +298,10 @@ class Builder {
   void add_lines_of(Index v) {
     for (const std::int64_t number : {3 * std::int64_t{v}, 3 * std::int64_t{v} + 2}) {
       const auto line = static_cast<Index>(number / numbers_per_line);
-      if (Index& found = line_[line]; found < 0) {
-        found = 0;
+      if (line_.insert(line)) {
         block_.lines.push_back(line);
       }
     }
-  }
-
-  /// Whether the block has not had this triangle before.
-  bool is_new(Index t) {
-    Index& number = triangle_[t];
-    if (number >= 0) {
-      return false;
-    }
-    number = 0;
-    return true;
   }
 
   /// In the block.
