@@ -8,15 +8,12 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <cstring>
 
 #include "ibmfair/base/simd.h"
 
-// GCC warns of that border even where everything is inlined.
-#pragma GCC diagnostic ignored "-Wpsabi"
-
 namespace ibmfair {
 
+using Two = double __attribute__((vector_size(16)));
 using Four = double __attribute__((vector_size(32)));
 using Eight = double __attribute__((vector_size(64)));
 
@@ -150,22 +147,18 @@ struct Lanes4 {
 
 namespace simd_detail {
 
-/// Numbers at `p`, which need not be aligned.
-using HalfAt = double __attribute__((vector_size(16), aligned(8), may_alias));
-using FourAt = double __attribute__((vector_size(32), aligned(8), may_alias));
-
 /// The two numbers at `a` and at `b` as one. The shuffles that remain are the cheap ones, within
 /// halves; and as four numbers are read at `b`, the compiler inserts two of them from memory, with
 /// no shuffle at all.
 IBMFAIR_INLINE Four halves(const double* a, const double* b) {
-  const HalfAt& low = *reinterpret_cast<const HalfAt*>(a);
-  return __builtin_shufflevector(__builtin_shufflevector(low, low, 0, 1, -1, -1),
-                                 *reinterpret_cast<const FourAt*>(b), 0, 1, 4, 5);
+  const Two low = load<Two>(a);
+  return __builtin_shufflevector(__builtin_shufflevector(low, low, 0, 1, -1, -1), load<Four>(b), 0,
+                                 1, 4, 5);
 }
 
 /// The four numbers at `a` and at `b` as one.
 IBMFAIR_INLINE Eight fours(const double* a, const double* b) {
-  return both_halves(*reinterpret_cast<const FourAt*>(a), *reinterpret_cast<const FourAt*>(b));
+  return both_halves(load<Four>(a), load<Four>(b));
 }
 
 IBMFAIR_INLINE Lanes4<Four> turned(const double* const (&r)[4]) {
@@ -194,9 +187,8 @@ IBMFAIR_INLINE Lanes4<Eight> turned(const double* const (&r)[8]) {
 
 /// The three numbers at `row`, and 0.
 IBMFAIR_INLINE Four three_numbers(const double* row) {
-  const simd_detail::HalfAt& low = *reinterpret_cast<const simd_detail::HalfAt*>(row);
-  const simd_detail::HalfAt high = {row[2], 0};
-  return __builtin_shufflevector(low, high, 0, 1, 2, 3);
+  const Two high = {row[2], 0};
+  return __builtin_shufflevector(load<Two>(row), high, 0, 1, 2, 3);
 }
 
 /// Lane i from the four numbers at `row[i]`. May read two numbers more behind them, and drops
@@ -266,7 +258,7 @@ IBMFAIR_INLINE void store_rows(const Lanes3<Lanes>& a, const Lanes& w, double* r
   rows_of(a, w, row);
 #pragma GCC unroll 8
   for (std::ptrdiff_t i = 0; i < lane_count<Lanes>; ++i) {
-    std::memcpy(rows + stride * i, &row[i], sizeof row[i]);
+    store(rows + stride * i, row[i]);
   }
 }
 
@@ -283,10 +275,7 @@ IBMFAIR_INLINE Eight where(const std::int8_t* masks, const Eight& a) {
 
 /// Adds to the row at `to`.
 IBMFAIR_INLINE void add_to_row(const Four& a, double* to) {
-  Four sum;
-  std::memcpy(&sum, to, sizeof sum);
-  sum += a;
-  std::memcpy(to, &sum, sizeof sum);
+  store(to, load<Four>(to) + a);
 }
 
 }  // namespace ibmfair

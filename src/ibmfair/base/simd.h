@@ -6,6 +6,8 @@
 // there is AVX2.
 #pragma once
 
+#include <cstring>
+
 #include "ibmfair/base/instruction_set.h"
 
 /// Functions that are part of such a kernel: they become part of all of its versions.
@@ -22,7 +24,26 @@
 #define IBMFAIR_TARGET(set)
 #endif
 
+// GCC warns of vectors that are wider than the baseline's registers and cross a border between
+// functions; every function of a kernel is inlined, so that they never do.
+#pragma GCC diagnostic ignored "-Wpsabi"
+
 namespace ibmfair {
+
+/// The numbers from `numbers` on, which need be aligned as single numbers only. Vectors come from
+/// memory and go there by these two alone: a pointer or a reference to a vector type promises the
+/// alignment of whole vectors, and the compiler takes the promise.
+template <class Vector, class Real>
+IBMFAIR_INLINE Vector load(const Real* numbers) {
+  Vector vector;
+  std::memcpy(&vector, numbers, sizeof vector);
+  return vector;
+}
+template <class Vector, class Real>
+IBMFAIR_INLINE void store(Real* numbers, const Vector& vector) {
+  std::memcpy(numbers, &vector, sizeof vector);
+}
+
 namespace simd_detail {
 
 template <class Kernel, class... Arguments>

@@ -12,9 +12,8 @@ struct LoadRows {
   IBMFAIR_INLINE static void run(const Index* v, std::size_t count, const double* X,
                                  BlockVertex* to) {
     for (const Index* end = v + count; v != end; ++v, ++to) {
-      const Four x = three_numbers(X + 3 * std::ptrdiff_t{*v}), zero = {};
-      std::memcpy(&to->x.x, &x, sizeof x);
-      std::memcpy(&to->sum.x, &zero, sizeof zero);
+      store(&to->x.x, three_numbers(X + 3 * std::ptrdiff_t{*v}));
+      store(&to->sum.x, Four{});
     }
   }
 };

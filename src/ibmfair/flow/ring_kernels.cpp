@@ -45,13 +45,13 @@ class Rings {
 
 /// Writes lane i to the row `first` of the i-th of the results from there on.
 template <class Result, class Lanes>
-IBMFAIR_INLINE void store(const Lanes3<Lanes>& a, const Lanes& w, double* first) {
+IBMFAIR_INLINE void store_results(const Lanes3<Lanes>& a, const Lanes& w, double* first) {
   constexpr std::size_t distance = sizeof(Result) / sizeof(double);
   Four row[lane_count<Lanes>];
   rows_of(a, w, row);
 #pragma GCC unroll 8
   for (int i = 0; i < lane_count<Lanes>; ++i) {
-    std::memcpy(first + distance * i, &row[i], sizeof row[i]);
+    store(first + distance * i, row[i]);
   }
 }
 
@@ -75,9 +75,9 @@ struct SurroundingsKernel {
     const Lanes3<Lanes> half_way = (Lanes{} + 0.5 / rings.length) * toward;
     const Lanes share = squared > 0.0 ? Lanes{} + 1.0 : Lanes{};
     const Lanes off = squared > 0.0 ? dot(normal, half_way) / squared : Lanes{};
-    store<Surroundings>(normal, lengths > 0.0 ? left : Lanes{}, &results->normal.x);
-    store<Surroundings>(half_way, Lanes{}, &results->half_way.x);
-    store<Surroundings>(share * half_way - off * normal, Lanes{}, &results->along.x);
+    store_results<Surroundings>(normal, lengths > 0.0 ? left : Lanes{}, &results->normal.x);
+    store_results<Surroundings>(half_way, Lanes{}, &results->half_way.x);
+    store_results<Surroundings>(share * half_way - off * normal, Lanes{}, &results->along.x);
   }
 };
 
@@ -97,8 +97,8 @@ struct UnsharedKernel {
       shared = shared + other.xyz;
     }
     const Lanes3<Lanes> own = move.xyz - (Lanes{} + 1.0 / rings.length) * shared;
-    store<Unshared>(own, dot(own, own) / squared_length, &results->own.x);
-    store<Unshared>(Lanes3<Lanes>{strain, Lanes{}, Lanes{}}, Lanes{}, &results->strain.x);
+    store_results<Unshared>(own, dot(own, own) / squared_length, &results->own.x);
+    store_results<Unshared>(Lanes3<Lanes>{strain, Lanes{}, Lanes{}}, Lanes{}, &results->strain.x);
   }
 };
 

@@ -2,12 +2,7 @@
 // and packs of 32 bytes. For .cpp files of kernels only, as base/lanes.h.
 #pragma once
 
-#include <cstring>
-
 #include "ibmfair/base/simd.h"
-
-// No vector is passed between functions: all are part of kernels.
-#pragma GCC diagnostic ignored "-Wpsabi"
 
 namespace ibmfair {
 
@@ -30,17 +25,6 @@ using Row4 = typename VectorsOf<Real>::Row4;
 /// As many as 32 bytes hold.
 template <class Real>
 using Pack = typename VectorsOf<Real>::Pack;
-
-template <class Vector, class Real>
-IBMFAIR_INLINE Vector load(const Real* numbers) {
-  Vector vector;
-  std::memcpy(&vector, numbers, sizeof vector);
-  return vector;
-}
-template <class Vector, class Real>
-IBMFAIR_INLINE void store(Real* numbers, const Vector& vector) {
-  std::memcpy(numbers, &vector, sizeof vector);
-}
 
 IBMFAIR_INLINE Pack<float> both_halves(const Row4<float>& low, const Row4<float>& high) {
   return __builtin_shufflevector(low, high, 0, 1, 2, 3, 4, 5, 6, 7);
