@@ -1,13 +1,9 @@
 #include "commands/program.h"
 
-#include <algorithm>
 #include <cstdlib>
 #include <exception>
 #include <string>
-#include <string_view>
 #include <vector>
-
-#include <fmt/format.h>
 
 #include "commands/command_line.h"
 #include "commands/engine.h"
@@ -20,19 +16,6 @@
 namespace ibmfair::commands {
 
 namespace {
-
-/// For finding out whether a result depends on the processor.
-void choose_kernels() {
-  const char* given = std::getenv(kernels_variable);
-  if (given == nullptr || *given == '\0') return;
-  const auto& names = instruction_set_names;
-  const auto name = std::find(names.begin(), names.end(), given);
-  if (name == names.end()) {
-    throw BadOption(
-        fmt::format("{}: '{}' is neither {}", kernels_variable, given, fmt::join(names, " nor ")));
-  }
-  choose_kernel_set(static_cast<InstructionSet>(name - names.begin()));
-}
 
 ExitCode parse_and_run(const std::vector<std::string>& words, Console& console) {
   CommandLine line(asks_for_many_files(words));
@@ -66,7 +49,7 @@ int run_program(int argc, const char* const* argv) {
   Console console;
   ExitCode code = ExitCode::done;
   try {
-    choose_kernels();
+    choose_kernel_set_by_environment();
     const std::vector<std::string> words{argv + (argc > 0 ? 1 : 0), argv + argc};
     become_engine(words, argv);
     code = parse_and_run(words, console);

@@ -12,51 +12,58 @@ namespace {
 // One more than four numbers: rows start at every alignment that a number can have.
 constexpr int stride = 5;
 
-template <class Lanes>
-struct LanesTest : testing::Test {
-  static constexpr int lanes = lane_count<Lanes>;
-
-  std::array<double, stride * lanes + 2> numbers;  // kernels read two numbers behind rows
-  std::array<double, stride * lanes> stored{};
-
-  LanesTest() { std::iota(numbers.begin(), numbers.end(), 1.0); }
-};
-using VectorTypes = testing::Types<Four, Eight>;
-TYPED_TEST_SUITE(LanesTest, VectorTypes);
-
-/// Functions of lanes take pointers: this one is inlined nowhere and knows no alignment.
-template <class Lanes>
-[[gnu::noinline]] void gather_and_store(const double* numbers, double* stored) {
-  std::array<std::int32_t, lane_count<Lanes>> at;
-  for (int i = 0; i < lane_count<Lanes>; ++i) {
-    at[i] = stride * i;
+struct CopyRows {
+  IBMFAIR_INLINE static void run(const double* numbers, double* stored) {
+    const std::int32_t at[lane_count] = {0, stride, 2 * stride, 3 * stride};
+    const Lanes4 rows = gather(numbers, at);
+    store_rows(rows.xyz, rows.w, stored, stride);
   }
-  const Lanes4<Lanes> rows = gather<Lanes>(numbers, at.data());
-  store_rows<Lanes>(rows.xyz, rows.w, stored, stride);
-}
+};
 
-TYPED_TEST(LanesTest, RowsComeFromAnyAddressAndGoToAny) {
-  gather_and_store<TypeParam>(this->numbers.data(), this->stored.data());
-  for (int i = 0; i < this->lanes; ++i) {
+TEST(Lanes, RowsComeFromAnyAddressAndGoToAny) {
+  std::array<double, stride * lane_count + 2> numbers;  // two are read behind the last row
+  std::iota(numbers.begin(), numbers.end(), 1.0);
+  std::array<double, stride * lane_count> stored{};
+  run_kernel<CopyRows>(numbers.data(), stored.data());
+  for (int i = 0; i < lane_count; ++i) {
     for (int k = 0; k < 4; ++k) {
-      EXPECT_EQ(this->stored[stride * i + k], this->numbers[stride * i + k]) << i << ", " << k;
+      EXPECT_EQ(stored[stride * i + k], numbers[stride * i + k]) << i << ", " << k;
     }
   }
 }
 
-[[gnu::noinline]] void double_three_numbers(const double* numbers, double* row) {
-  store(row, three_numbers(numbers) + three_numbers(numbers));
-}
+struct DoubleThreeNumbers {
+  IBMFAIR_INLINE static void run(const double* numbers, double* row) {
+    store(row, three_numbers(numbers) + three_numbers(numbers));
+  }
+};
 
 TEST(Lanes, ThreeNumbersComeFromAnyAddress) {
   const std::array<double, 7> numbers{1, 2, 3, 4, 5, 6, 7};
   for (const int first : {0, 1, 2, 3}) {
     std::array<double, 5> row{};
-    double_three_numbers(numbers.data() + first, row.data() + first % 2);
+    run_kernel<DoubleThreeNumbers>(numbers.data() + first, row.data() + first % 2);
     for (const int k : {0, 1, 2}) {
       EXPECT_EQ(row[first % 2 + k], 2 * numbers[first + k]);
     }
     EXPECT_EQ(row[first % 2 + 3], 0);
+  }
+}
+
+struct AddRow {
+  IBMFAIR_INLINE static void run(const double* numbers, double* row) {
+    add_to_row(load<Lanes>(numbers), row);
+  }
+};
+
+TEST(Lanes, RowsAreAddedAtAnyAddress) {
+  const std::array<double, 5> numbers{1, 2, 3, 4, 5};
+  for (const int first : {0, 1}) {
+    std::array<double, 5> row{10, 20, 30, 40, 50};
+    run_kernel<AddRow>(numbers.data() + first, row.data() + first);
+    for (int k = 0; k < 4; ++k) {
+      EXPECT_EQ(row[first + k], numbers[first + k] + 10 * (first + k + 1));
+    }
   }
 }
 

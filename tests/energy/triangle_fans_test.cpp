@@ -74,7 +74,7 @@ void expect_each_once(const CornerTriples& triangles, Index vertex_count) {
   std::sort(expected.begin(), expected.end());
   const Listed found = listed(fans);
   EXPECT_EQ(found.triangles, expected);
-  EXPECT_LE(found.fillers.size(), longest_fan * lanes_per_group / 2);
+  EXPECT_LE(found.fillers.size(), longest_fan * fans_per_group / 2);
   for (const auto& x : found.fillers) {
     EXPECT_EQ(x[0], 0);
     EXPECT_EQ(x[2], x[1] + 1);
@@ -85,7 +85,7 @@ void expect_each_once(const CornerTriples& triangles, Index vertex_count) {
     EXPECT_EQ(group.first_row, rows);
     EXPECT_EQ(group.first_place, places);
     rows += group.triangles + 1;
-    places += lanes_per_group * (std::int64_t{group.triangles} + 2);
+    places += fans_per_group * (std::int64_t{group.triangles} + 2);
   }
   EXPECT_EQ(static_cast<std::int64_t>(fans.places.size()), places);
 }
@@ -147,9 +147,9 @@ TEST(TriangleFans, GoOnOnlyToTheTriangleThatIsNamed) {
     std::size_t found = 0;
     for (const FanGroup& group : fans.groups) {
       const CornerTriples in_fans = triangles_of(group, fans.places, place_of_vertex);
-      for (Index fan = 0; fan < lanes_per_group; ++fan) {
+      for (Index fan = 0; fan < fans_per_group; ++fan) {
         for (Index i = 0; i < group.triangles; ++i) {
-          const Index place = listed[lanes_per_group * i + fan];
+          const Index place = listed[fans_per_group * i + fan];
           if (place < 0) {
             continue;
           }
@@ -158,12 +158,12 @@ TEST(TriangleFans, GoOnOnlyToTheTriangleThatIsNamed) {
           std::rotate(x.begin(), x.begin() + place % 3, x.end());
           EXPECT_EQ(in_fans[fan * group.triangles + i], x);
           if (i > 0) {
-            const Index before = listed[lanes_per_group * (i - 1) + fan];
+            const Index before = listed[fans_per_group * (i - 1) + fan];
             EXPECT_EQ(beside[before / 3][(before + 1) % 3], place / 3);
           }
         }
       }
-      listed += std::ptrdiff_t{lanes_per_group} * group.triangles;
+      listed += std::ptrdiff_t{fans_per_group} * group.triangles;
     }
     EXPECT_EQ(found, triangles.size());
   }

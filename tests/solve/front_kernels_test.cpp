@@ -13,7 +13,6 @@
 #include <Eigen/Dense>
 #include <gtest/gtest.h>
 
-#include "ibmfair/base/instruction_set.h"
 #include "ibmfair/base/threads.h"
 
 namespace ibmfair::test {
@@ -140,34 +139,31 @@ const std::vector<Index> widths{1, 2, 3, 4, 5, 6, 7, 8, 9, 13, 16, 23, 128, 131,
 
 TYPED_TEST(FrontKernels, FactorAsTheDenseMatrixIs) {
   using Real = TypeParam;
-  for (const InstructionSet set : {InstructionSet::baseline, best_instruction_set()}) {
-    choose_kernel_set(set);
-    for (const Index columns : widths) {
-      for (const Index below : {0, 1, 2, 3, 4, 5, 6, 7, 10, 61}) {
-        SCOPED_TRACE(testing::Message() << columns << " columns, " << below << " rows below");
-        const FrontLayout<Real> front{columns + below, columns};
-        const Matrix<Real> A = random_positive<Real>(front.rows);
-        const auto [bad, block, update] = factors_of(front, A);
-        ASSERT_EQ(bad, -1);
+  for (const Index columns : widths) {
+    for (const Index below : {0, 1, 2, 3, 4, 5, 6, 7, 10, 61}) {
+      SCOPED_TRACE(testing::Message() << columns << " columns, " << below << " rows below");
+      const FrontLayout<Real> front{columns + below, columns};
+      const Matrix<Real> A = random_positive<Real>(front.rows);
+      const auto [bad, block, update] = factors_of(front, A);
+      ASSERT_EQ(bad, -1);
 
-        Matrix<Real> L = A.leftCols(columns), rest = A.bottomRightCorner(below, below);
-        const Matrix<Real> L11 = L.topRows(columns).llt().matrixL();
-        L.topRows(columns) = L11;
-        L.bottomRows(below) = L11.template triangularView<Eigen::Lower>()
-                                  .solve(A.bottomLeftCorner(below, columns).transpose())
-                                  .transpose();
-        rest = -L.bottomRows(below) * L.bottomRows(below).transpose();
-        double error = 0;
-        for (Index j = 0; j < front.rows; ++j) {
-          for (Index i = j; i < front.rows; ++i) {
-            const double got = j < columns ? block[front.in_block(i) + front.pack * j]
-                                           : update[front.in_update(i) + front.pack * j];
-            const double expected = j < columns ? L(i, j) : rest(i - columns, j - columns);
-            error += std::abs(got - expected);  // not a number if one of them is not
-          }
+      Matrix<Real> L = A.leftCols(columns), rest = A.bottomRightCorner(below, below);
+      const Matrix<Real> L11 = L.topRows(columns).llt().matrixL();
+      L.topRows(columns) = L11;
+      L.bottomRows(below) = L11.template triangularView<Eigen::Lower>()
+                                .solve(A.bottomLeftCorner(below, columns).transpose())
+                                .transpose();
+      rest = -L.bottomRows(below) * L.bottomRows(below).transpose();
+      double error = 0;
+      for (Index j = 0; j < front.rows; ++j) {
+        for (Index i = j; i < front.rows; ++i) {
+          const double got = j < columns ? block[front.in_block(i) + front.pack * j]
+                                         : update[front.in_update(i) + front.pack * j];
+          const double expected = j < columns ? L(i, j) : rest(i - columns, j - columns);
+          error += std::abs(got - expected);  // not a number if one of them is not
         }
-        EXPECT_LT(error, 20 * std::numeric_limits<Real>::epsilon() * front.rows * front.rows);
       }
+      EXPECT_LT(error, 20 * std::numeric_limits<Real>::epsilon() * front.rows * front.rows);
     }
   }
 }

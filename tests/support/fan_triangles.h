@@ -10,9 +10,9 @@ namespace ibmfair::test {
 inline CornerTriples triangles_of(const FanGroup& group, const std::vector<Index>& places,
                                   Index place_of_vertex) {
   CornerTriples triangles;
-  for (Index fan = 0; fan < lanes_per_group; ++fan) {
+  for (Index fan = 0; fan < fans_per_group; ++fan) {
     const auto vertex = [&](std::int64_t row) {
-      return places[group.first_place + lanes_per_group * row + fan] / place_of_vertex;
+      return places[group.first_place + fans_per_group * row + fan] / place_of_vertex;
     };
     for (Index i = 0; i < group.triangles; ++i) {
       triangles.push_back({vertex(0), vertex(i + 1), vertex(i + 2)});

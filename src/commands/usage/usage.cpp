@@ -9,7 +9,7 @@
 #include <fmt/format.h>
 
 #include "commands/exit_code.h"
-#include "commands/program.h"
+#include "ibmfair/base/instruction_set.h"
 #include "ibmfair/base/version.h"
 
 namespace ibmfair::commands {
@@ -124,7 +124,7 @@ std::vector<VariableUsage> variables() {
       {"CLICOLOR_FORCE", "where set and not 0, messages are coloured even if not on a terminal"},
       {"TERM", "`dumb`: no colours, no progress"},
       {kernels_variable,
-       "`baseline` or `avx2`: do without AVX2 or AVX-512, to see whether results depend on it"},
+       "`baseline`: do without the processor's AVX2, to see whether results depend on it"},
       {"SOURCE_DATE_EPOCH", "the date of the man page, in seconds since 1970"}};
 }
 

@@ -2,9 +2,18 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cstdlib>
+
+#include <fmt/format.h>
+
+#include "ibmfair/base/errors.h"
 
 namespace ibmfair {
 namespace {
+
+std::string_view name_of(InstructionSet set) {
+  return instruction_set_names[static_cast<std::size_t>(set)];
+}
 
 std::atomic<InstructionSet>& chosen() {
   static std::atomic<InstructionSet> set{best_instruction_set()};
@@ -16,11 +25,6 @@ std::atomic<InstructionSet>& chosen() {
 InstructionSet best_instruction_set() {
 #if defined(__x86_64__) && defined(__GNUC__)
   __builtin_cpu_init();
-  // The first processors with AVX-512 lower their clock where it is used; VBMI2 came after that.
-  if (__builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("avx512dq") &&
-      __builtin_cpu_supports("avx512vbmi2")) {
-    return InstructionSet::avx512;
-  }
   if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")) {
     return InstructionSet::avx2;
   }
@@ -32,8 +36,27 @@ InstructionSet kernel_set() {
   return chosen().load(std::memory_order_relaxed);
 }
 
+std::string_view kernel_set_name() {
+  return name_of(kernel_set());
+}
+
 void choose_kernel_set(InstructionSet set) {
-  chosen().store(std::min(set, best_instruction_set()), std::memory_order_relaxed);
+  if (set > best_instruction_set()) {
+    throw BadOption(fmt::format("this processor cannot run the kernels for {}", name_of(set)));
+  }
+  chosen().store(set, std::memory_order_relaxed);
+}
+
+void choose_kernel_set_by_environment() {
+  const char* given = std::getenv(kernels_variable);
+  if (given == nullptr || *given == '\0') return;
+  const auto& names = instruction_set_names;
+  const auto name = std::find(names.begin(), names.end(), given);
+  if (name == names.end()) {
+    throw BadOption(
+        fmt::format("{}: '{}' is neither {}", kernels_variable, given, fmt::join(names, " nor ")));
+  }
+  choose_kernel_set(static_cast<InstructionSet>(name - names.begin()));
 }
 
 }  // namespace ibmfair

@@ -1,9 +1,9 @@
-// Kernels that are written once, with the compiler's own vectors, and compiled several times: for
-// the processor that every x86-64 has, for AVX2, and some for AVX-512 (base/lanes.h). run() chooses
-// between them when the program runs; results do not depend on the choice, as vector operations
-// round lane by lane and nothing is fused (-ffp-contract=off). Only in the files that
-// CMakeLists.txt compiles with -ffp-contract=fast products are added without being rounded, where
-// there is AVX2.
+// Kernels that are written once, with the compiler's own vectors, and compiled twice: for the
+// instructions that every x86-64 processor has, and for AVX2 with FMA. run_kernel() chooses between
+// the two when the program runs. Results do not depend on the choice, because vector operations
+// round lane by lane and nothing is fused (-ffp-contract=off), except in the files that
+// CMakeLists.txt compiles with -ffp-contract=fast: there the AVX2 version adds products without
+// rounding them first.
 #pragma once
 
 #include <cstring>
@@ -57,20 +57,13 @@ auto run_avx2(Arguments... arguments) {
   return Kernel::run(arguments...);
 }
 
-template <class Kernel, class... Arguments>
-IBMFAIR_TARGET("avx512vl,avx512dq")
-auto run_avx512(Arguments... arguments) {
-  return Kernel::run(arguments...);
-}
-
 }  // namespace simd_detail
 
-/// Kernel::run(arguments...), an IBMFAIR_INLINE function, as compiled for AVX2 where `kernel_set()`
-/// has it.
+/// Kernel::run(arguments...), an IBMFAIR_INLINE function, as compiled for kernel_set().
 template <class Kernel, class... Arguments>
-auto run(Arguments... arguments) {
+auto run_kernel(Arguments... arguments) {
 #if IBMFAIR_HAS_AVX_KERNELS
-  if (kernel_set() >= InstructionSet::avx2) {
+  if (kernel_set() == InstructionSet::avx2) {
     return simd_detail::run_avx2<Kernel>(arguments...);
   }
 #endif

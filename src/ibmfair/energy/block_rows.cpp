@@ -13,7 +13,7 @@ struct LoadRows {
                                  BlockVertex* to) {
     for (const Index* end = v + count; v != end; ++v, ++to) {
       store(&to->x.x, three_numbers(X + 3 * std::ptrdiff_t{*v}));
-      store(&to->sum.x, Four{});
+      store(&to->sum.x, Lanes{});
     }
   }
 };
@@ -21,7 +21,7 @@ struct LoadRows {
 }  // namespace
 
 void load_rows(std::span<const Index> v, const Points& X, BlockVertex* to) {
-  run<LoadRows>(v.data(), v.size(), X.data(), to);
+  run_kernel<LoadRows>(v.data(), v.size(), X.data(), to);
 }
 
 void store_sums(std::span<const Index> v, const BlockVertex* from, Points& G) {

@@ -80,7 +80,7 @@ double CrouzeixRaviart::block_energy(const MeshBlock& b, const Points& X, const 
   blocks_.load(b, X, scratch.vertices);
   const FanGroup& last = b.fans.back();
   const auto triangles =
-      static_cast<std::size_t>(lanes_per_group * (last.first_row + last.triangles)) +
+      static_cast<std::size_t>(fans_per_group * (last.first_row + last.triangles)) +
       1;  // gather() reads behind the last
   if (scratch.triangles.size() < triangles) {
     scratch.triangles.resize(triangles);

@@ -8,13 +8,15 @@
 
 namespace ibmfair {
 
-/// Where the vertices of a few fans side by side are listed.
+static_assert(fans_per_group == lane_count);
+
+/// Where the vertices of the fans of a group are listed.
 struct FanPlaces {
   const Index* centre;
   Index triangles;
 
   IBMFAIR_INLINE const Index* rim(std::int64_t i) const {
-    return centre + lanes_per_group * (i + 1);
+    return centre + fans_per_group * (i + 1);
   }
 };
 
@@ -35,55 +37,34 @@ IBMFAIR_INLINE void overlapping(Index count, const Begin& begin, const Finish& f
 }
 
 /// 1 / (2 |N|), from |N|^2 and |N|: a division by the first need not wait for the square root.
-template <class Lanes>
 IBMFAIR_INLINE Lanes half_inverse(const Lanes& squared, const Lanes& length) {
   return 0.5 / squared * length;
 }
 
 /// N / (2 |N|), from |N| and `inverse`, half_inverse(), to the last digit where N has one
 /// coordinate only: in a plane z = 0 it is 1/2, and there is no curvature, not a little.
-template <class Lanes>
-IBMFAIR_INLINE Lanes3<Lanes> half_unit(const Lanes3<Lanes>& N, const Lanes& length,
-                                       const Lanes& inverse) {
-  const Lanes3<Lanes> n = inverse * N;
+IBMFAIR_INLINE Lanes3 half_unit(const Lanes3& N, const Lanes& length, const Lanes& inverse) {
+  const Lanes3 n = inverse * N;
   return n + (1.0 - 2.0 * inverse * length) * n;
 }
 
-/// Adds to the vertices of fans, all of four fans before any of the next four, so that sums are
-/// made in the same order however many fit in a register.
-template <class Lanes>
-class VertexSums {
- public:
-  IBMFAIR_INLINE explicit VertexSums(BlockVertex* vertices) : sums_(&vertices->sum.x) {}
+IBMFAIR_INLINE Lanes3 load(const FanVectors& from) {
+  return {load<Lanes>(from.x), load<Lanes>(from.y), load<Lanes>(from.z)};
+}
+IBMFAIR_INLINE void store(FanVectors& to, const Lanes3& a) {
+  store(to.x, a.x);
+  store(to.y, a.y);
+  store(to.z, a.z);
+}
 
-  IBMFAIR_INLINE void add(const Lanes3<Lanes>& a, const Lanes& w, const Index* at) {
-    Four row[lane_count<Lanes>];
-    rows_of(a, w, row);
-    for (int i = 0; i < at_once; ++i) {
-      add_to_row(row[i], sums_ + at[i]);
-    }
-    for (int i = at_once; i < lane_count<Lanes>; ++i) {
-      later_[count_++] = {row[i], sums_ + at[i]};
-    }
+/// Adds lane i of a vector and of a number to what is summed at the vertex at[i].
+IBMFAIR_INLINE void add_to_vertices(const Lanes3& a, const Lanes& w, const Index* at,
+                                    BlockVertex* vertices) {
+  Lanes row[lane_count];
+  rows_of(a, w, row);
+  for (int i = 0; i < lane_count; ++i) {
+    add_to_row(row[i], &vertices->sum.x + at[i]);
   }
-
-  IBMFAIR_INLINE void finish() {
-    for (const Later* one = later_; one != later_ + count_; ++one) {
-      add_to_row(one->row, one->to);
-    }
-  }
-
- private:
-  static constexpr int at_once = 4, rows = longest_fan + 2;
-
-  struct Later {
-    Four row;
-    double* to;
-  };
-
-  Later later_[rows * (lane_count<Lanes> - at_once) + 1];
-  double* sums_;
-  int count_ = 0;
-};
+}
 
 }  // namespace ibmfair

@@ -49,9 +49,9 @@ VertexRoles roles_in(const MeshBlocks& blocks, const MeshBlock& b,
   for (Index i = 0; i < b.rim; ++i) {
     roles.carries.push_back(centre[b.halo[i]] ? -1 : 0);
   }
-  const std::size_t whole = (roles.carries.size() + lanes_per_group - 1) / lanes_per_group;
-  roles.carries.resize(whole * lanes_per_group, 0);
-  roles.counts.resize(whole * lanes_per_group, 0);
+  const std::size_t whole = (roles.carries.size() + fans_per_group - 1) / fans_per_group;
+  roles.carries.resize(whole * fans_per_group, 0);
+  roles.counts.resize(whole * fans_per_group, 0);
   return roles;
 }
 

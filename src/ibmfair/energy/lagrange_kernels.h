@@ -17,7 +17,7 @@ void lagrange_curvature(const BlockPass& pass, bool spontaneous, bool keep, Bloc
                         FanFrame* frames);
 
 /// Of a block's vertices, its own and then its rim, -1 or 0 each, which are masks; a multiple of
-/// lanes_per_group, with zeros for what is behind them.
+/// fans_per_group, with zeros for what is behind them.
 struct VertexRoles {
   std::vector<std::int8_t> carries;  ///< whether the vertex is in U
   std::vector<std::int8_t> counts;   ///< whether its energy is this block's

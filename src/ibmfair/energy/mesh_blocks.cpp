@@ -230,7 +230,7 @@ class Builder {
     std::int64_t i;     // in the fan
     Index lane, place;  // the latter as FanCover lists it
 
-    Index row() const { return static_cast<Index>(lanes_per_group * (group.first_row + i) + lane); }
+    Index row() const { return static_cast<Index>(fans_per_group * (group.first_row + i) + lane); }
   };
 
   /// Calls act(listed) for all in the first groups.
@@ -240,7 +240,7 @@ class Builder {
     for (std::int64_t g = 0; g < groups; ++g) {
       const FanGroup& group = block_.fans[g];
       for (std::int64_t i = 0; i < group.triangles; ++i) {
-        for (Index lane = 0; lane < lanes_per_group; ++lane) {
+        for (Index lane = 0; lane < fans_per_group; ++lane) {
           act(Listed{group, i, lane, *place++});
         }
       }
@@ -267,9 +267,9 @@ class Builder {
       if (one.i == 0) {
         *place = row_behind(2);
       }
-      place[lanes_per_group * (one.i + 1)] = row_behind(0);
+      place[fans_per_group * (one.i + 1)] = row_behind(0);
       if (one.i + 1 == one.group.triangles) {
-        place[lanes_per_group * (one.i + 2)] = row_behind(1);
+        place[fans_per_group * (one.i + 2)] = row_behind(1);
       }
     });
   }
@@ -335,8 +335,8 @@ class Builder {
 
 void MeshBlocks::load(const MeshBlock& b, const Points& X, BlockVertices& vertices) const {
   const std::size_t count = static_cast<std::size_t>(filler_vertices + b.owned) + b.halo.size();
-  if (vertices.size() < count + lanes_per_group) {
-    vertices.resize(count + lanes_per_group);
+  if (vertices.size() < count + fans_per_group) {
+    vertices.resize(count + fans_per_group);
   }
   vertices[0].x = {};
   for (Index i = 1; i < filler_vertices; ++i) {

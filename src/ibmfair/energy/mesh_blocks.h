@@ -1,5 +1,5 @@
 // The triangles of a mesh as the kernels of the energies take them: block by block, in groups of
-// eight fans. A sum over the triangles around a vertex is added up in the block that
+// four fans. A sum over the triangles around a vertex is added up in the block that
 // owns the vertex, which computes every triangle there, also those that other blocks compute for
 // their vertices. So no two threads write the same place, the order of every sum is fixed, and
 // nothing per triangle is kept from one pass to the next.
@@ -36,9 +36,6 @@ inline constexpr Index no_triangle = std::numeric_limits<Index>::max();
 /// The first vertices of every block are those of a flat fan, which fills up groups.
 inline constexpr Index filler_vertices = longest_fan + 2;
 
-/// Fans in a group: as many as a kernel takes at a time, or twice as many.
-inline constexpr Index lanes_per_group = 8;
-
 /// One block. Its vertices are the filler's, then those it owns, then the other corners of its
 /// triangles.
 struct MeshBlock {
@@ -51,7 +48,7 @@ struct MeshBlock {
   std::vector<Index> neighbours;  ///< listed like these, for the first `groups`: the triangle
                                   ///< before the first of a fan, those behind its rim, and that
                                   ///< after the last, by `row_size` times their row. Triangle i of
-                                  ///< a fan has row 8 (FanGroup::first_row + i) + the fan's place
+                                  ///< a fan has row 4 (FanGroup::first_row + i) + the fan's place
                                   ///< in the group, and is itself where it has no neighbour
   std::int64_t own_groups = 0;    ///< those of the triangles that count, each in one block's
   std::int64_t groups = 0;        ///< and of all others at its own vertices
@@ -89,7 +86,7 @@ struct MeshBlocks {
   }
 
   /// The positions of a block's vertices, x out of X (#V x 3), and sums of zero. The list may grow,
-  /// but never shrinks, and has room for lanes_per_group more.
+  /// but never shrinks, and has room for fans_per_group more.
   void load(const MeshBlock& b, const Points& X, BlockVertices& vertices) const;
   /// The fourth number of their x out of w (#V).
   void load(const MeshBlock& b, const PerVertex& w, BlockVertices& vertices) const;

@@ -29,7 +29,7 @@ void FanCover::append(const CornerTriples& triangles, const CornerTriples& besid
   std::size_t more_groups = 0, more_places = 0;
   for (Index length = longest_fan; length > 0; --length) {
     more_groups += groups_of(length);
-    more_places += groups_of(length) * lanes_per_group * (static_cast<std::size_t>(length) + 2);
+    more_places += groups_of(length) * fans_per_group * (static_cast<std::size_t>(length) + 2);
   }
   groups.reserve(groups.size() + more_groups);
   places.reserve(places.size() + more_places);
@@ -183,7 +183,7 @@ void FanCover::cut_what_fills_no_group() {
   for (Index length = 1; length <= longest_fan; ++length) {
     std::vector<Index>& fans = fans_[length];
     const std::size_t size = size_of_fan(length);
-    const std::size_t in_groups = fans.size() - fans.size() % (lanes_per_group * size);
+    const std::size_t in_groups = fans.size() - fans.size() % (fans_per_group * size);
     for (std::size_t first = in_groups; first < fans.size(); first += size) {
       Fan fan;
       fan.centre = fans[first];
@@ -210,7 +210,7 @@ Index FanCover::best_length_of_pieces() const {
     for (const Fan& rest : rest_) {
       pieces += rest.length / length;
     }
-    const double done = length * std::min(pieces, lanes_per_group) / (length + besides);
+    const double done = length * std::min(pieces, fans_per_group) / (length + besides);
     if (done >= most) {
       most = done;
       best = length;
@@ -221,7 +221,7 @@ Index FanCover::best_length_of_pieces() const {
 
 /// A group of them, if there are as many.
 void FanCover::cut_pieces(Index length) {
-  Index wanted = lanes_per_group;
+  Index wanted = fans_per_group;
   for (Fan& rest : rest_) {
     for (; rest.length >= length && wanted > 0; --wanted) {
       list_end(rest, length);
@@ -233,7 +233,7 @@ void FanCover::cut_pieces(Index length) {
 /// How many the fans of this length fill.
 std::size_t FanCover::groups_of(Index length) const {
   const std::size_t fans = fans_[length].size() / size_of_fan(length);
-  return (fans + lanes_per_group - 1) / lanes_per_group;
+  return (fans + fans_per_group - 1) / fans_per_group;
 }
 
 /// Neighbours, which follow each other in the list, go to different groups: what is added to a
@@ -252,23 +252,23 @@ void FanCover::append_groups(Index length, Index place_of_vertex, std::vector<In
       group.first_row = groups.back().first_row + groups.back().triangles + 1;
     }
     groups.push_back(group);
-    places.resize(places.size() + vertices * lanes_per_group);
-    listed_.resize(listed_.size() + (size - vertices) * lanes_per_group);
+    places.resize(places.size() + vertices * fans_per_group);
+    listed_.resize(listed_.size() + (size - vertices) * fans_per_group);
     Index* place = &places[group.first_place];
-    Index* triangle = listed_.data() + listed_.size() - (size - vertices) * lanes_per_group;
+    Index* triangle = listed_.data() + listed_.size() - (size - vertices) * fans_per_group;
     const std::size_t first_near = g / near * near;
     const std::size_t distance = std::min(near, group_count - first_near);
     const auto fan_in = [&](std::size_t lane) {
-      return lanes_per_group * first_near + lane * distance + (g - first_near);
+      return fans_per_group * first_near + lane * distance + (g - first_near);
     };
     for (std::size_t i = 0; i < vertices; ++i) {
-      for (std::size_t lane = 0; lane < lanes_per_group; ++lane) {
+      for (std::size_t lane = 0; lane < fans_per_group; ++lane) {
         const std::size_t fan = fan_in(lane);
         *place++ = place_of_vertex * (fan < fan_count ? fans[size * fan + i] : Index(i));
       }
     }
     for (std::size_t i = vertices; i < size; ++i) {
-      for (std::size_t lane = 0; lane < lanes_per_group; ++lane) {
+      for (std::size_t lane = 0; lane < fans_per_group; ++lane) {
         const std::size_t fan = fan_in(lane);
         *triangle++ = fan < fan_count ? fans[size * fan + i] : -1;
       }

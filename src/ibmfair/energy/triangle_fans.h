@@ -1,11 +1,10 @@
-// Triangles in fans around a vertex, eight fans of the same length side by side: the kernels take a
+// Triangles in fans around a vertex, four fans of the same length side by side: the kernels take a
 // triangle of each at a time. From one triangle of a fan to the next a single corner is new, and
 // what is added to the corners that they share is added up before it goes to memory. Eight
 // triangles with nothing in common took half as long again.
 #pragma once
 
 #include <array>
-#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -17,7 +16,10 @@ namespace ibmfair {
 /// Triangles of a fan, at most: longer ones are cut.
 inline constexpr Index longest_fan = 8;
 
-/// Eight fans. Their places are listed in rows of eight, one for each fan: the centres, and then
+/// Fans in a group: as many as a kernel takes at a time (base/lanes.h).
+inline constexpr Index fans_per_group = 4;
+
+/// Four fans. Their places are listed in rows of four, one for each fan: the centres, and then
 /// the rims, each `triangles` + 1 vertices. Triangle i has the centre and the vertices i and i + 1
 /// of the rim as its corners, in that order.
 struct FanGroup {
@@ -26,10 +28,17 @@ struct FanGroup {
   std::int64_t first_row = 0;    ///< counts, over the groups before it, the vertices of a rim
 };
 
-/// Room for seven numbers of a triangle in each of the fans: what one loop over them keeps for the
-/// next.
-struct alignas(64) FanFrame {
-  std::array<std::byte, std::size_t{7} * 8 * sizeof(double)> bytes;
+/// A vector of space for each of the fans.
+struct alignas(32) FanVectors {
+  double x[fans_per_group], y[fans_per_group], z[fans_per_group];
+};
+
+/// What one loop over the triangles keeps for the next, of the triangle x0, x1, x2 with x0 at the
+/// centre of each fan.
+struct alignas(32) FanFrame {
+  FanVectors p;  ///< x1 - x0, and x2 - x0 of the triangle before; behind the last one only this
+  FanVectors n;  ///< half the unit normal
+  double inverse[fans_per_group];  ///< 1 / (4 area)
 };
 
 /// Triangles as the numbers of their corners, or of those behind the edges opposite these.
@@ -46,7 +55,7 @@ class FanCover {
   void append(const CornerTriples& triangles, const CornerTriples& beside, Index vertex_count,
               Index place_of_vertex, std::vector<Index>& places, std::vector<FanGroup>& groups);
 
-  /// What the groups of the last append() hold, rows of eight for the triangles of each: 3 times
+  /// What the groups of the last append() hold, rows of four for the triangles of each: 3 times
   /// the triangle, and which of its corners is the centre, or -1 where the group lacks a fan.
   const std::vector<Index>& listed() const { return listed_; }
 

@@ -11,7 +11,7 @@ namespace {
 constexpr std::size_t longest = 12;
 
 /// Of so many vertices, which follow each other in memory, groups of each length are made.
-constexpr std::size_t run = 512;
+constexpr std::size_t run_length = 512;
 
 /// The unknowns' vertices and their neighbours.
 std::vector<Index> near(const Topology& topology, const Unknowns& unknowns) {
@@ -35,8 +35,8 @@ RingGroups::RingGroups(const Topology& topology, const Rows& mesh_rings, const U
            std::find(ring.begin(), ring.end(), last) == ring.end();
   };
   std::array<std::vector<Index>, longest + 1> by_length;
-  for (std::size_t first = 0; first < vertices.size(); first += run) {
-    for (std::size_t i = first; i < std::min(first + run, vertices.size()); ++i) {
+  for (std::size_t first = 0; first < vertices.size(); first += run_length) {
+    for (std::size_t i = first; i < std::min(first + run_length, vertices.size()); ++i) {
       const Index v = vertices[i];
       (fits(v) ? by_length[rings[v].size()] : others).push_back(v);
     }

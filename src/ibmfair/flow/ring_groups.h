@@ -1,4 +1,4 @@
-// Vertices with rings of the same length in groups of eight, side by side, for the kernels that go
+// Vertices with rings of the same length in groups of four, side by side, for the kernels that go
 // round the vertices of a mesh in each step of a flow (flow/ring_kernels.h): vertex by vertex they
 // would take two to three times as long.
 #pragma once
@@ -13,11 +13,11 @@
 
 namespace ibmfair {
 
-/// Vertices in a group: as many as a kernel takes at a time, or twice as many.
-inline constexpr Index rings_per_group = 8;
+/// Vertices in a group: as many as a kernel takes at a time (base/lanes.h).
+inline constexpr Index rings_per_group = 4;
 
 /// Groups in a part, at most.
-inline constexpr std::int64_t groups_per_part = 16;
+inline constexpr std::int64_t groups_per_part = 32;
 
 struct RingGroup {
   Index length = 0;  ///< of each of the rings
@@ -30,7 +30,7 @@ struct RingGroups {
 
   const Rows& rings;
   std::vector<RingGroup> group;
-  std::vector<Index> vertex;  ///< of the groups, in rows of eight
+  std::vector<Index> vertex;  ///< of the groups, in rows of four
   std::vector<Index> others;  ///< the vertices that are in no group: where not is_ringed, where
                               ///< many meet, and about the last one, as kernels read behind rows
 
@@ -54,7 +54,7 @@ struct RingRange {
         first(groups_per_part * part),
         groups(std::min(groups_per_part, static_cast<std::int64_t>(all.group.size()) - first)) {}
 
-  /// Calls act(v, i) for every vertex; i is its place in the groups' rows of eight.
+  /// Calls act(v, i) for every vertex; i is its place in the groups' rows of four.
   template <class Act>
   void for_each(const Act& act) const {
     for (std::int64_t g = 0; g < groups; ++g) {

@@ -84,16 +84,16 @@ struct StepSolution {
 }  // namespace
 
 double multiply_rows(const DifferenceRows& J, const float* p, float* q, UnknownRange range) {
-  return run<MultiplyRows>(J, p, q, range);
+  return run_kernel<MultiplyRows>(J, p, q, range);
 }
 
 double step_residual(float alpha, const float* q, const float* N, float* r, UnknownRange range) {
-  return run<StepResidual>(alpha, q, N, r, range);
+  return run_kernel<StepResidual>(alpha, q, N, r, range);
 }
 
 void step_solution(float alpha, float beta, const float* r, const float* N, float* x, float* p,
                    UnknownRange range) {
-  run<StepSolution>(alpha, beta, r, N, x, p, range);
+  run_kernel<StepSolution>(alpha, beta, r, N, x, p, range);
 }
 
 }  // namespace ibmfair

@@ -67,7 +67,7 @@ void add_update(const FrontLayout<Real>& child, const Real* update, const FrontL
   const Index* const end = place + child.rows;
   const auto split = static_cast<Index>(std::lower_bound(begin, end, parent.columns) - place);
   const bool of_block = part == FrontPart::block;
-  run<AddUpdate<Real>>(AddUpdate<Real>{child, update, parent, place, part, numbers,
+  run_kernel<AddUpdate<Real>>(AddUpdate<Real>{child, update, parent, place, part, numbers,
                                        of_block ? child.columns : split,
                                        of_block ? split : child.rows});
 }

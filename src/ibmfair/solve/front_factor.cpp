@@ -215,7 +215,7 @@ void in_bands(const Kernel& step, Index first, Index last, double multiplication
             [&](std::int64_t band) {
               const FlushSubnormals flush;  // this may be another thread
               const Index begin = first + static_cast<Index>(band) * band_packs;
-              run<Kernel>(step, begin, std::min(begin + band_packs, last));
+              run_kernel<Kernel>(step, begin, std::min(begin + band_packs, last));
             });
 }
 
@@ -231,7 +231,7 @@ Index factor_front(const FrontLayout<Real>& front, Real* block, Real* update) {
   Real inverse[strip_width];
   for (Index first = 0; first < columns; first += width) {
     const Index last = std::min(first + width, columns);
-    const Index bad = run<FactorStrip<Real>>(front, block, first, last, inverse);
+    const Index bad = run_kernel<FactorStrip<Real>>(front, block, first, last, inverse);
     if (bad >= 0) {
       return bad;
     }

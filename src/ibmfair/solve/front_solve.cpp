@@ -263,9 +263,9 @@ template <template <class, FetchTo> class Kernel, class Real, class... Arguments
 void run_fetching(Arguments... arguments) {
   static const FetchTo best = best_fetch();
   if (best == FetchTo::first_cache_only) {
-    run<Kernel<Real, FetchTo::first_cache_only>>(arguments...);
+    run_kernel<Kernel<Real, FetchTo::first_cache_only>>(arguments...);
   } else {
-    run<Kernel<Real, FetchTo::second_cache>>(arguments...);
+    run_kernel<Kernel<Real, FetchTo::second_cache>>(arguments...);
   }
 }
 
