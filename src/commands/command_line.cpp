@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "commands/crash_message.h"
 #include "commands/documentation.h"
 #include "commands/effective_job.h"
 #include "commands/many_files.h"
@@ -300,6 +301,7 @@ ExitCode CommandLine::run(Console& console) {
   }
   console.set_level(level_of(options));
   set_thread_count(options.threads);
+  note_stage(chosen.app->get_name());
   return chosen.run(console);
 }
 

@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include "commands/crash_message.h"
 #include "commands/terminal_line.h"
 
 namespace ibmfair::commands {
@@ -111,36 +112,38 @@ void Progress::end() {
   }
 }
 
-void Progress::begin(const std::string& stage) {
-  if (visible_) {
+template <class Change>
+void Progress::change(const Change& make) {
+  {
     const std::lock_guard lock(mutex_);
+    make();
+    note_stage(state_.stage, state_.detail);
+  }
+  changed_.notify_one();
+}
+
+void Progress::begin(const std::string& stage) {
+  change([&] {
     state_ = {};
     state_.stage = stage;
     start_ = Clock::now();
-    changed_.notify_one();
-  }
+  });
 }
 
 void Progress::begin_work(const std::string& stage) {
-  if (visible_) {
-    begin(stage);
-    const std::lock_guard lock(mutex_);
-    state_.share = 0;
-  }
+  begin(stage);
+  change([&] { state_.share = 0; });
 }
 
 void Progress::advance(const std::string& stage, double share) {
-  if (visible_) {
-    const std::lock_guard lock(mutex_);
+  change([&] {
     state_.stage = stage;
     state_.share = share;
-    changed_.notify_one();
-  }
+  });
 }
 
 void Progress::advance(const StepRecord& step, int steps, double total_time) {
-  if (visible_) {
-    const std::lock_guard lock(mutex_);
+  change([&] {
     if (step.step == 1) {  // what came before it, such as the factor, tells nothing of the others
       start_ = Clock::now();
       state_.first_share = step.time / total_time;
@@ -151,16 +154,11 @@ void Progress::advance(const StepRecord& step, int steps, double total_time) {
                        : "first stage";
     state_.share = step.time / total_time;
     state_.energy = step.energy;
-    changed_.notify_one();
-  }
+  });
 }
 
 void Progress::enter(FlowStage stage) {
-  if (visible_) {
-    const std::lock_guard lock(mutex_);
-    state_.detail = word_for(stage);
-    changed_.notify_one();
-  }
+  change([&] { state_.detail = word_for(stage); });
 }
 
 void Progress::draw_until_end() {

@@ -27,8 +27,8 @@ struct ProgressState {
 std::string progress_line(const ProgressState& state, std::size_t columns);
 
 /// Draws on standard error where that is a terminal that can go back in its line (not TERM=dumb)
-/// and the console is not quiet, ten times a second at most, and clears the line in the end;
-/// elsewhere it does nothing.
+/// and the console is not quiet, ten times a second at most, and clears the line in the end.
+/// Everywhere it notes the stage for the message of a crash (commands/crash_message.h).
 class Progress {
  public:
   explicit Progress(const Console& console);
@@ -52,6 +52,8 @@ class Progress {
 
  private:
   using Clock = std::chrono::steady_clock;
+  template <class Change>
+  void change(const Change& make);
   void draw_until_end();
   void draw_frames();
 

@@ -9,6 +9,7 @@
 #include <poll.h>
 #include <unistd.h>
 
+#include "commands/crash_message.h"
 #include "commands/terminal_line.h"
 #include "ibmfair/io/temporary_file.h"
 
@@ -47,7 +48,7 @@ extern "C" void end_on_request(int signal_number) {
 extern "C" void tell_of_crash(int signal_number) {
   remove_temporary_files();
   end_terminal_line();
-  tell("ibmfair: error: the program crashed, please report it\n");
+  tell(crash_message(signal_number));
   raise(signal_number);
 }
 

@@ -119,6 +119,34 @@ TEST_F(Interrupt, ACheckpointThatCannotBeWrittenIsRefusedBeforeTheWork) {
   EXPECT_EQ(interrupted({"--checkpoint", directory_ / "missing/state.ply"}).exit_code, 6);
 }
 
+// Each of them in the midst of a call of malloc: nothing may be allocated for the message.
+TEST_F(Interrupt, ACrashTellsVersionKernelsStageAndSignal) {
+  const std::vector<std::pair<int, std::string>> signals{{SIGSEGV, "SIGSEGV"},
+                                                         {SIGBUS, "SIGBUS"},
+                                                         {SIGILL, "SIGILL"},
+                                                         {SIGFPE, "SIGFPE"},
+                                                         {SIGABRT, "SIGABRT"}};
+  for (const auto& [number, name] : signals) {
+    const RunResult result = interrupted({}, number);
+    EXPECT_EQ(result.exit_code, -number) << result.err;
+    const std::regex told("ibmfair: error: the program crashed \\(" + name +
+                          ", version [0-9.]+, kernels (baseline|avx2), "
+                          "stage: step [0-9]+ of 400(, [a-z ]+)?\\)\n");
+    EXPECT_TRUE(std::regex_search(result.err, told)) << result.err;
+    EXPECT_TRUE(contains(result.err, "Please report this")) << result.err;
+    EXPECT_FALSE(fs::exists(out_));
+  }
+}
+
+TEST_F(Interrupt, ACrashWhileReadingSaysSo) {
+  RunOptions options;
+  options.input = std::string(1 << 20, '#');  // more than a pipe holds: it is being read by then
+  options.signal_number = SIGSEGV;
+  const RunResult result = run_program({"smooth", "-", out_, "--input-format", "obj"}, options);
+  EXPECT_EQ(result.exit_code, -SIGSEGV);
+  EXPECT_TRUE(contains(result.err, "stage: read)")) << result.err;
+}
+
 TEST_F(Interrupt, SignalsThatAreIgnoredStaySo) {
   // As under nohup, or in the background of a shell without job control.
   signal(SIGINT, SIG_IGN);

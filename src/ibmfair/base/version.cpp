@@ -10,7 +10,7 @@
 
 namespace ibmfair {
 
-std::string version() {
+std::string_view version() {
   return IBMFAIR_VERSION;
 }
 
@@ -23,7 +23,7 @@ std::vector<Component> component_versions() {
            fmt::format("{}.{}.{}", EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION, EIGEN_MINOR_VERSION)},
           {"SuiteSparse", fmt::format("{}", fmt::join(suitesparse, "."))},
           {"CHOLMOD", fmt::format("{}", fmt::join(cholmod, "."))},
-          {"kernels", std::string(instruction_set_names[static_cast<std::size_t>(kernel_set())])}};
+          {"kernels", std::string(kernel_set_name())}};
 }
 
 }  // namespace ibmfair

@@ -2,12 +2,13 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace ibmfair {
 
 /// The library's own version, as "0.1.0".
-std::string version();
+std::string_view version();
 
 struct Component {
   std::string name;
