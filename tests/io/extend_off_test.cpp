@@ -67,6 +67,10 @@ TEST(ExtendedOff, CountsEdgesWhereTheFileDoes) {
   EXPECT_TRUE(with_tent("OFF\n4 2 5" + rows, "a.off").starts_with("OFF\n7 8 13\n"));
   EXPECT_TRUE(with_tent("OFF\n4 2 0" + rows, "a.off").starts_with("OFF\n7 8 0\n"));
   EXPECT_TRUE(with_tent("OFF\n4 2" + rows, "a.off").starts_with("OFF\n7 8\n"));
+  // More than the faces have corners, and the largest number there is.
+  EXPECT_TRUE(with_tent("OFF\n4 2 7" + rows, "a.off").starts_with("OFF\n7 8 7\n"));
+  const std::string huge = "9223372036854775807";
+  EXPECT_TRUE(with_tent("OFF\n4 2 " + huge + rows, "a.off").starts_with("OFF\n7 8 " + huge + "\n"));
 }
 
 TEST(ExtendedOff, ExtendsWhatFollowsEachPosition) {

@@ -217,6 +217,8 @@ TEST(ObjFile, RefusesWhatIsNoMesh) {
   EXPECT_EQ(refused("# nothing\n"), "a.obj: the mesh has no vertices");
   EXPECT_EQ(refused("v 1 2 3\n"), "a.obj: the mesh has no faces");
   EXPECT_EQ(refused(std::string("v 1 2\0 3", 8)), "a.obj: not an OBJ text (byte 5 is zero)");
+  const std::string text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n# " + std::string(2000, 'x');
+  EXPECT_EQ(refused(text + '\0'), "a.obj: not an OBJ text (byte 2034 is zero)");
   EXPECT_EQ(refused("\xFE\xFF v"), "a.obj: the text is UTF-16; save it as UTF-8");
 }
 

@@ -43,7 +43,11 @@ std::array<std::int64_t, 3> extended_counts(const PatchRequest& request, const L
   if (request.extension == nullptr) return counts;
   counts[0] += request.extension->X.rows();
   counts[1] += request.extension->F.rows();
-  if (counts[2] != 0) counts[2] += count_new_edges(request.mesh, *request.extension);
+  // Few programs fill in the count of edges. One that these faces cannot have is left as it is.
+  const auto most_edges = static_cast<std::int64_t>(request.mesh.faces.corner.size());
+  if (counts[2] > 0 && counts[2] <= most_edges) {
+    counts[2] += count_new_edges(request.mesh, *request.extension);
+  }
   return counts;
 }
 
