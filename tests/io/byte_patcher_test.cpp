@@ -1,4 +1,6 @@
 // What the writers of all formats copy their files with, beside doing the same with strings.
+#include "ibmfair/io/byte_patcher.h"
+
 #include <string>
 #include <vector>
 
@@ -7,7 +9,6 @@
 
 #include "ibmfair/base/random_numbers.h"
 #include "ibmfair/base/threads.h"
-#include "ibmfair/io/byte_patcher.h"
 #include "ibmfair/io/numbers.h"
 
 namespace ibmfair::test {

@@ -5,8 +5,8 @@ namespace ibmfair {
 
 /// Sets the number of threads of all loops to come; 0 leaves it to the environment
 /// (OMP_NUM_THREADS, else one for each core that the process may use); it is less where the address
-/// space is limited and has no room for so many. Results do not depend on it. Throws BadOption for a
-/// negative number or one above `largest_thread_count`.
+/// space is limited and has no room for so many. Results do not depend on it. Throws BadOption for
+/// a negative number or one above `largest_thread_count`.
 void set_thread_count(int count);
 
 constexpr int largest_thread_count = 1024;
@@ -20,9 +20,9 @@ int worker_count();
 int worker_index();
 
 /// Ends the threads that OpenBLAS starts when it is loaded, where that is the BLAS of the process;
-/// from now on it works on the thread that calls it. Before they sleep, a tenth of a second after the
-/// start, they spin on the cores that the loops need: a flow of 41 thousand vertices took a fifth
-/// less without them. Does nothing where memory is so limited that they might never end.
+/// from now on it works on the thread that calls it. Before they sleep, a tenth of a second after
+/// the start, they spin on the cores that the loops need: a flow of 41 thousand vertices took a
+/// fifth less without them. Does nothing where memory is so limited that they might never end.
 void end_blas_threads();
 
 }  // namespace ibmfair

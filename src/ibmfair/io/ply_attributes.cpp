@@ -83,7 +83,8 @@ void read_vertex_texture(const SourceBytes& source, const Layout& layout, const 
   const std::vector<double> values =
       read_columns(source, layout, {layout.texture[0], layout.texture[1]});
   for (std::size_t i = 0; i + 1 < values.size(); i += 2) {
-    attributes.texture_coordinates.push_back({finite_or_zero(values[i]), finite_or_zero(values[i + 1])});
+    attributes.texture_coordinates.push_back(
+        {finite_or_zero(values[i]), finite_or_zero(values[i + 1])});
   }
   attributes.corner_texture = mesh.faces.corner;
 }

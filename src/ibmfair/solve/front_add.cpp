@@ -68,8 +68,8 @@ void add_update(const FrontLayout<Real>& child, const Real* update, const FrontL
   const auto split = static_cast<Index>(std::lower_bound(begin, end, parent.columns) - place);
   const bool of_block = part == FrontPart::block;
   run_kernel<AddUpdate<Real>>(AddUpdate<Real>{child, update, parent, place, part, numbers,
-                                       of_block ? child.columns : split,
-                                       of_block ? split : child.rows});
+                                              of_block ? child.columns : split,
+                                              of_block ? split : child.rows});
 }
 
 template void add_update(const FrontLayout<float>&, const float*, const FrontLayout<float>&,
