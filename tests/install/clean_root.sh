@@ -33,7 +33,7 @@ apt update
 # What the demo must show: vertices moved, and a picture that is a PNG file.
 demo() {
   local prefix=$1
-  rm -f "$work"/root/tmp/*
+  rm -rf --one-file-system "$work"/root/tmp/*  # Open MPI 5 leaves folders there
   inside "$prefix/bin/ibmfair" smooth "$prefix/share/ibmfair/femur.off" /tmp/fair.off \
     --steps 16 --cutoff 4 --picture /tmp/fair.png --json >"$work/demo.json"
   grep --quiet '"status": "completed"' "$work/demo.json"

@@ -3,10 +3,15 @@
 #include <algorithm>
 #include <vector>
 
-#include <CGAL/AABB_traits.h>
 #include <CGAL/AABB_tree.h>
-#include <CGAL/AABB_triangle_primitive.h>
 #include <CGAL/Simple_cartesian.h>
+#if __has_include(<CGAL/AABB_traits_3.h>)  // CGAL 6 deprecates the names without 3.
+#include <CGAL/AABB_traits_3.h>
+#include <CGAL/AABB_triangle_primitive_3.h>
+#else
+#include <CGAL/AABB_traits.h>
+#include <CGAL/AABB_triangle_primitive.h>
+#endif
 
 #include "ibmfair/base/errors.h"
 #include "ibmfair/mesh/geometry.h"
@@ -18,8 +23,14 @@ namespace {
 using Kernel = CGAL::Simple_cartesian<double>;
 using Triangle = Kernel::Triangle_3;
 using Iterator = std::vector<Triangle>::const_iterator;
+#if __has_include(<CGAL/AABB_traits_3.h>)
+using Primitive = CGAL::AABB_triangle_primitive_3<Kernel, Iterator>;
+using Traits = CGAL::AABB_traits_3<Kernel, Primitive>;
+#else
 using Primitive = CGAL::AABB_triangle_primitive<Kernel, Iterator>;
-using BoxTree = CGAL::AABB_tree<CGAL::AABB_traits<Kernel, Primitive>>;
+using Traits = CGAL::AABB_traits<Kernel, Primitive>;
+#endif
+using BoxTree = CGAL::AABB_tree<Traits>;
 
 Kernel::Point_3 to_cgal(const Vec3& x) {
   return {x[0], x[1], x[2]};
