@@ -4,7 +4,7 @@
 
 int main(int argc, char** argv) {
   const int code = ibmfair::commands::run_program(argc, argv);
-#ifndef __SANITIZE_ADDRESS__  // looks for leaks at the end
+#ifndef IBMFAIR_SANITIZED  // looks for leaks at the end
   // CHOLMOD may bring OpenBLAS, which waits for its threads when it is unloaded; where memory is
   // short, they never end.
   std::_Exit(code);

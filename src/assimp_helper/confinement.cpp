@@ -51,14 +51,14 @@ RulesetAttributes all_rights(long version) {
 
 }  // namespace
 
-void limit_resources(std::uint64_t cpu_seconds, std::uint64_t address_space) {
+void limit_resources(std::uint64_t cpu_seconds, [[maybe_unused]] std::uint64_t address_space) {
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   // Only the soft limit has a signal of its own, SIGXCPU; the hard one is SIGKILL as so much is.
   lower_limit(RLIMIT_CPU, cpu_seconds, cpu_seconds + 1);
   for (const auto resource : {RLIMIT_FSIZE, RLIMIT_NPROC, RLIMIT_CORE}) {
     lower_limit(resource, 0, 0);
   }
-#ifndef __SANITIZE_ADDRESS__  // which needs all of it
+#ifndef IBMFAIR_SANITIZED  // which needs all of it
   lower_limit(RLIMIT_AS, address_space, address_space);
 #endif
 }

@@ -34,7 +34,7 @@ TriangleMesh noisy_torus(Index rows, Index columns) {
 TriangleMesh wounded(TriangleMesh mesh) {
   const Eigen::Index vertices = mesh.X.rows(), triangles = mesh.F.rows() - 40;
   mesh.X.conservativeResize(vertices + 2, 3);  // two more, one in no triangle
-  const auto x = mesh.F.row(0);
+  const Eigen::RowVector3i x = mesh.F.row(0);
   mesh.X.row(vertices) = 0.5 * (mesh.X.row(x[0]) + mesh.X.row(x[1]));
   mesh.X.row(vertices + 1) << 5, 5, 5;
   mesh.F.conservativeResize(triangles + 3, 3);

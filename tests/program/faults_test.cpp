@@ -309,7 +309,7 @@ TEST_F(Faults, AnInputOfMoreThanTheMemoryIsRefusedUnread) {
   const RunResult sparse = run({"info", in_});
   EXPECT_EQ(sparse.exit_code, 5);
   EXPECT_TRUE(contains(sparse.err, "4398047 MB of memory")) << sparse.err;
-#ifndef __SANITIZE_ADDRESS__
+#ifndef IBMFAIR_SANITIZED
   const RunResult endless = run({"info", "/dev/zero"}, {.address_space = std::int64_t{1} << 29U});
   EXPECT_EQ(endless.exit_code, 5);
   EXPECT_TRUE(contains(endless.err, "/dev/zero needs")) << endless.err;

@@ -80,7 +80,7 @@ TEST(Confinement, LimitsTimeAndMemoryAndWritesNothing) {
               return write(file, "x", 1) == 1 ? 1 : 0;
             }),
             -SIGXFSZ);
-#ifndef __SANITIZE_ADDRESS__
+#ifndef IBMFAIR_SANITIZED
   EXPECT_EQ(exit_code_of([&] {
               limit_resources(10, gigabyte);
               void* const memory = std::malloc(2 * gigabyte);

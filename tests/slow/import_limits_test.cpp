@@ -139,7 +139,7 @@ TEST(ImportLimits, SpoiltFilesAreReadOrRefused) {
 }
 
 TEST(ImportLimits, MemoryIsBounded) {
-#ifdef __SANITIZE_ADDRESS__
+#ifdef IBMFAIR_SANITIZED
   GTEST_SKIP() << "AddressSanitizer needs all of the address space";
 #endif
   const ImportLimits limits{generous.time, std::int64_t{1} << 28};
@@ -151,7 +151,7 @@ TEST(ImportLimits, MemoryIsBounded) {
 TEST(ImportLimits, ACrashIsReported) {
   const std::string text = stl_of(200'000);
   std::vector<int> signals{SIGABRT, SIGKILL};
-#ifndef __SANITIZE_ADDRESS__  // which makes an exit code of this one
+#ifndef IBMFAIR_SANITIZED  // which makes an exit code of this one
   signals.push_back(SIGSEGV);
 #endif
   for (const int signal_number : signals) {

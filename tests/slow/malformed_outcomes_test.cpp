@@ -65,7 +65,7 @@ Outcome outcome_of(const std::string& command, const std::string& path) {
     EXPECT_EQ(run_program({"info", directory / "out.ply"}).exit_code, 0);
   }
   EXPECT_EQ(directory.entries(), written ? 1U : 0U);
-#ifndef __SANITIZE_ADDRESS__
+#ifndef IBMFAIR_SANITIZED
   EXPECT_TRUE(ends_soon(result.cpu_seconds, words)) << result.cpu_seconds << " s";
   EXPECT_LE(result.peak_megabytes, most_megabytes);
 #endif

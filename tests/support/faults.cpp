@@ -38,7 +38,7 @@ std::set<std::string> files_in(const fs::path& folder) {
 }  // namespace
 
 bool faults_can_be_injected() {
-#ifdef __SANITIZE_ADDRESS__
+#ifdef IBMFAIR_SANITIZED
   return false;
 #else
   return true;

@@ -20,3 +20,16 @@ compile() {
   shift
   cmake --build "$directory" --parallel "$cores" --target "${@:-all}"
 }
+
+# The compiler of the builds that look for mistakes; llvm has the names in its traces.
+clang=16
+clang_packages=("clang-$clang" "libclang-rt-$clang-dev" "llvm-$clang")
+
+# configure_sanitized: build-sanitize/, by clang with AddressSanitizer and UndefinedBehaviorSanitizer
+# (alignment included), and for libFuzzer.
+configure_sanitized() {
+  configure build-sanitize -D CMAKE_CXX_COMPILER="clang++-$clang" -D CMAKE_C_COMPILER="clang-$clang" \
+    -D CMAKE_BUILD_TYPE=RelWithDebInfo -D CMAKE_CXX_FLAGS_RELWITHDEBINFO=-O1 -D IBMFAIR_FUZZ=ON \
+    -D IBMFAIR_TESTS=ON
+  export UBSAN_OPTIONS=print_stacktrace=1 ASAN_SYMBOLIZER_PATH=/usr/bin/llvm-symbolizer-$clang
+}

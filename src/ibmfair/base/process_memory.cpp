@@ -123,7 +123,7 @@ void keep_freed_memory() {
 }
 
 void use_large_pages() {
-#if defined(__GLIBC__) && !defined(__SANITIZE_ADDRESS__)
+#if defined(__GLIBC__) && !defined(IBMFAIR_SANITIZED)
   constexpr double all_is_counted = 2;  // address space counts as memory before it is touched
   if (std::isfinite(address_space_limit()) ||
       number_in("/proc/sys/vm/overcommit_memory") == all_is_counted) {
