@@ -81,7 +81,7 @@ TEST_F(DeterminismTest, TwentyRunsOnOneAndTwoThreadsGiveTheSameBytes) {
 const std::string plain_c_library = "GLIBC_TUNABLES=glibc.cpu.hwcaps=-AVX2,-FMA,-AVX";
 
 /// The program as started on a processor that qemu plays; nothing where there is no qemu.
-std::optional<std::vector<std::string>> emulating(const std::string& processor) {
+std::optional<std::vector<std::string>> emulating([[maybe_unused]] const std::string& processor) {
 #ifdef __x86_64__
   if (is_installed("qemu-x86_64")) {
     return std::vector<std::string>{"/usr/bin/env", "qemu-x86_64", "-cpu", processor};

@@ -22,4 +22,8 @@ std::string triangle_gltf(const std::string& uri);
 std::string triangle_buffer();
 extern const char* const triangle_data_uri;
 
+/// Whether a file that is imported may refer to others. The importer opens them with the system
+/// call openat2, which Linux has since version 5.6, and which emulators of a processor may lack.
+bool imports_can_refer_to_files();
+
 }  // namespace ibmfair::test

@@ -259,6 +259,10 @@ std::string program_path() {
   return IBMFAIR_PROGRAM;
 }
 
+bool runs_in_emulator() {
+  return IBMFAIR_IN_EMULATOR != 0;
+}
+
 Words operator+(Words a, const Words& b) {
   a.insert(a.end(), b.begin(), b.end());
   return a;

@@ -56,6 +56,11 @@ bool contains(const std::string& text, const std::string& part);
 /// The full name of the program under test.
 std::string program_path();
 
+/// Whether the tests and the program run in an emulator of another processor (`tools/test
+/// --arm64`). The emulator needs memory of its own within the limits that a test sets for the
+/// program, and it lacks some calls of the system.
+bool runs_in_emulator();
+
 /// Runs the program with these arguments, no shell in between. Throws std::runtime_error if it
 /// cannot be started or does not end within the limit.
 RunResult run_program(const std::vector<std::string>& arguments, const RunOptions& options = {});

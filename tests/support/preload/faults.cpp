@@ -181,7 +181,9 @@ int renameat2(int from_directory, const char* from, int to_directory, const char
 }
 
 int rename(const char* from, const char* to) noexcept {
-  return fails("rename") ? -1 : static_cast<int>(syscall(SYS_rename, from, to));
+  return fails("rename")
+             ? -1
+             : static_cast<int>(syscall(SYS_renameat2, AT_FDCWD, from, AT_FDCWD, to, 0));
 }
 
 int fchmod(int fd, mode_t mode) noexcept {
