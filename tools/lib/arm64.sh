@@ -86,9 +86,12 @@ test_arm64() {
 
   configure build -D CMAKE_BUILD_TYPE=Release
   compile build ibmfair
+  # Nearer than two kernel sets of one processor are to each other (1.4e-6) they cannot be expected to
+  # be: a last digit can decide where iterations stop.
   echo "test: results on arm64 beside those of $(c++ --version | head -n 1) on $(uname -m)"
   tools/compare_builds build/ibmfair "$arm64_directory/ibmfair" \
-    --launcher "$arm64_emulator -L $arm64_sysroot" --most 1e-9 || failed=1
+    --a-environment IBMFAIR_KERNELS=baseline \
+    --launcher "$arm64_emulator -L $arm64_sysroot" --most 1e-5 || failed=1
 
   # count ATTRIBUTE: of the test suite, in what ctest wrote.
   count() { sed -n "s/^[[:space:]]*$1=\"\([0-9]*\)\".*/\1/p" "$results" | head -n 1; }
