@@ -240,6 +240,25 @@ TEST(ObjFile, SurvivesRandomBytes) {
   }
 }
 
+TEST(ObjFile, NamesOfGroupsMayGoOnOnTheNextLine) {
+  for (const std::string continuation : {"\\\n", " \\\n", "\\\n ", "\\\r\n"}) {
+    // The second line of the name looks like a face of a vertex that is not there.
+    const std::string text =
+        "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nf 2 4 3\ng left" + continuation + "f 1 2 9\nf 1 2 3\n";
+    const MeshFile file = expect_carried(text, "a.obj");
+    ASSERT_EQ(file.mesh().faces.size(), 2);
+    for (const std::string name : {"left", "f", "9"})
+      EXPECT_EQ(file.vertex_mask(name), (std::vector<std::uint8_t>{1, 1, 1, 0})) << name;
+  }
+  const MeshFile file = MeshFiles::read(
+      "v 0 0 0\nv 1 0 0\nv 0 1 0\ng C:\\parts\\\nf 1 2 3\n"
+      "g other\\\\part\nf 1 2 3\n",
+      "a.obj");
+  ASSERT_EQ(file.mesh().faces.size(), 1);
+  EXPECT_EQ(file.vertex_mask("other\\\\part"), (std::vector<std::uint8_t>{1, 1, 1}));
+  EXPECT_THROW(file.vertex_mask("C:\\parts\\"), BadOption);
+}
+
 TEST(ObjFile, SelectsVerticesByGroupObjectAndMaterial) {
   MeshFiles files;
   const MeshFile file = MeshFiles::read(two_groups, "a.obj");

@@ -72,7 +72,12 @@ void ObjScanner::corner_references(const char* start, RawCorner& corner) {
 std::string_view ObjScanner::word() {
   if (at_statement_end()) return {};
   const char* start = p_;
-  skip_to(blank | line_end);
+  skip_to(blank | line_end | continuation);
+  // A backslash within a line is a character as others are.
+  while (*p_ == '\\' && !is(p_[1], line_end)) {
+    ++p_;
+    skip_to(blank | line_end | continuation);
+  }
   return {start, static_cast<std::size_t>(p_ - start)};
 }
 
