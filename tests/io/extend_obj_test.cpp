@@ -50,6 +50,22 @@ TEST(ExtendedObj, RepeatsStatementsOnlyWhereTheyChange) {
   EXPECT_EQ(count("\ns "), 0U);
 }
 
+TEST(ExtendedObj, NamesThatEndWithABackslashContinueNothing) {
+  for (const std::string end : {"\n", "\r\n", "\r"}) {
+    for (const std::string keyword : {"g", "o", "usemtl"}) {
+      // A blank behind the backslash makes it a part of the name; later the name is needed again.
+      const std::string text = replaced(
+          "v 0 0 0\nv 1 0 0\nv 0 1 0\n" + keyword + " C:\\ \nf 1 2 3\n" + keyword + " b\nf 3 2 1\n",
+          "\n", end);
+      SCOPED_TRACE(testing::PrintToString(text));
+      const std::string out = with_tent(text, "a.obj", 0);
+      const MeshFile file = MeshFiles::read(out, "b.obj");
+      EXPECT_EQ(file.mesh().faces.size(), 8);
+      EXPECT_EQ(file.vertex_mask("C:\\"), (std::vector<std::uint8_t>(6, 1)));
+    }
+  }
+}
+
 TEST(ExtendedObj, KeepsToTheLinesOfTheFile) {
   for (const std::string end : {"\n", "\r\n", "\r"}) {
     for (const std::string& last : {std::string(), end, " \\" + end, "#\\" + end, end + "#\\"}) {

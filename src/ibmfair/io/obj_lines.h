@@ -31,9 +31,10 @@ class ObjLines {
     out_.write(line_end_);
   }
 
-  /// A line as it is.
+  /// A line as it is. After a backslash at its end a blank keeps the next line from continuing it.
   void statement(std::string_view text) {
     out_.write(text);
+    if (text.ends_with('\\')) out_.write(" ");
     out_.write(line_end_);
   }
 
