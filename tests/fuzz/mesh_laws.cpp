@@ -117,7 +117,9 @@ void require_sound(const MeshFile& file) {
       law(file.vertex_mask(name).size() == static_cast<std::size_t>(mesh.X.rows()),
           "a mask is about every vertex");
     } catch (const BadOption&) {
-      continue;  // no such group or property
+      continue;                       // no such group or property
+    } catch (const BadFile& error) {  // two of them
+      require_clear(error, file.bytes().name(), file.bytes().view());
     }
   }
 }

@@ -264,6 +264,20 @@ TEST(PlyFile, RefusesBadHeaders) {
             "a.ply:8:15: the count of a list must be an integer in 'float'");
 }
 
+TEST(PlyFile, RefusesToSelectByOneOfTwoPropertiesOfAName) {
+  const MeshFile file = MeshFiles::read(
+      ascii("element vertex 3\n" + xyz + "property uchar part\nproperty uchar part\n" +
+                "element face 1\n" + list,
+            "0 0 0 1 0\n1 0 0 1 0\n0 1 0 0 1\n3 0 1 2\n"),
+      "a.ply");
+  try {
+    file.vertex_mask("part");
+    FAIL() << "read without a word";
+  } catch (const BadFile& error) {
+    EXPECT_STREQ(error.what(), "a.ply:8:1: 'vertex' has two properties 'part': in 'property'");
+  }
+}
+
 TEST(PlyFile, RefusesWhatHasNoFaces) {
   const auto refused = [](const std::string& text) { return read_error(text, "a.ply"); };
   EXPECT_EQ(refused(ascii("element vertex 1\n" + xyz, "0 0 0\n")), "a.ply: the mesh has no faces");

@@ -48,7 +48,7 @@ class MeshFile {
 
   /// #V, 1 for the vertices that `name` selects: those of the faces of an OBJ group, object or
   /// material, or those whose PLY vertex property is not zero. Throws BadOption that lists the
-  /// names the file has.
+  /// names the file has, and BadFile where a PLY file has two vertex properties of this name.
   std::vector<std::uint8_t> vertex_mask(const std::string& name) const;
 
   /// The vertex property of this name, for each vertex the number that the file has, nan and
