@@ -122,7 +122,9 @@ TEST_F(DeterminismTest, ASetOfKernelsThatTheProcessorLacksIsRefused) {
   const RunResult result = run_program(
       {"info", whole_}, {.environment = {"IBMFAIR_KERNELS=avx2"}, .launcher = *launcher});
   EXPECT_EQ(result.exit_code, 2);
-  EXPECT_TRUE(contains(result.err, "this processor cannot run the kernels for avx2")) << result.err;
+  EXPECT_TRUE(
+      contains(result.err, "IBMFAIR_KERNELS: this processor cannot run the kernels for avx2"))
+      << result.err;
 }
 
 TEST_F(DeterminismTest, ASetOfKernelsThatThereIsNotIsRefused) {

@@ -56,7 +56,11 @@ void choose_kernel_set_by_environment() {
     throw BadOption(
         fmt::format("{}: '{}' is neither {}", kernels_variable, given, fmt::join(names, " nor ")));
   }
-  choose_kernel_set(static_cast<InstructionSet>(name - names.begin()));
+  try {
+    choose_kernel_set(static_cast<InstructionSet>(name - names.begin()));
+  } catch (const BadOption& error) {
+    throw BadOption(fmt::format("{}: {}", kernels_variable, error.what()));
+  }
 }
 
 }  // namespace ibmfair
