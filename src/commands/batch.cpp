@@ -27,9 +27,71 @@ constexpr const char* format_text =
     R"({"defaults": {"command": "smooth", "options": {"cutoff": "2%"}},
  "jobs": [{"input": "scans/*.ply", "output": "fair/"},
           {"input": ["a.obj", "b.obj"], "output": "fair/{stem}.ply",
-           "options": {"steps": 32}},
+           "options": {"steps": 32, "weld": true}},
           {"command": "make", "shape": "torus", "output": "torus.off"}]}
-`ibmfair COMMAND ... --dump-config` prints a run in this format.
+
+A job has a command, its arguments (`input` is IN, `output` is OUT) and its
+options. Names of files may hold {name}, {stem}, {ext} and {dir} of the input.
+`ibmfair COMMAND ... --dump-config` prints any command line in this format.
+All arguments are checked before the first job runs.
+)";
+
+constexpr const char* record_text =
+    R"(Each file is a process of its own. A file that fails or runs out of memory
+does not stop the others; the exit code is 1 then. --summary writes what
+became of each file as .csv, .json or .html.
+
+A journal (JOBS.journal, or .ibmfair-batch.journal in the output folder)
+records what each result was made from. --resume skips a file whose options,
+inputs and outputs are unchanged and were made by this version, and runs all
+other files again. An input is unchanged if its size and times are the same,
+or else if its contents have the same hash. After Ctrl-C or kill -9 every
+output is complete or absent.
+)";
+
+constexpr const char* cluster_text =
+    R"(Machines that see the same files can share a list of jobs. For Slurm, write
+this script to the file fair.sbatch:
+
+    #!/bin/bash
+    #SBATCH --array=1-8 --requeue
+    srun ibmfair batch jobs.json --shard "$SLURM_ARRAY_TASK_ID/8" \
+      --shared --resume
+
+and submit it, followed by a job that writes the summary:
+
+    fair=$(sbatch --parsable fair.sbatch)
+    sbatch --dependency="afterany:$fair" \
+      --wrap "ibmfair batch jobs.json --merge --summary summary.csv"
+
+With GNU parallel, on this machine:
+
+    parallel ibmfair batch jobs.json --shard {}/8 --threads 1 --resume \
+      ::: {1..8}
+
+or on several, and then the summary:
+
+    parallel --sshlogin node1,node2 --workdir . \
+      ibmfair batch jobs.json --shard {}/8 --shared ::: {1..8}
+    ibmfair batch jobs.json --merge --summary summary.csv
+
+--shard divides the list beforehand. --shared makes it safe to start the same
+part, or the whole list, several times at once, for example when Slurm starts
+a task again that still runs on a lost node. Each file is run once. A process
+ends when all files of its part are done or have failed, whoever ran them.
+Other processes do not retry a failed file; --resume does.
+
+A process claims a file in the folder JOBS.journal.shared, renews the claim
+while it works, and records the end in a journal of its own there. If the
+process dies, or does not renew the claim for --claim-expiry seconds by the
+clock of the file server, another process takes the file over, and one that
+was only slow gives way. The file system must support hard links, and show
+what others wrote to whoever opens a file, as NFS does; sshfs needs
+-o dir_cache=no,attr_timeout=0,entry_timeout=0.
+
+--merge runs nothing. It writes the summary that a single run of the whole
+list would have written, with `not run` for what is still to be done. The exit
+code is 1 unless everything is done.
 )";
 
 }  // namespace
@@ -50,7 +112,9 @@ Runner declare_batch(CLI::App& app) {
   begin_group(app, groups::reports_and_pictures);
   app.add_flag("--json", options.report.json, "write the summary as JSON to standard output");
   add_overwrite_option(app, options.overwrite);
-  documentation_of(app).sections = {{"A job file", format_text}};
+  documentation_of(app).sections = {{"A job file", format_text},
+                                    {"Records and resuming", record_text},
+                                    {"On a cluster", cluster_text}};
   documentation_of(app).examples = {
       {"ibmfair batch jobs.json --jobs 4 --summary summary.csv",
        "runs four jobs at a time, and writes what became of each"},

@@ -1,6 +1,6 @@
-"""Runs what the README says of clusters as it stands there: with Slurm, whose commands are played by
-fake_slurm.py, and with GNU parallel, if there is one, which reaches its nodes by an ssh that goes
-nowhere. In each case the merged summary is that of a single run.
+"""Runs the commands of `ibmfair help batch` for clusters as they stand there: with Slurm, whose
+commands are played by fake_slurm.py, and with GNU parallel, if it is installed, which reaches its
+nodes by an ssh that stays on this machine. In each case the merged summary is that of a single run.
 
     cluster.py PROGRAM WORK
 """
@@ -11,9 +11,9 @@ import re
 import shutil
 import subprocess
 import sys
+import textwrap
 
 HERE = os.path.dirname(os.path.abspath(__file__))
-README = os.path.join(os.path.dirname(os.path.dirname(HERE)), "README.md")
 JOBS = """{"defaults": {"command": "smooth", "options": {"steps": 2, "cutoff": 4}},
            "jobs": [{"input": "scans/*.ply", "output": "fair/"}]}"""
 # Like a login, it sets the shell and begins at home: parallel relies on both.
@@ -28,11 +28,13 @@ exec sh -c "$*"
 """
 
 
-def readme_blocks():
-    with open(README, encoding="utf-8") as file:
-        section = file.read().split("### On a cluster\n", 1)[1].split("\n## ", 1)[0]
-    script, submission, parallel = re.findall(r"```sh\n(.*?)```", section, re.DOTALL)
-    return script, submission, parallel
+def blocks_of_help(program):
+    """The indented blocks: Slurm's script, its submission, parallel here, and on several machines."""
+    text = subprocess.run([program, "help", "batch"], check=True, capture_output=True, text=True).stdout
+    section = text.split("\nOn a cluster:\n", 1)[1]
+    blocks = re.findall(r"(?:^ {6}.*\n)+", section, re.MULTILINE)
+    script, submission, local, remote = (textwrap.dedent(block) for block in blocks)
+    return script, submission, local, remote
 
 
 def make_executable(path, text):
@@ -94,7 +96,7 @@ def check(what, found, expected):
 
 def main():
     program, work = map(os.path.abspath, sys.argv[1:3])
-    script, submission, parallel = readme_blocks()
+    script, submission, local, remote = blocks_of_help(program)
     environment = prepare(program, work)
 
     def run(command, codes, **more):
@@ -118,8 +120,8 @@ def main():
     if shutil.which("parallel") is None:
         print("no GNU parallel: its part is left out")
         return
-    local, remote, merge = parallel.splitlines()
-    for command in (local, remote):
+    *several, merge = remote.splitlines()
+    for command in (local, "\n".join(several)):
         start_anew(work)
         run(command, [1])  # how many of its jobs have failed
         run(merge, [1])

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
-"""Plays `sbatch` and `srun`, by whose name it is called, as far as the README uses them: a job is an
-array of tasks, all of which run at once on this machine, or one command; sbatch returns when it has
-ended, so that whatever depends on it may run.
+"""Plays `sbatch` and `srun`, by whose name it is called, as far as `ibmfair help batch` uses them: a
+job is an array of tasks, all of which run at once on this machine, or one command; sbatch returns
+when it has ended, so that whatever depends on it may run.
 
 MISHAPS in the environment says what happens to each second task of an array once it has made
 something: `killed`, its processes die and it is started anew; `lost`, it is started anew while it

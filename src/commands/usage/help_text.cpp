@@ -125,7 +125,7 @@ std::string help_text(const CommandUsage& command, std::size_t width) {
     text += fmt::format("\n{}:\n", section.title);
     std::istringstream lines(section.text);
     for (std::string line; std::getline(lines, line);) {
-      text += fmt::format("  {}\n", line);
+      text += line.empty() ? "\n" : fmt::format("  {}\n", line);
     }
   }
   return text;
