@@ -1,5 +1,5 @@
 // What is said of a command besides what its parser knows: units, defaults in words, examples.
-// Help, man pages, completions, JSON and the README's table are made of both: usage/usage.h.
+// Help, man pages, completions and JSON are made of both: usage/usage.h.
 #pragma once
 
 #include <map>

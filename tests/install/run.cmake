@@ -49,8 +49,8 @@ endsolid one
 # A file that only assimp reads: the installed program must find its helper.
 run(${WORK}/installed/bin/ibmfair smooth ${WORK}/one.stl ${WORK}/one.obj --steps 0)
 
-# The README's program, as it stands there.
-file(READ ${CMAKE_CURRENT_LIST_DIR}/../../README.md readme)
+# The program of src/README.md, as it stands there.
+file(READ ${CMAKE_CURRENT_LIST_DIR}/../../src/README.md readme)
 foreach(block "cmake;CMakeLists.txt" "cpp;main.cpp")
   list(GET block 0 language)
   list(GET block 1 name)

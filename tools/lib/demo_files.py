@@ -1,4 +1,4 @@
-"""Writes the files that the README's tour uses into a folder:
+"""Writes the files that the README's recipes use into a folder:
 
     demo_files.py IBMFAIR FOLDER
 

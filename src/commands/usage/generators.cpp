@@ -7,9 +7,10 @@ namespace ibmfair::commands {
 
 std::span<const Generator> generators() {
   static constexpr std::array table{
-      Generator{"man", man_page},           Generator{"bash", bash_completion},
-      Generator{"zsh", zsh_completion},     Generator{"fish", fish_completion},
-      Generator{"markdown", option_tables},
+      Generator{"man", man_page},
+      Generator{"bash", bash_completion},
+      Generator{"zsh", zsh_completion},
+      Generator{"fish", fish_completion},
   };
   return table;
 }

@@ -28,9 +28,6 @@ std::string bash_completion(const ProgramUsage& program, const CommandUsage* com
 std::string zsh_completion(const ProgramUsage& program, const CommandUsage* command);
 std::string fish_completion(const ProgramUsage& program, const CommandUsage* command);
 
-/// Tables of the options in Markdown, as the README holds them; the same for any command.
-std::string option_tables(const ProgramUsage& program, const CommandUsage* command);
-
 /// The values that a shell offers: all choices where there are some.
 const std::vector<std::string>& offered_words(const OptionUsage& option);
 

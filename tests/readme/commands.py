@@ -1,7 +1,7 @@
-"""Runs the commands of the README's tour as somebody would who types them: one after the other, in a
-folder that tools/demo has made.
+"""Runs the commands of the README's recipes, and of the text about energies, as somebody would who
+types them: one after the other, in a folder that tools/demo has made.
 
-    tour.py PROGRAM WORK
+    commands.py PROGRAM WORK
 """
 
 import os
@@ -11,14 +11,18 @@ import subprocess
 import sys
 
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
-SECTION = "## Eleven things to do with it"
 
 
-def commands():
-    with open(os.path.join(ROOT, "README.md"), encoding="utf-8") as file:
+def blocks(path, section=None):
+    """The blocks of commands of a text, or of one of its sections."""
+    with open(os.path.join(ROOT, path), encoding="utf-8") as file:
         text = file.read()
-    section = text.split(SECTION + "\n", 1)[1].split("\n## ", 1)[0]
-    return re.findall(r"```sh\n(.*?)```", section, re.DOTALL)
+    if section is not None:
+        text = text.split(f"## {section}\n", 1)[1].split("\n## ", 1)[0]
+    found = re.findall(r"```sh\n(.*?)```", text, re.DOTALL)
+    if not found:
+        sys.exit(f"{path} has no commands")
+    return found
 
 
 def main():
@@ -29,10 +33,10 @@ def main():
     os.symlink(program, os.path.join(work, "build", "ibmfair"))
     subprocess.run([sys.executable, os.path.join(ROOT, "tools", "lib", "demo_files.py"), program, demo],
                    check=True)
-    blocks = commands()
-    if len(blocks) < 10:
-        sys.exit(f"only {len(blocks)} blocks of commands in the tour")
-    script = "set -euo pipefail\n" + "".join(blocks)
+    commands = blocks("README.md", "Six recipes") + blocks("src/ibmfair/energy/README.md")
+    if len(commands) < 7:
+        sys.exit(f"only {len(commands)} blocks of commands")
+    script = "set -euo pipefail\n" + "".join(commands)
     subprocess.run(["bash", "-xc", script], cwd=work, check=True)
     given = set(re.findall(r"[\w/]+\.(?:ply|obj|off|html|json|csv|png|txt)\b", script)) - {"x.ply"}
     missing = sorted(name for name in given if not os.path.getsize(os.path.join(demo, name)))
