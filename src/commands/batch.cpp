@@ -108,7 +108,7 @@ Runner declare_batch(CLI::App& app) {
   add_batch_options(app, options);
   begin_group(app, groups::every_command);
   app.add_flag("--dump-config", options.dump_config,
-               "print the list file by file with all defaults, run nothing");
+               "print the list file by file with all defaults, without running it");
   begin_group(app, groups::reports_and_pictures);
   app.add_flag("--json", options.report.json, "write the summary as JSON to standard output");
   add_overwrite_option(app, options.overwrite);
@@ -117,9 +117,11 @@ Runner declare_batch(CLI::App& app) {
                                     {"On a cluster", cluster_text}};
   documentation_of(app).examples = {
       {"ibmfair batch jobs.json --jobs 4 --summary summary.csv",
-       "runs four jobs at a time, and writes what became of each"},
-      {"ibmfair batch jobs.json --resume", "runs only what is not done, or has changed"},
-      {"ibmfair batch jobs.json --shared", "runs it together with all that are started so"},
+       "runs four jobs at a time, and writes the result of each to a table"},
+      {"ibmfair batch jobs.json --resume",
+       "runs only the jobs that are not done, or whose files have changed"},
+      {"ibmfair batch jobs.json --shared",
+       "shares the list with all processes that were started with the same command"},
   };
   return [arguments, &app](Console& console) {
     BatchOptions options = arguments->options;

@@ -75,7 +75,7 @@ void add_questions(CLI::App& app, const std::function<ProgramUsage()>& program) 
           }
         }
       },
-      "print a man page, completions for a shell, or all options as tables");
+      "print a man page, or completions for a shell");
   generate->check(CLI::IsMember(generator_names()))->configurable(false);
   if (!is_program) {
     generate->group("");  // it says the same of any command, but for the man page
@@ -101,7 +101,7 @@ void add_frame_options(CLI::App& app, FrameOptions& options) {
   if (app.get_option_no_throw("--dump-config") == nullptr) {
     app.add_flag(
         "--dump-config", options.dump_config,
-        "print these arguments and all defaults as a job for `ibmfair batch`, run nothing");
+        "print these arguments and all defaults as a job for `ibmfair batch`, without running it");
   }
   for (const char* name : {"--quiet", "--verbose", "--dump-config"}) {
     app.get_option(name)->configurable(false);
@@ -288,8 +288,16 @@ CLI::App& CommandLine::command() {
 
 std::string CommandLine::help_hint() const {
   const auto chosen = parts_->app.get_subcommands();
-  return fmt::format("`ibmfair {}--help` lists what there is",
-                     chosen.empty() ? "" : chosen.front()->get_name() + " ");
+  if (!chosen.empty()) {
+    return fmt::format("`ibmfair help {}` explains this command", chosen.front()->get_name());
+  }
+  return "`ibmfair help` lists all commands";
+}
+
+std::string CommandLine::first_commands() const {
+  return parts_->app.get_subcommands().empty() && parts_->app.remaining().empty()
+             ? commands::first_commands(parts_->usage(), help_width())
+             : "";
 }
 
 ExitCode CommandLine::run(Console& console) {

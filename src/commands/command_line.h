@@ -45,6 +45,9 @@ class CommandLine {
   /// Where the help is that would have told what to write.
   std::string help_hint() const;
 
+  /// After a Misuse without a command: the commands that most people need; else empty.
+  std::string first_commands() const;
+
   /// Does what the parsed arguments ask for.
   ExitCode run(Console& console);
 

@@ -237,7 +237,7 @@ void add_meshes(CLI::App& app, CompareArguments& a) {
                            ->type_name(file_to_read)
                            ->required();
   CLI::Option* second =
-      app.add_option("B", a.b, "mesh file to compare it with")->type_name(file_to_read);
+      app.add_option("B", a.b, "mesh file to compare A with")->type_name(file_to_read);
   offer_meshes_to_read(app, *first);
   offer_meshes_to_read(app, *second);
 }
@@ -246,17 +246,18 @@ void add_surfaces(CLI::App& app, CompareArguments& a) {
   begin_group(app, "An exact surface instead of B");
   CLI::Option* sphere =
       app.add_option("--sphere", a.sphere,
-                     "compare A with the sphere of this radius, or with the one that fits best")
+                     "compare A with the sphere of this radius, or with the sphere that fits best")
           ->type_name("R|fit");
   note_of(app, *sphere).offers = {"fit"};
-  CLI::Option* torus =
-      add_parsed_option(app, "--torus", "R,r",
-                        "compare A with the torus about the z axis, R to the middle of its tube",
-                        [&a](const std::string& text) {
-                          a.torus = parse_reals_option("--torus", text, 2, positive);
-                        });
+  CLI::Option* torus = add_parsed_option(app, "--torus", "R,r",
+                                         "compare A with the torus about the z axis whose tube has "
+                                         "the radius r and its centre line the radius R",
+                                         [&a](const std::string& text) {
+                                           a.torus =
+                                               parse_reals_option("--torus", text, 2, positive);
+                                         });
   CLI::Option* center = add_parsed_option(
-      app, "--center", "X,Y,Z", "centre of that sphere or torus", [&a](const std::string& text) {
+      app, "--center", "X,Y,Z", "centre of the sphere or torus", [&a](const std::string& text) {
         a.center = parse_reals_option("--center", text, 3, any_real);
       });
   note_of(app, *center).default_text = "0,0,0";
@@ -269,11 +270,11 @@ void add_measures(CLI::App& app, CompareArguments& a) {
   begin_group(app, "How to measure");
   CLI::Option* samples =
       add_integer(app, "--samples", a.samples, std::int64_t{1}, std::int64_t{100'000'000},
-                  "points on each surface that distances are measured at");
+                  "number of points on each surface at which the distance is measured");
   note_of(app, *samples).unit = "points";
   CLI::Option* tolerance =
       add_real(app, "--tolerance", a.tolerance, not_negative,
-               "exit with 1 where the largest distance between the surfaces is above this");
+               "exit with code 1 if the largest distance between the surfaces is above this");
   note_of(app, *tolerance).unit = "mesh units";
   note_of(app, *tolerance).default_text = "no limit";
 }
@@ -291,8 +292,9 @@ Runner declare_compare(CLI::App& app) {
   add_overwrite_option(app, a->overwrite);
   documentation_of(app).examples = {
       {"ibmfair compare scan.ply fair.ply --tolerance 0.5",
-       "tells how far the two are apart, with exit code 1 where that is more than 0.5"},
-      {"ibmfair compare ball.ply --sphere fit", "the same for the sphere that fits best"},
+       "prints the distances of the two, with exit code 1 if the largest is more than 0.5"},
+      {"ibmfair compare ball.ply --sphere fit",
+       "prints the distances to the sphere that fits best"},
   };
   return [arguments, &app](Console& console) { return run_compare(*arguments, app, console); };
 }

@@ -53,7 +53,7 @@ std::string describe(const Topology& topology, const Kind& kind) {
   return text + (list.size() > most ? ", ...)" : ")");
 }
 
-constexpr const char* consequence = "left out of the energy, their vertices are held";
+constexpr const char* consequence = "left out of the energy, and their vertices stay fixed";
 
 /// The vertices of element i.
 std::vector<Index> vertices_of(const Topology& topology, const Kind& kind, Index i) {

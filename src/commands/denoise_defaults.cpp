@@ -64,13 +64,21 @@ void add_denoise_flag(CLI::App& app, SmoothArguments& arguments) {
       }
     }
   };
-  app.add_flag_function("--denoise", set_defaults,
-                        fmt::format("take noise off, however strong it is, and leave the shape: "
-                                    "where these are not given otherwise, {}, and the volume of a "
-                                    "closed mesh is kept; where sharp edges are found {}, and "
-                                    "--keep-sharp at the angle that leaves least error",
-                                    words(&DefaultValue::value),
-                                    words(&DefaultValue::with_creases, &DefaultValue::value)));
+  app.add_flag_function(
+      "--denoise", set_defaults,
+      "remove noise of any strength, and keep the shape, its volume and its sharp "
+      "edges (see Denoising below)");
+}
+
+std::string denoising_text() {
+  return fmt::format(
+      "--denoise is shorthand for these options; each of them can be overridden:\n"
+      "  {}\n"
+      "It also keeps the volume of a closed mesh, unless --max-move is given. If\n"
+      "sharp edges are found, it uses these instead:\n"
+      "  {} --keep-sharp ANGLE\n"
+      "with the angle that leaves the least error.\n",
+      words(&DefaultValue::value), words(&DefaultValue::with_creases, &DefaultValue::value));
 }
 
 FlowOptions crease_options(const SmoothArguments& arguments, FlowOptions options) {

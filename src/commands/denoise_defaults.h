@@ -1,6 +1,9 @@
-// What `smooth --denoise` stands for: the options that take noise of unknown strength off meshes of
-// which nothing else is known. tools/denoise_table tries them on scans, parts and round shapes.
+// What `smooth --denoise` is shorthand for: the options that remove noise of unknown strength from
+// meshes of which nothing else is known. tools/denoise_table tries them on scans, parts and round
+// shapes.
 #pragma once
+
+#include <string>
 
 namespace CLI {
 class App;
@@ -14,9 +17,12 @@ namespace ibmfair::commands {
 
 struct SmoothArguments;
 
-/// Declares the flag. It must stand before the options that it sets, which it leaves as they are
-/// where they are given, too.
+/// Declares the flag. It must be declared before the options that it sets. Options that are given
+/// on the command line, too, keep what is given.
 void add_denoise_flag(CLI::App& app, SmoothArguments& arguments);
+
+/// Lines for the help: the options that the flag is shorthand for.
+std::string denoising_text();
 
 /// Whether the volume is kept: where the mesh has one, and moves are not bounded, which would keep
 /// it from being held exactly.

@@ -107,7 +107,7 @@ std::string shortfall(const Filling& filling, bool allow_intersections) {
     }
   };
   add(open, "left open");
-  add(rough, "not brought to the end");
+  add(rough, "not converged");
   add(folds, "folded hinges");
   add(allow_intersections ? 0 : intersections, "intersecting pairs of triangles");
   return parts.empty() ? std::string() : fmt::format("holes: {}", fmt::join(parts, ", "));
@@ -251,8 +251,8 @@ ExitCode fill(const FillArguments& arguments, const Input& input, FillSeconds& s
                                       [](const Hole& hole) { return hole.touches_itself; });
   if (touching > 0) {
     console.note(
-        fmt::format("{} of the holes meet a place twice as different vertices; --weld "
-                    "joins those, and mostly fills such holes better",
+        fmt::format("{} of the holes pass through a place twice, as different vertices; --weld "
+                    "merges these, and usually such holes are filled better",
                     touching));
   }
   add_filling(filling, holes, seconds, report);

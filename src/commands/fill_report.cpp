@@ -136,7 +136,7 @@ std::string fill_text(const Filling& filling, const FillSeconds& seconds, bool d
     }
   }
   if (left > 0) {
-    text += fmt::format("  and {} more (-v tells of all)\n", left);
+    text += fmt::format("  and {} more (-v lists all)\n", left);
   }
   return text + times(seconds, detailed);
 }

@@ -32,7 +32,7 @@ std::string remark(const Hole& hole) {
   } else if (!hole.simple) {
     text = "meets a vertex twice";
   } else if (hole.touches_itself) {
-    text = "meets a place twice, as different vertices (--weld joins them)";
+    text = "passes through a place twice, as different vertices (--weld merges them)";
   }
   if (hole.outer_border) {
     text += fmt::format("{}outer border: spans {:.0f} % of its component's area",
@@ -87,7 +87,8 @@ Runner declare_holes(CLI::App& app) {
   add_overwrite_option(app, arguments->overwrite);
   documentation_of(app).examples = {
       {"ibmfair holes scan.ply", "lists the boundary loops: id, edges, perimeter, diameter"},
-      {"ibmfair holes scan.ply --json > holes.json", "the same for programs, with the vertices"},
+      {"ibmfair holes scan.ply --json > holes.json",
+       "the same as JSON, with the vertices of each loop"},
   };
   return [arguments, &app](Console& console) { return run_holes(*arguments, app, console); };
 }

@@ -204,7 +204,7 @@ std::string to_text(const MeshFile& file, const Topology& topology, const Findin
   if (findings.chosen) {
     list.add("Laplacian",
              fmt::format("{}, mass {}", findings.chosen->laplacian, findings.chosen->mass->name));
-    list.add("E_b of it", findings.chosen->energy);
+    list.add("its energy E_b", findings.chosen->energy);
     list.add("its eigenvalues", spectrum_text(*findings.chosen));
   }
   if (findings.sphere) {
@@ -242,13 +242,13 @@ Runner declare_info(CLI::App& app) {
   add_input_argument(app, arguments->path);
   begin_group(app, "What to measure");
   app.add_flag("--sphere", arguments->sphere,
-               "fit a sphere, and tell the standard deviation of the vertices' distances to its "
-               "centre as a part of their mean");
-  CLI::Option* laplacian = add_laplacian_option(
-      app, arguments->laplacian,
-      "tell the energy by this Laplacian L, and the ends of the spectrum of M^-1 L: its zeros, the "
-      "smallest other eigenvalue and the largest one (1 / mesh units^2 where the mass measures "
-      "area)");
+               "fit a sphere, and print the standard deviation of the vertices' distances to its "
+               "centre, divided by their mean");
+  CLI::Option* laplacian =
+      add_laplacian_option(app, arguments->laplacian,
+                           "print the energy of this Laplacian L, and of M^-1 L the number of zero "
+                           "eigenvalues, the smallest other eigenvalue and the largest eigenvalue "
+                           "(in 1 / mesh units^2 if the mass measures area)");
   note_of(app, *laplacian).default_text = "none";
   add_mass_option(app, arguments->mass)->needs(laplacian);
   add_input_options(app, arguments->input);
@@ -256,11 +256,11 @@ Runner declare_info(CLI::App& app) {
   add_report_options(app, arguments->report);
   add_overwrite_option(app, arguments->overwrite);
   documentation_of(app).examples = {
-      {"ibmfair info scan.ply", "tells counts, defects, sizes and bending energies"},
+      {"ibmfair info scan.ply", "prints counts, defects, sizes and bending energies"},
       {"ibmfair make icosphere - --format off --subdivide 4 | ibmfair info - --sphere",
-       "reads a mesh from a pipe, and tells how far it is from a sphere"},
+       "reads a mesh from a pipe, and prints how far it is from a sphere"},
       {"ibmfair info scan.ply --laplacian lagrange --mass voronoi",
-       "tells the smallest and largest eigenvalue of that Laplacian as well"},
+       "also prints the smallest and largest eigenvalue of that Laplacian"},
   };
   return [arguments, &app](Console& console) { return run_info(*arguments, app, console); };
 }

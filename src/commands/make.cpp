@@ -87,47 +87,51 @@ void add_shape_settings(CLI::App& app, ShapeSettings& settings) {
   CLI::Option* subdivide = add_integer(app, "--subdivide", settings.subdivide, 0, 64,
                                        "split every triangle of a polyhedron into four");
   note_of(app, *subdivide) = {.unit = "times", .default_text = "0"};
-  CLI::Option* face = add_integer(app, "--refine-face", settings.refine_face, Index{0}, most,
-                                  "split the triangles of this face of a polyhedron once more");
-  note_of(app, *face) = {.unit = "a face's number from 0", .default_text = "none"};
+  CLI::Option* face =
+      add_integer(app, "--refine-face", settings.refine_face, Index{0}, most,
+                  "split the triangles of this face of a polyhedron once more than the others");
+  note_of(app, *face) = {.unit = "number of the face, counted from 0", .default_text = "none"};
   CLI::Option* ratio = add_real(app, "--ratio", settings.ratio, positive,
-                                "proportion of the shape, see the list of shapes");
-  note_of(app, *ratio).unit = "of two lengths";
+                                "proportion of the shape; the list of shapes says of what");
+  note_of(app, *ratio).unit = "ratio of two lengths";
   note_of(app, *ratio).default_text = "the number in the list";
-  CLI::Option* rows =
-      add_integer(app, "--rows", settings.rows, Index{1}, most, "rows of vertices of a grid");
-  CLI::Option* columns =
-      add_integer(app, "--columns", settings.columns, Index{1}, most, "vertices in a row");
+  CLI::Option* rows = add_integer(app, "--rows", settings.rows, Index{1}, most,
+                                  "number of rows of vertices of a grid");
+  CLI::Option* columns = add_integer(app, "--columns", settings.columns, Index{1}, most,
+                                     "number of vertices in each row");
   for (const CLI::Option* option : {rows, columns}) {
     note_of(app, *option).default_text =
-        "so that triangles are near equilateral; with neither, the smaller of the two is 32";
+        "chosen so that triangles are nearly equilateral; without --rows and --columns, the "
+        "smaller of the two is 32";
   }
   note_of(app, *rows).unit = "rows";
   note_of(app, *columns).unit = "vertices";
   app.add_flag("--straight", settings.straight,
-               "do not shift every other row by half a cell: right-angled triangles");
+               "do not shift every other row by half a cell: triangles are right-angled");
   CLI::Option* jitter = add_real(app, "--jitter", settings.jitter, not_negative,
-                                 "move every vertex at random within the surface by up to this, "
-                                 "below 0.5: triangles of all shapes");
-  note_of(app, *jitter) = {.unit = "cells, mean edge lengths on a sphere", .default_text = "0"};
+                                 "move every vertex within the surface at random, by up to this "
+                                 "distance (below 0.5): gives triangles of all shapes");
+  note_of(app, *jitter) = {.unit = "cells of the grid; on a sphere mean edge lengths",
+                           .default_text = "0"};
 }
 
 void add_changes(CLI::App& app, MakeArguments& arguments) {
   begin_group(app, "What is done to it");
   CLI::Option* noise = add_real(app, "--noise", arguments.noise, not_negative,
-                                "normal noise of this standard deviation in each coordinate");
+                                "add Gaussian noise of this standard deviation to each coordinate");
   note_of(app, *noise).unit = "mean edge lengths";
   CLI::Option* seed =
       add_integer(app, "--seed", arguments.seed, std::uint64_t{0}, std::uint64_t{1} << 62U,
-                  "of noise and jitter: another number makes others of the same kind");
+                  "seed of the random numbers for noise and jitter");
   note_of(app, *seed).unit = "any whole number";
   CLI::Option* scale =
       add_real(app, "--scale", arguments.scale, positive, "multiply all coordinates");
   note_of(app, *scale).unit = "factor";
-  CLI::Option* move = add_parsed_option(
-      app, "--move", "X,Y,Z", "then move the shape", [&arguments](const std::string& text) {
-        arguments.move = parse_reals_option("--move", text, 3, any_real);
-      });
+  CLI::Option* move =
+      add_parsed_option(app, "--move", "X,Y,Z", "then move the shape by this vector",
+                        [&arguments](const std::string& text) {
+                          arguments.move = parse_reals_option("--move", text, 3, any_real);
+                        });
   note_of(app, *move) = {.unit = "mesh units", .default_text = "0,0,0"};
 }
 
@@ -136,7 +140,7 @@ void add_changes(CLI::App& app, MakeArguments& arguments) {
 Runner declare_make(CLI::App& app) {
   auto arguments = std::make_shared<MakeArguments>();
   CLI::Option* shape =
-      app.add_option("SHAPE", arguments->shape, "what to make, see the list of shapes")->required();
+      app.add_option("SHAPE", arguments->shape, "shape to make (see the list below)")->required();
   note_of(app, *shape).offers = shape_names();
   add_output_options(app, arguments->output);
   add_shape_settings(app, arguments->settings);
@@ -144,9 +148,9 @@ Runner declare_make(CLI::App& app) {
   add_overwrite_option(app, arguments->output.write.overwrite);
   documentation_of(app).sections = {{"Shapes", shape_list()}};
   documentation_of(app).examples = {
-      {"ibmfair make icosphere ball.ply --subdivide 4", "a sphere of 2562 vertices"},
+      {"ibmfair make icosphere ball.ply --subdivide 4", "makes a sphere of 2562 vertices"},
       {"ibmfair make torus torus.obj --noise 0.2 --seed 7",
-       "a torus whose vertices are off by a fifth of an edge length, another one for each seed"},
+       "makes a torus with noise of a fifth of an edge length; each seed gives other noise"},
   };
   return [arguments](Console& console) { return run_make(*arguments, console); };
 }

@@ -29,13 +29,14 @@ void declare_options(CLI::App& command, ManyFiles& many) {
   begin_group(command, groups::many_files);
   CLI::Option* folder =
       command.add_option("--out-dir", many.folder,
-                         "take any number of files IN and write them under the same names "
-                         "into this folder (no OUT)");
+                         "process any number of files IN, and write the outputs under the same "
+                         "names into this folder (instead of OUT)");
   folder->type_name("DIR")->configurable(false);
   std::vector<CLI::Option*> options = add_batch_options(command, many.options);
-  options.push_back(command.add_option("--out-name", many.name,
-                                       "name them otherwise, as {stem}.ply; so can "
-                                       "other options for files"));
+  options.push_back(
+      command.add_option("--out-name", many.name,
+                         "names of the outputs, for example {stem}.ply; {name}, {stem}, {ext} and "
+                         "{dir} of the input also work in other options that name files"));
   note_of(command, *options.back()).default_text = "{name}";
   options.back()->type_name("PATTERN")->configurable(false);
   for (CLI::Option* option : options) {
@@ -115,7 +116,7 @@ Runner take_many_files(CLI::App& command, Runner run, bool asked) {
   offer_meshes_to_read(command, *inputs);
   begin_group(command, groups::every_command);
   command.add_flag("--dump-config", many->options.dump_config,
-                   "print these arguments and all defaults as a job, run nothing");
+                   "print these arguments and all defaults as a job, without running it");
   // The command's own arguments live as long as its runner.
   return [run = std::move(run), many, &command](Console& console) {
     return run_many_files(command, *many, console);

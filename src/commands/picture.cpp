@@ -43,7 +43,7 @@ void add_picture_options(CLI::App& app, const std::string& what, PictureOptions&
                       ->type_name(file_to_write);
   note_of(app, *picture).extensions = {"png"};
   app.add_option("--picture-colour", options.colour,
-                 "colour the picture by this field of the surface, with a legend below")
+                 "colour the picture by this quantity, with a legend below")
       ->check(CLI::IsMember(names))
       ->capture_default_str()
       ->needs(picture);

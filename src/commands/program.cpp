@@ -26,7 +26,7 @@ ExitCode parse_and_run(const std::vector<std::string>& words, Console& console) 
     }
   } catch (const Misuse& misuse) {
     console.error(misuse.what());
-    console.note(line.help_hint());
+    console.note(line.help_hint(), line.first_commands());
     return ExitCode::usage;
   }
   return line.run(console);

@@ -58,12 +58,11 @@ void add_input_options(CLI::App& app, InputOptions& options) {
   begin_group(app, groups::input_and_output);
   CLI::Option* format =
       app.add_option("--input-format", options.read.format,
-                     "format of the input, where its name does not tell (as for -)")
+                     "format of the input, if its name has no extension that says so")
           ->type_name("NAME");
   note_of(app, *format).offers = format_words(false).names;
-  note_of(app, *format).default_text = "by the file's name and first bytes";
-  app.add_flag("--weld", options.read.weld,
-               "merge vertices at exactly the same place (never done unasked)");
+  note_of(app, *format).default_text = "from the file's name and first bytes";
+  app.add_flag("--weld", options.read.weld, "merge vertices at exactly the same position");
 }
 
 MeshFile read_input(const std::string& path, const InputOptions& options, const Console& console) {
@@ -81,15 +80,15 @@ void add_output_options(CLI::App& app, OutputOptions& options) {
   offer_meshes_to_write(app, *out->required());
   CLI::Option* format =
       app.add_option("--format", options.write.format,
-                     "format of the output, where its name does not tell (as for -)")
+                     "format of the output, if its name has no extension that says so")
           ->type_name("NAME");
   note_of(app, *format).offers = format_words(true).names;
-  note_of(app, *format).default_text = "by the file's name";
+  note_of(app, *format).default_text = "from the file's name";
 }
 
 void add_overwrite_option(CLI::App& app, bool& overwrite) {
   begin_group(app, groups::input_and_output);
-  app.add_flag("--overwrite", overwrite, "replace files that exist");
+  app.add_flag("--overwrite", overwrite, "replace output files that exist");
 }
 
 CLI::Option* add_laplacian_option(CLI::App& app, std::string& name, const std::string& help) {
@@ -112,35 +111,35 @@ CLI::Option* add_mass_option(CLI::App& app, std::string& name) {
     names.emplace_back(mass.name);
   }
   CLI::Option* option =
-      app.add_option("--mass", name, "mass matrix of the energy, one that goes with the Laplacian")
+      app.add_option("--mass", name,
+                     "mass matrix of the energy; it must be in the Laplacian's list")
           ->check(CLI::IsMember(names));
   note_of(app, *option).default_text =
-      "the first in the Laplacian's list; fill: the first that is an area";
+      "the first in the Laplacian's list; for fill the first that measures area";
   return option;
 }
 
 void add_mass_options(CLI::App& app, MassOptions& options) {
   CLI::Option* mass = add_mass_option(app, options.name);
   app.add_flag("--no-mass", options.without,
-               "leave the mass matrix out of the energy: the short form of --mass none")
+               "leave the mass matrix out of the energy; short for --mass none")
       ->excludes(mass);
 }
 
 void add_strict_option(CLI::App& app, bool& strict) {
   begin_group(app, groups::input_and_output);
   app.add_flag("--strict", strict,
-               "fail (exit code 4) where the mesh has defects, instead of saying so and going on");
+               "fail with exit code 4 if the mesh has defects, instead of printing a warning");
 }
 
 void add_report_options(CLI::App& app, ReportOptions& options) {
   begin_group(app, groups::reports_and_pictures);
-  app.add_flag("--json", options.json, "write the figures as JSON to standard output")
+  app.add_flag("--json", options.json, "write the results as JSON to standard output")
       ->configurable(false);  // a batch reads them there itself
   CLI::Option* report =
-      app.add_option(
-             "--report", options.paths,
-             "write the figures to this file, too: all as .json, a table as .csv, or as .html a "
-             "page that shows the mesh; may be given several times")
+      app.add_option("--report", options.paths,
+                     "also write the results to this file: .html is a page that shows the mesh, "
+                     ".json holds all figures, .csv a table; can be given several times")
           ->type_name(file_to_write)
           ->allow_extra_args(false);
   note_of(app, *report).extensions = report_extensions();

@@ -34,7 +34,7 @@ extern "C" void end_on_request(int signal_number) {
   if (end_is_postponed.exchange(false)) {
     postponed_signal = signal_number;
     clear_terminal_line();
-    tell("ibmfair: interrupted; ending after this step, once more to end at once\n");
+    tell("ibmfair: interrupted; finishing this step (interrupt once more to end at once)\n");
     errno = error;
     return;
   }

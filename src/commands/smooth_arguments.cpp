@@ -29,8 +29,8 @@ void add_amount_options(CLI::App& app, SmoothArguments& a) {
   add_denoise_flag(app, a);
   CLI::Option* cutoff = add_parsed_option(
       app, "--cutoff", "LENGTH|auto",
-      "smooth ripples up to about this wavelength, in all steps together; auto tries several and "
-      "takes that which by the noise of the mesh leaves least error",
+      "the wavelength up to which ripples are smoothed away, by all steps together; auto estimates "
+      "the noise of the mesh and chooses the cut-off that leaves the least error",
       [&a](const std::string& text) {
         a.cutoff_auto = text == "auto";
         a.cutoff.reset();
@@ -39,111 +39,114 @@ void add_amount_options(CLI::App& app, SmoothArguments& a) {
         }
       });
   note_units_of_length(app, *cutoff, Length::Unit::edges);
-  note_of(app, *cutoff).default_text = "8e for 16 steps, more with more steps";
-  CLI::Option* steps =
-      add_integer(app, "--steps", a.flow.steps, 0, most,
-                  "time steps, where noise does not ask for shorter ones first; 0 writes the "
-                  "mesh as it was read");
+  note_of(app, *cutoff).default_text = "8e for 16 steps, longer for more steps";
+  CLI::Option* steps = add_integer(app, "--steps", a.flow.steps, 0, most,
+                                   "number of time steps; on noisy input, some shorter steps come "
+                                   "first; 0 writes the mesh as it was read");
   note_of(app, *steps).unit = "steps";
-  CLI::Option* time_step = add_real(app, "--time-step", a.time_step, positive,
-                                    "time of one step, in place of a cut-off for all of them");
+  CLI::Option* time_step =
+      add_real(app, "--time-step", a.time_step, positive,
+               "length of one time step, instead of a --cutoff for all steps together");
   time_step->excludes(cutoff)->excludes("--denoise");
   note_of(app, *time_step).unit = "mesh units^4, or mesh units^2 with --metric identity";
-  note_of(app, *time_step).default_text = "what --cutoff makes of it";
+  note_of(app, *time_step).default_text = "computed from --cutoff";
   CLI::Option* max_move = add_length(app, "--max-move", a.max_move, Length::Unit::absolute,
-                                     "move no vertex further than this from where it was");
+                                     "move no vertex further than this from its original position");
   note_of(app, *max_move).default_text = "no limit";
 }
 
 void add_flow_options(CLI::App& app, SmoothArguments& a) {
   begin_group(app, groups::energy_and_flow);
-  add_laplacian_option(
-      app, a.flow.laplacian,
-      "member of the family of energies: crouzeix-raviart removes folded spikes best, "
-      "lagrange is consistent, for stationary limits");
+  add_laplacian_option(app, a.flow.laplacian,
+                       "discrete Laplacian of the bending energy: crouzeix-raviart removes folded "
+                       "spikes best, lagrange suits smooth limits and round shapes, umbrella suits "
+                       "noise on uneven triangles (see the list below)");
   CLI::Option* h0 =
       app.add_option("--h0", a.h0,
-                     "spontaneous curvature, of the energy 1/2 integral (H - H0)^2: a number, a "
-                     "vertex property or a text file with a number a vertex; positive where the "
-                     "sphere bulges outward, with --laplacian lagrange")
+                     "spontaneous curvature H0 of the energy 1/2 integral (H - H0)^2: a number, "
+                     "the name of a vertex property, or a text file with one number per vertex; "
+                     "positive for a sphere that bulges outward; only with --laplacian lagrange")
           ->type_name(name_or_file_to_read);
   note_of(app, *h0).unit = "1 / mesh units";
   note_of(app, *h0).default_text = "0";
   CLI::Option* anisotropy = add_parsed_option(
       app, "--anisotropy", "X,Y,Z,FACTOR",
-      "the curvature along this direction, laid onto the surface as it is without noise, counts "
-      "FACTOR times: energy 1/2 integral (FACTOR kappa_1 + kappa_2)^2, with --laplacian lagrange",
+      "multiply the curvature kappa_1 along the direction X,Y,Z by FACTOR: the energy is 1/2 "
+      "integral (FACTOR kappa_1 + kappa_2)^2. The direction is projected onto the surface without "
+      "its noise; only with --laplacian lagrange",
       [&a](const std::string& text) {
         a.anisotropy = parse_reals_option("--anisotropy", text, 4, any_real);
       });
   note_of(app, *anisotropy).default_text = "none";
   add_mass_options(app, a.mass);
   app.add_option("--metric", a.metric,
-                 "of the flow: mass (independent of the sampling; valences with --mass valence) or "
-                 "identity")
+                 "inner product of the flow: mass (independent of the sampling; valences with "
+                 "--mass valence) or identity")
       ->check(CLI::IsMember({"mass", "identity"}))
       ->capture_default_str();
   CLI::Option* twicing = add_integer(
       app, "--twicing", a.flow.twicing, 0, 100,
-      "smooth what was taken away, too, and put it back, so often: bumps and the volume keep their "
-      "size, and a --cutoff half as long again takes more noise");
+      "smooth the removed part as well and add it back, N times (Tukey's twicing): bumps and the "
+      "volume keep their size, and a --cutoff 1.5 times as long removes more noise");
   note_of(app, *twicing).unit = "times";
-  CLI::Option* iterations = add_integer(app, "--newton-iterations", a.flow.newton_iterations, 1,
-                                        1000, "inexact Newton iterations per step");
+  CLI::Option* iterations =
+      add_integer(app, "--newton-iterations", a.flow.newton_iterations, 1, 1000,
+                  "number of inexact Newton iterations in each time step");
   note_of(app, *iterations).unit = "iterations";
   CLI::Option* tangential =
-      app.add_option(
-             "--tangential", a.tangential,
-             "after each step, even out vertices within the surface and lay down those that "
-             "stick out of it (relax), only while much noise is taken off before creases are kept "
-             "(first), or do not (none), and let --twicing put back how far they slid (keep)")
+      app.add_option("--tangential", a.tangential,
+                     "tangential relaxation: after each step, move vertices within the surface so "
+                     "that triangles become even, and flatten spikes (relax); only in the first "
+                     "steps, which remove strong noise (first); never (none); never, and let "
+                     "--twicing add back tangential moves, too (keep)")
           ->check(CLI::IsMember({"relax", "first", "none", "keep"}));
   note_of(app, *tangential).default_text =
-      "relax; first where the mesh has texture coordinates; none with --plain and with "
-      "--laplacian umbrella";
-  app.add_flag("--plain", a.plain, "the published scheme: no guard, no relaxation");
+      "relax; first for a mesh with texture coordinates; none with --plain and with --laplacian "
+      "umbrella";
+  app.add_flag("--plain", a.plain,
+               "run the scheme as published: steps are not checked, and vertices are not relaxed");
 }
 
 void add_solver_options(CLI::App& app, SmoothArguments& a) {
   begin_group(app, groups::solver_and_memory);
   a.engine = single_engine;
   app.add_option("--engine", a.engine,
-                 "single: this process; petsc: all processes that mpirun starts share one mesh, "
-                 "and take PETSc's options behind all others")
+                 "single: this process alone; petsc: all processes that mpirun starts share one "
+                 "mesh; put PETSc's own options last")
       ->check(CLI::IsMember({single_engine, petsc_engine}))
       ->capture_default_str();
   app.add_option("--solver", a.flow.solver,
-                 "of the linear systems: cholmod (factored once for many steps), cg (conjugate "
-                 "gradients: least memory) or auto (the one predicted to be quicker, until cg's "
-                 "iterations turn out to cost more); with --engine petsc cg, mumps (factored) or "
-                 "auto")
+                 "solver of the linear systems: cholmod (one factorization for many steps), cg "
+                 "(conjugate gradients, least memory) or auto (the one that is predicted to be "
+                 "faster); with --engine petsc: cg, mumps (factorization) or auto")
       ->check(CLI::IsMember(solver_names()))
       ->capture_default_str();
-  CLI::Option* tolerance =
-      add_real(app, "--solver-tolerance", a.flow.solver_tolerance, positive,
-               "residual at which conjugate gradients stop: 0.3 halves the time, and leaves "
-               "ripples near the cut-off where there are few steps; below 1e-4 a factor is in "
-               "double precision");
-  note_of(app, *tolerance).unit = "times that of no step at all";
+  CLI::Option* tolerance = add_real(
+      app, "--solver-tolerance", a.flow.solver_tolerance, positive,
+      "residual at which conjugate gradients stop: 0.3 halves the time, but leaves ripples near "
+      "the cut-off if there are few steps; below 1e-4, factorizations are in double precision");
+  note_of(app, *tolerance).unit = "relative to the initial residual";
   CLI::Option* memory =
       add_bytes(app, "--memory", a.flow.memory_limit,
-                "memory that the program may take, as in 800M or 4G: auto takes a solver that "
-                "fits, and what fits with none is refused before the first step");
-  note_of(app, *memory).default_text = "what there is";
+                "memory that the program may use, for example 800M or 4G: --solver auto chooses a "
+                "solver that fits, and the program stops before the first step if none fits");
+  note_of(app, *memory).default_text = "the memory that is available";
   app.add_flag("--dry-run", a.dry_run,
-               "print what time and memory it would take, and write no mesh");
+               "print the time and memory that the run would take, and write no mesh");
 }
 
 void add_feature_options(CLI::App& app, SmoothArguments& a) {
   begin_group(app, "Features to keep");
-  CLI::Option* sharp = add_real(app, "--keep-sharp", a.keep_sharp, positive,
-                                "keep edges at which the surface turns by more than this angle");
+  CLI::Option* sharp =
+      add_real(app, "--keep-sharp", a.keep_sharp, positive,
+               "keep edges sharp at which the surface turns by more than this angle");
   note_of(app, *sharp).unit = "degrees";
   note_of(app, *sharp).default_text = "none";
   CLI::Option* weights =
-      app.add_option("--weights", a.weights,
-                     "a factor of the cut-off for each vertex, from a vertex property of the mesh "
-                     "or a text file with a number a vertex: 0 holds it, 1 smooths as the rest")
+      app.add_option(
+             "--weights", a.weights,
+             "a factor for the cut-off at each vertex, from a vertex property of the mesh or from "
+             "a text file with one number per vertex: 0 fixes the vertex, 1 smooths it fully")
           ->type_name(name_or_file_to_read);
   note_of(app, *weights).default_text = "1 everywhere";
   app.add_flag("--keep-volume", a.flow.keep_volume, "keep the volume of a closed mesh exactly");
@@ -153,20 +156,21 @@ void add_feature_options(CLI::App& app, SmoothArguments& a) {
 void add_constraint_options(CLI::App& app, SmoothArguments& a) {
   begin_group(app, "Which vertices move");
   app.add_option("--boundary", a.boundary,
-                 "open boundaries: fixed (two rings of vertices), position (one) or free")
+                 "open boundaries: fixed (the boundary and the next ring of vertices do not move), "
+                 "position (the boundary does not move) or free")
       ->check(CLI::IsMember({"fixed", "position", "free"}))
       ->capture_default_str();
   CLI::Option* fix =
       app.add_option("--fix", a.fix_file,
-                     "hold the vertices listed in this text file, by their numbers from 0")
+                     "fix the vertices whose numbers, counted from 0, are listed in this text file")
           ->type_name(file_to_read);
   note_of(app, *fix).default_text = "none";
   CLI::Option* mask =
       app.add_option("--mask", a.mask,
-                     "move only the vertices of this OBJ group, object or material, or those whose "
-                     "PLY property of this name is not zero")
+                     "move only the vertices of this OBJ group, object or material, or the "
+                     "vertices whose PLY property of this name is not zero")
           ->type_name("NAME");
-  note_of(app, *mask).default_text = "all move";
+  note_of(app, *mask).default_text = "all vertices move";
 }
 
 void add_file_options(CLI::App& app, SmoothArguments& a) {
@@ -174,9 +178,9 @@ void add_file_options(CLI::App& app, SmoothArguments& a) {
   add_strict_option(app, a.strict);
   CLI::Option* checkpoint =
       app.add_option("--checkpoint", a.checkpoint,
-                     "when interrupted (Ctrl-C or SIGTERM), end after the time step, write the "
-                     "mesh that was reached to this file instead of OUT, and say how to go on from "
-                     "it; once more ends at once")
+                     "after Ctrl-C or SIGTERM, finish the current time step, write the mesh to "
+                     "this file instead of OUT, and print the command that continues; a second "
+                     "signal ends the program at once")
           ->type_name(file_to_write)
           ->configurable(false);  // a batch starts its files again
   offer_meshes_to_write(app, *checkpoint);
@@ -196,13 +200,17 @@ void add_smooth_arguments(CLI::App& app, SmoothArguments& a) {
   add_flow_options(app, a);
   add_solver_options(app, a);
   add_file_options(app, a);
+  documentation_of(app).sections.push_back({"Denoising", denoising_text()});
   documentation_of(app).examples = {
       {"ibmfair smooth scan.ply clean.ply --denoise",
-       "removes noise of a strength that nobody knows"},
-      {"ibmfair smooth scan.ply fair.ply --cutoff 2% --picture fair.png",
-       "removes ripples up to a fiftieth of the mesh's size, and draws it before and after"},
-      {"ibmfair smooth part.obj fair.obj --mask blend --max-move 0.5e",
-       "moves only the group `blend`, no vertex by more than half a mean edge length"},
+       "a noisy scan: removes noise of any strength, and keeps sharp edges if there are any"},
+      {"ibmfair smooth scan.ply fair.ply --cutoff 8 --twicing 1 --report fair.html",
+       "a smooth surface: removes ripples shorter than 8 mean edge lengths, and shows what "
+       "changed"},
+      {"ibmfair smooth part.obj fair.obj --cutoff 6 --keep-sharp 30",
+       "a part with edges: keeps those at which the surface turns by more than 30 degrees"},
+      {"ibmfair smooth part.obj blend.obj --mask blend --max-move 0.5e",
+       "a region: moves only the group `blend`, no vertex by more than half a mean edge length"},
   };
 }
 

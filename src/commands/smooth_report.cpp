@@ -140,9 +140,9 @@ std::string effort(const FlowReport& flow) {
 /// What a run that goes on from here measures from here, although it means the start.
 std::string_view what_begins_anew(const SmoothArguments& arguments) {
   const bool bounded = arguments.max_move.has_value(), put_back = arguments.flow.twicing > 0;
-  return bounded && put_back ? "; --max-move and --twicing count from there"
-         : bounded           ? "; --max-move counts from there"
-         : put_back          ? "; --twicing counts from there"
+  return bounded && put_back ? "; --max-move and --twicing then refer to that mesh"
+         : bounded           ? "; --max-move then refers to that mesh"
+         : put_back          ? "; --twicing then refers to that mesh"
                              : "";
 }
 
@@ -154,8 +154,9 @@ std::string way_on(const SmoothFigures& figures, const SmoothArguments& argument
     return "the flow was complete";
   }
   const double count = std::max(1.0, std::ceil(share * arguments.flow.steps - 1e-6));
-  return fmt::format("`smooth` goes on from it with --steps {:.0f} --time-step {}, no --cutoff{}",
-                     count, left / count, what_begins_anew(arguments));
+  return fmt::format(
+      "to continue, smooth it with --steps {:.0f} --time-step {} and without --cutoff{}", count,
+      left / count, what_begins_anew(arguments));
 }
 
 double length_reached(const SmoothFigures& figures) {
@@ -203,8 +204,8 @@ std::string cutoff_lines(const SmoothFigures& figures, bool detailed) {
     text += fmt::format("  {:<16}{}\n", "noise", length_text(figures.choice->noise, edge));
     if (const auto& creases = figures.creases) {
       text += fmt::format(
-          "  {:<16}of more than {:.0f} degrees are kept; else {:.3g} mean edge lengths of error "
-          "would be left\n",
+          "  {:<16}edges of more than {:.0f} degrees are kept; without that the error would be "
+          "{:.3g} mean edge lengths\n",
           "creases", degrees(creases->sharp_angle),
           expected_distance(creases->without.best()) / edge);
     }
@@ -346,21 +347,23 @@ std::string remark_on(const SmoothFigures& figures, const std::string& output,
         return "no vertex is free to move: the mesh is written as it was read";
       }
       return figures.flow.twicings < arguments.flow.twicing && arguments.flow.steps > 0
-                 ? fmt::format("the residual could be put back {} of {} times only",
-                               figures.flow.twicings, arguments.flow.twicing)
+                 ? fmt::format(
+                       "--twicing: the removed part could be added back only {} of {} times",
+                       figures.flow.twicings, arguments.flow.twicing)
                  : "";
     case FlowStatus::interrupted:
-      return fmt::format("interrupted; {} holds the state that was reached: {}", output,
+      return fmt::format("interrupted; {} holds the mesh as it is now: {}", output,
                          way_on(figures, arguments));
     case FlowStatus::stalled:
       return is_nearly_done(figures)
                  ? ""
                  : fmt::format(
-                       "the flow stalled before its time was up; the state that it reached "
-                       "was written: smoothed up to a length of {:.4g} instead of {:.4g}",
+                       "the flow stalled: the mesh that was written is smoothed up to a wavelength "
+                       "of {:.4g} instead of {:.4g}",
                        length_reached(figures), figures.cutoff);
     case FlowStatus::diverged:
-      return "the flow diverged; the last finite state was written (smaller steps, or no --plain)";
+      return "the flow diverged, and the last finite mesh was written; take smaller steps, or "
+             "leave out --plain";
   }
   return {};
 }

@@ -53,8 +53,8 @@ double cutoff_of(double time, double unit) {
 std::string remark_on_default_cutoff(const SmoothFigures& figures) {
   if (figures.cutoff > figures.diagonal / 2) {
     return fmt::format(
-        "the cut-off, {:.4g}, is more than half of the mesh's diagonal, {:.4g}: its whole shape "
-        "is smoothed; --cutoff LENGTH smooths what is shorter than that",
+        "the cut-off {:.4g} is more than half of the mesh's diagonal {:.4g}, so that the whole "
+        "shape is smoothed; a shorter --cutoff LENGTH keeps the shape",
         figures.cutoff, figures.diagonal);
   }
   constexpr double large_change = 0.01;
@@ -64,8 +64,9 @@ std::string remark_on_default_cutoff(const SmoothFigures& figures) {
   const double change = std::abs(figures.after.volume) / volume - 1;
   if (volume > solid * ball && std::abs(change) > large_change) {
     return fmt::format(
-        "the volume has changed by {:+.2g} %: what is shorter than the cut-off, {:.4g}, is not "
-        "only noise; --denoise takes that alone, --cutoff LENGTH what is shorter than LENGTH",
+        "the volume has changed by {:+.2g} %: the mesh has features that are shorter than the "
+        "cut-off {:.4g}; --denoise removes noise only, and a shorter --cutoff LENGTH keeps longer "
+        "features",
         100 * change, figures.cutoff);
   }
   return {};
@@ -93,16 +94,15 @@ std::string remark_on_texture(const SmoothArguments& arguments) {
   }
   if (bending_model(options.laplacian).evens_edges) {
     return fmt::format(
-        "the mesh has texture coordinates, and by --laplacian {} vertices slide under them a "
-        "little{}",
+        "the mesh has texture coordinates; with --laplacian {} vertices slide within the surface, "
+        "and the texture shifts a little{}",
         options.laplacian,
         options.twicing > 0 && !options.put_back_slides ? " (less with --tangential keep)" : "");
   }
   if (arguments.tangential.empty() && options.guarded) {
-    return fmt::format("the mesh has texture coordinates: {} (--tangential relax)",
-                       options.sharp_angle > 0
-                           ? "tangential relaxation only before creases are kept"
-                           : "no tangential relaxation");
+    return fmt::format("the mesh has texture coordinates: {} (--tangential relax overrides this)",
+                       options.sharp_angle > 0 ? "tangential relaxation only in the first steps"
+                                               : "no tangential relaxation");
   }
   return {};
 }

@@ -18,13 +18,13 @@ std::span<const Command> command_table() {
       Command{"smooth", "remove noise and ripples without shrinking", declare_smooth},
       Command{"fill", "close holes with patches that continue the surface", declare_fill},
       Command{"holes", "list the boundary loops of a mesh", declare_holes},
-      Command{"info", "tell what a mesh is: counts, topology, quality, energy, area, volume",
+      Command{"info", "print counts, topology, quality, energy, area and volume of a mesh",
               declare_info},
-      Command{"compare", "measure how far two meshes, or a mesh and an exact surface, are apart",
+      Command{"compare", "measure the distance of two meshes, or of a mesh and an exact surface",
               declare_compare},
-      Command{"view", "make a page that shows a mesh, or two, in a browser", declare_view},
-      Command{"make", "make a shape with known exact values", declare_make},
-      Command{"batch", "run commands over many files, resumable", declare_batch},
+      Command{"view", "make a page that shows one or two meshes in a browser", declare_view},
+      Command{"make", "make a test shape whose exact values are known", declare_make},
+      Command{"batch", "run commands over many files; can be resumed", declare_batch},
   };
   return table;
 }

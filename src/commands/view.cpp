@@ -119,24 +119,24 @@ Runner declare_view(CLI::App& app) {
   auto arguments = std::make_shared<ViewArguments>();
   add_input_argument(app, arguments->input);
   CLI::Option* page =
-      app.add_option("OUT", arguments->page, "page to write, a file that ends in .html")
+      app.add_option("OUT", arguments->page, "page to write; its name must end in .html")
           ->type_name(file_to_write)
           ->required();
   note_of(app, *page).extensions = {"html"};
   begin_group(app, "What is shown");
-  CLI::Option* with =
-      app.add_option("--with", arguments->with,
-                     "show IN as it was before, and this mesh, which has the same faces, as it is "
-                     "after")
-          ->type_name(file_to_read);
+  CLI::Option* with = app.add_option("--with", arguments->with,
+                                     "show IN as the mesh before, and this mesh, which must have "
+                                     "the same faces, as the mesh after")
+                          ->type_name(file_to_read);
   offer_meshes_to_read(app, *with);
-  add_laplacian_option(app, arguments->laplacian, "of the bending energy");
+  add_laplacian_option(app, arguments->laplacian,
+                       "discrete Laplacian of the bending energy (see the list below)");
   add_input_options(app, arguments->reading);
   add_report_options(app, arguments->report);
   add_overwrite_option(app, arguments->overwrite);
   documentation_of(app).examples = {
       {"ibmfair view scan.ply scan.html",
-       "makes a page of the mesh: its curvature, quality, holes and defects"},
+       "makes a page that shows the mesh: its curvature, quality, holes and defects"},
       {"ibmfair view scan.ply both.html --with fair.ply",
        "shows two meshes with the same faces as before and after"},
   };

@@ -128,7 +128,7 @@ TEST_F(MergeTest, AnItemThatWasKilledIsBegunNotEnded) {
   write_bytes(journal, text.substr(0, text.size() - 20));  // d's end
   const json items = json::parse(run(list_ + Words{"--merge", "--json"}).out)["items"];
   EXPECT_EQ(items[4]["status"], "not run");
-  EXPECT_EQ(items[4]["message"], "begun, not ended");
+  EXPECT_EQ(items[4]["message"], "started, but not finished");
 }
 
 TEST_F(MergeTest, ItDoesNotGoWithWhatRunsOrSelects) {

@@ -86,11 +86,11 @@ TEST_F(Interrupt, WithACheckpointTheStateIsKeptAndCanBeGoneOnFrom) {
 }
 
 TEST_F(Interrupt, ItTellsWhatGoingOnWillMeasureFromTheCheckpoint) {
-  const std::string anew = " from there";
+  const std::string anew = " to that mesh";
   EXPECT_FALSE(contains(interrupted({"--checkpoint", state_, "--overwrite"}).err, anew));
   const RunResult result =
       interrupted({"--checkpoint", state_, "--overwrite", "--max-move", "5e", "--twicing", "1"});
-  EXPECT_TRUE(contains(result.err, "--max-move and --twicing count" + anew)) << result.err;
+  EXPECT_TRUE(contains(result.err, "--max-move and --twicing then refer" + anew)) << result.err;
 }
 
 TEST_F(Interrupt, WithoutOneOrASecondTimeItEndsAtOnce) {

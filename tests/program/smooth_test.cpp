@@ -130,7 +130,7 @@ TEST(Smooth, KeepsToTheMemoryItIsGiven) {
 }
 
 TEST(Smooth, TellsWhereTheDefaultCutoffIsAsLongAsTheMesh) {
-  const std::string told = "its whole shape is smoothed";
+  const std::string told = "the whole shape is smoothed";
   const Words smooth{"smooth", "-", "-", "--format", "off"};
   const std::string few = made({"icosahedron"}), many = made({"icosphere", "--subdivide", "4"});
   EXPECT_TRUE(contains(run_program(smooth, {.input = few}).err, told));
@@ -170,7 +170,7 @@ TEST(Smooth, TellsWhatBecomesOfTextureCoordinates) {
         .err;
   };
   EXPECT_TRUE(contains(said({}), "no tangential relaxation"));
-  EXPECT_TRUE(contains(said({"--laplacian", "umbrella"}), "vertices slide under them"));
+  EXPECT_TRUE(contains(said({"--laplacian", "umbrella"}), "vertices slide within the surface"));
   EXPECT_TRUE(contains(said({"--denoise"}), "less with --tangential keep"));
   EXPECT_FALSE(contains(said({"--tangential", "relax"}), "texture"));
 }
@@ -183,7 +183,7 @@ TEST(Smooth, TellsHowFarAFlowThatStalledHasSmoothed) {
   EXPECT_EQ(run.exit_code, 1) << run.err;
   std::smatch lengths;
   ASSERT_TRUE(std::regex_search(
-      run.err, lengths, std::regex("up to a length of ([-+.e0-9]+) instead of ([-+.e0-9]+)")))
+      run.err, lengths, std::regex("up to a wavelength of ([-+.e0-9]+) instead of ([-+.e0-9]+)")))
       << run.err;
   EXPECT_GT(std::stod(lengths[1]), 0);
   EXPECT_LT(std::stod(lengths[1]), std::stod(lengths[2]));

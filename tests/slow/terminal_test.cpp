@@ -121,7 +121,7 @@ TEST_F(Terminal, AnInterruptLeavesACleanLine) {
       run_on_terminal(many + Words{"--checkpoint", state}, {.interrupt_when = drawing});
   EXPECT_EQ(kept.exit_code, 130) << kept.drawn;
   EXPECT_FALSE(leaves_traces(kept)) << kept.drawn;
-  EXPECT_TRUE(kept.lines.front().starts_with("ibmfair: interrupted; ending")) << kept.drawn;
+  EXPECT_TRUE(kept.lines.front().starts_with("ibmfair: interrupted; finishing")) << kept.drawn;
 }
 
 TEST_F(Terminal, ColoursAreForTerminalsAndThoseWhoForceThem) {

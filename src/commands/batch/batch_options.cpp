@@ -30,55 +30,59 @@ Shard parse_shard(const std::string& text) {
 
 std::vector<CLI::Option*> add_batch_options(CLI::App& app, BatchOptions& options) {
   std::vector<CLI::Option*> added;
-  added.push_back(add_integer(app, "--jobs", options.jobs, 0, largest_thread_count,
-                              "this many at a time, which share the cores; 0 is one a core"));
+  added.push_back(add_integer(
+      app, "--jobs", options.jobs, 0, largest_thread_count,
+      "number of files to process at the same time; they share the cores; 0 means one per core"));
   note_of(app, *added.back()).unit = "files";
   added.push_back(
-      app.add_flag("--fail-fast", options.fail_fast, "start no further file once one has failed"));
-  added.push_back(app.add_flag("--keep-going")
-                      ->description("go on with the others, as without it")
-                      ->excludes(added.back()));
+      app.add_flag("--fail-fast", options.fail_fast, "start no further file after one has failed"));
+  added.push_back(
+      app.add_flag("--keep-going")
+          ->description("continue with the other files after one has failed (the default)")
+          ->excludes(added.back()));
   CLI::Option* resume = app.add_flag("--resume", options.resume,
-                                     "skip what is done and unchanged, redo and replace the rest "
-                                     "of what an earlier run has made");
+                                     "skip files that an earlier run has finished and that have "
+                                     "not changed; replace its other outputs");
   added.push_back(resume);
   added.push_back(add_parsed_option(
-      app, "--shard", "I/N", "run the I-th of N parts of the list, counted from 1",
+      app, "--shard", "I/N", "run part I of N parts of the list, counted from 1",
       [&options](const std::string& text) { options.shard = parse_shard(text); }));
   note_of(app, *added.back()).default_text = "1/1";
   CLI::Option* shard = added.back();
   CLI::Option* shared = app.add_flag(
       "--shared", options.shared,
-      "share the list with every process that runs it so, on this machine or others: each file is "
-      "run once, by one of them, and what one leaves as it dies another takes over");
+      "share the list with all processes that run it with --shared, on this machine or on others: "
+      "each file is run once, and another process takes over the file of one that dies");
   added.push_back(shared);
   added.push_back(
       add_real(app, "--claim-expiry", options.claim_expiry, positive,
-               "with --shared: take over from a process that gives no sign of life for this long")
+               "take over the file of a process that has shown no sign of life for this time")
           ->needs(shared));
   note_of(app, *added.back()).unit = "seconds";
   if (app.get_option_no_throw("--dry-run") == nullptr) {
-    added.push_back(app.add_flag("--dry-run", options.dry_run, "print the commands, run nothing"));
+    added.push_back(
+        app.add_flag("--dry-run", options.dry_run, "print the commands without running them"));
   }
-  added.push_back(app.add_flag("--merge", options.merge,
-                               "run nothing, write the summary of the whole list from the records "
-                               "of all its parts")
-                      ->excludes(shard)
-                      ->excludes(shared)
-                      ->excludes(resume)
-                      ->excludes(app.get_option("--dry-run")));
+  added.push_back(
+      app.add_flag(
+             "--merge", options.merge,
+             "run nothing, but write the summary of the whole list from the records of all parts")
+          ->excludes(shard)
+          ->excludes(shared)
+          ->excludes(resume)
+          ->excludes(app.get_option("--dry-run")));
   // Where a command takes many files, its --report is about each of them.
   const bool has_reports = app.get_option_no_throw("--report") != nullptr;
   options.report.option = "--summary";
   added.push_back(app.add_option(has_reports ? "--summary" : "--summary,--report",
                                  options.report.paths,
-                                 "write what became of every file to this .csv, .json or .html "
-                                 "file; may be given several times")
+                                 "write the result of every file to this .csv, .json or .html "
+                                 "file; can be given several times")
                       ->type_name(file_to_write)
                       ->allow_extra_args(false));
   note_of(app, *added.back()).extensions = report_extensions();
   added.push_back(
-      app.add_option("--journal", options.journal, "keep the record for --resume in this file")
+      app.add_option("--journal", options.journal, "file for the records that --resume reads")
           ->type_name(file_to_write));
   note_of(app, *added.back()).default_text =
       "JOBS.journal, or .ibmfair-batch.journal in the output folder";

@@ -19,7 +19,7 @@ Outcome merged_outcome(const Item& item, const JournalRecord& record, const std:
   if (last != nullptr) {
     left.message = "its options, inputs or outputs have changed since it was run";
   } else if (record.started(key)) {
-    left.message = "begun, not ended";
+    left.message = "started, but not finished";
   }
   return left;
 }

@@ -34,8 +34,8 @@ std::string script_json(const nlohmann::ordered_json& json) {
 void require_page() {
   if (page_template().empty()) {
     throw BadOption(
-        "this build has no report page (configure it where npm is, or with "
-        "-D IBMFAIR_REPORT_PAGE=FILE)");
+        "this build has no report page: build it on a machine with npm, or with -D "
+        "IBMFAIR_REPORT_PAGE=FILE");
   }
 }
 

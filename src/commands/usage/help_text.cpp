@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <span>
 #include <sstream>
+#include <utility>
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -76,8 +78,8 @@ std::string option_groups(const std::vector<OptionUsage>& options, std::size_t w
   return text;
 }
 
-std::string example_list(const std::vector<Example>& examples, std::size_t width) {
-  std::string text = examples.empty() ? "" : "\nExamples:\n";
+std::string example_list(std::span<const Example> examples, std::size_t width) {
+  std::string text;
   for (const Example& example : examples) {
     text += fmt::format("  {}\n      {}\n", example.command, wrapped(example.meaning, 6, 6, width));
   }
@@ -91,22 +93,28 @@ std::size_t terminal_width() {
 
 }  // namespace
 
+std::string first_commands(const ProgramUsage& program, std::size_t width) {
+  std::vector<Example> examples;
+  std::size_t most = 3;
+  for (const CommandUsage& command : program.commands) {
+    const std::size_t count = std::min(most, command.examples.size());
+    examples.insert(examples.end(), command.examples.begin(),
+                    command.examples.begin() + static_cast<std::ptrdiff_t>(count));
+    if (std::exchange(most, 1) == 1) break;
+  }
+  return "What most people need:\n" + example_list(examples, width);
+}
+
 std::string help_text(const ProgramUsage& program, std::size_t width) {
-  std::string text = fmt::format("{}\n\nUsage: ibmfair COMMAND [ARGUMENT...] [OPTION...]\n",
-                                 wrapped(program.summary, 0, 0, width));
+  std::string text =
+      fmt::format("{}\n\nUsage: ibmfair COMMAND [ARGUMENT...] [OPTION...]\n\n{}",
+                  wrapped(program.summary, 0, 0, width), first_commands(program, width));
   text += "\nCommands:\n";
   for (const CommandUsage& command : program.commands) {
     text += entry(command.name, command.summary, width);
   }
-  text += entry("help COMMAND", "tell all about one of them: arguments, options, examples", width);
-  text += option_groups(program.options, width);
-  std::vector<Example> examples;
-  for (const CommandUsage& command : program.commands) {
-    if (!command.examples.empty()) {
-      examples.push_back(command.examples.front());
-    }
-  }
-  text += example_list(examples, width) + "\nExit codes:\n";
+  text += entry("help COMMAND", "explain a command: arguments, options, examples", width);
+  text += option_groups(program.options, width) + "\nExit codes:\n";
   for (const ExitCodeUsage& row : program.exit_codes) {
     text += fmt::format("  {:<10}{}\n", row.code, wrapped(row.meaning, 12, 12, width));
   }
@@ -114,13 +122,13 @@ std::string help_text(const ProgramUsage& program, std::size_t width) {
 }
 
 std::string help_text(const CommandUsage& command, std::size_t width) {
-  std::string text = fmt::format("{}\n\nUsage: {}\n\nArguments:\n",
-                                 wrapped(command.summary, 0, 0, width), synopsis_of(command));
+  std::string text = fmt::format("{}\n\nUsage: {}\n\nExamples:\n{}\nArguments:\n",
+                                 wrapped(command.summary, 0, 0, width), synopsis_of(command),
+                                 example_list(command.examples, width));
   for (const OptionUsage& argument : command.arguments) {
     text += entry(argument.name, full_help_of(argument, {}), width);
   }
   text += option_groups(command.options, width);
-  text += example_list(command.examples, width);
   for (const Section& section : command.sections) {
     text += fmt::format("\n{}:\n", section.title);
     std::istringstream lines(section.text);

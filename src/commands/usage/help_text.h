@@ -7,6 +7,10 @@
 
 namespace ibmfair::commands {
 
+/// The commands that most people need: the first three examples of the first command, and one of
+/// the second.
+std::string first_commands(const ProgramUsage& program, std::size_t width);
+
 /// The help of the program, in lines of at most `width` columns.
 std::string help_text(const ProgramUsage& program, std::size_t width);
 

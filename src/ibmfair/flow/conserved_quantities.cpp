@@ -115,7 +115,7 @@ ConservedQuantities::ConservedQuantities(const Points& X, const Topology& topolo
   if (!kept_.empty() && !(topology.boundary_loops.empty() && topology.orientable)) {
     throw BadMesh(topology.orientable
                       ? "volume and area can be kept on closed meshes only; this one has holes"
-                      : "volume and area can be kept on meshes with two sides only");
+                      : "volume and area can be kept on orientable meshes only");
   }
   linearise(X, [](const Points& B, Points& Y) { Y = B; });
   for (std::size_t i = 0; i < kept_.size(); ++i) {

@@ -174,7 +174,7 @@ FlowProblem::Landing FlowProblem::displace(const Points& move, Points& Y) const 
   });
   parts.refresh(Y);
   if (!conserved_.empty() && !conserved_.restore(move, Y)) {
-    return Landing::nowhere;
+    return Landing::infeasible;
   }
   return parts.sum(stopped) > 0 ? Landing::short_of_it : Landing::as_asked;
 }

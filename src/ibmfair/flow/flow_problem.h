@@ -85,7 +85,7 @@ class FlowProblem {
   enum class Landing : std::uint8_t {
     as_asked,
     short_of_it,  ///< a vertex was stopped by the bound on moves
-    nowhere,      ///< the quantities to keep cannot be kept there
+    infeasible,   ///< the volume or area constraint cannot be met there
   };
 
   /// Y = the state moved by `move` (one row per unknown), no vertex further from the start than

@@ -24,7 +24,7 @@ FoldFreeLanding displace_without_folds(const FlowProblem& problem, FoldWatch& fo
       }
     }
   }
-  result.landing = FlowProblem::Landing::nowhere;
+  result.landing = FlowProblem::Landing::infeasible;
   return result;
 }
 

@@ -15,7 +15,7 @@ struct FoldFreeLanding {
   std::int64_t withheld = 0;  ///< vertices
   double energy = 0;          ///< there
 
-  bool leads_somewhere() const { return landing != FlowProblem::Landing::nowhere; }
+  bool leads_somewhere() const { return landing != FlowProblem::Landing::infeasible; }
 };
 
 /// Displaces the state of the problem into Y (FlowProblem::displace), withholding from `move` (one

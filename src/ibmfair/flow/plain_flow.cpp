@@ -12,7 +12,7 @@ void run_plain(FlowProblem& problem, const StepObserver& observer) {
   for (int k = 1; k <= problem.options.steps; ++k) {
     problem.update_gradient();
     problem.newton_step(step);
-    const bool lands = problem.displace(step, Y) != FlowProblem::Landing::nowhere;
+    const bool lands = problem.displace(step, Y) != FlowProblem::Landing::infeasible;
     const double energy = problem.energy_at(Y);
     if (!lands || !std::isfinite(energy) || problem.parts.any(!Y.allFinite())) {
       report.status = FlowStatus::diverged;
