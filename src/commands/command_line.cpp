@@ -162,9 +162,10 @@ std::string explain(const CLI::ParseError& error, const CLI::App& app) {
   return fmt::format("{}: {}", command.get_name(), error.what());
 }
 
-/// `help smooth` is `smooth --help`, and `help` is `--help`.
-std::vector<std::string> question_for_help(std::vector<std::string> words) {
+/// `help smooth` is `smooth --help`, and `help` is `--help`. With --all, `all` becomes true.
+std::vector<std::string> question_for_help(std::vector<std::string> words, bool& all) {
   words.erase(words.begin());
+  all = std::erase(words, "--all") > 0;
   if (words.size() > 1) {
     throw Misuse(fmt::format("help: '{}' is one argument too many", words[1]));
   }
@@ -188,6 +189,7 @@ struct CommandLine::Parts {
   CLI::App app{"Fairs triangle meshes: removes noise and ripples without shrinking the shape."};
   FrameOptions options;
   bool many_files;
+  bool explain_all = false;           // in the help of a command
   std::deque<NamedCommand> commands;  // where they are does not change
 
   explicit Parts(bool many_files) : many_files(many_files) {
@@ -227,7 +229,7 @@ struct CommandLine::Parts {
   std::string help() {
     const auto named = app.get_subcommands();
     if (!named.empty()) {
-      return help_text(usage_of_command(*named.front()), help_width());
+      return help_text(usage_of_command(*named.front()), help_width(), explain_all);
     }
     const std::vector<std::string> words = app.remaining();
     if (!words.empty() && !words.front().starts_with('-')) {
@@ -267,7 +269,7 @@ CommandLine::~CommandLine() = default;
 
 std::optional<std::string> CommandLine::parse(std::vector<std::string> words) {
   if (!words.empty() && words.front() == help_command) {
-    words = question_for_help(std::move(words));
+    words = question_for_help(std::move(words), parts_->explain_all);
   }
   std::reverse(words.begin(), words.end());  // as the parser wants them
   try {

@@ -30,7 +30,8 @@ struct Example {
 /// A part of the help with lines of its own.
 struct Section {
   std::string title;
-  std::string text;  ///< ends in a line feed
+  std::string text;      ///< ends in a line feed
+  bool further = false;  ///< belongs to options that few people need
 };
 
 /// What the parser does not know of an option or argument.

@@ -99,7 +99,7 @@ CLI::Option* add_laplacian_option(CLI::App& app, std::string& name, const std::s
     list += fmt::format("{}\n    {}\n    masses: {}\n", model.name, model.summary,
                         fmt::join(model.masses, ", "));
   }
-  documentation_of(app).sections.push_back({"Laplacians", list});
+  documentation_of(app).sections.push_back({"Laplacians", list, true});
   return app.add_option("--laplacian", name, help)
       ->check(CLI::IsMember(names))
       ->capture_default_str();

@@ -76,6 +76,19 @@ TEST(Usage, HelpIsTheSameHoweverItIsAskedFor) {
   }
 }
 
+TEST(Usage, ShortHelpNamesEveryOption) {
+  for (const json& command : usage_commands()) {
+    const std::string name = command["name"];
+    const std::string help = answer({"help", name}), all = answer({"help", "--all", name});
+    EXPECT_LE(lines_of(help).size(), 130U) << name;
+    EXPECT_LE(help.size(), all.size()) << name;
+    EXPECT_EQ(help == all, !contains(help, "help " + name + " --all")) << name;
+    for (const json& option : command["options"]) {
+      EXPECT_TRUE(names_option(help, option["name"])) << name << " " << option["name"];
+    }
+  }
+}
+
 TEST(Usage, AnUnknownCommandIsNoReasonForHelp) {
   for (const Words& words : {Words{"help", "smoth"}, Words{"smoth", "--help"}, Words{"smoth"}}) {
     const RunResult result = run_program(words);
@@ -99,7 +112,8 @@ TEST(Usage, LinesOfTheHelpFitIntoTheTerminal) {
       const std::string name = command["name"];
       longest = 0;
       for (const std::string& line :
-           lines_of(answer({"help", name}, {"COLUMNS=" + width.columns}))) {
+           lines_of(answer({"help", name}, {"COLUMNS=" + width.columns}) +
+                    answer({"help", name, "--all"}, {"COLUMNS=" + width.columns}))) {
         EXPECT_LE(line.size(), width.most) << name << ": " << line;
         EXPECT_FALSE(line.ends_with(' ')) << name << ": " << line;
         longest = std::max(longest, line.size());
@@ -118,7 +132,7 @@ TEST(Usage, EveryOptionIsInEveryListOfThem) {
   ASSERT_GE(usage_commands().size(), 7U);
   for (const json& command : usage_commands()) {
     const std::string name = command["name"];
-    const std::string help = answer({"help", name});
+    const std::string help = answer({"help", name, "--all"});
     std::string page = replaced_in(answer({name, "--generate", "man"}), "\\-", "-");
     for (const std::string font : {"\\fB", "\\fI", "\\fR"}) {
       page = replaced_in(page, font, "");

@@ -65,17 +65,56 @@ std::string entry(const std::string& heading, const std::string& text, std::size
   return line + wrapped(text, left_column, left_column, width) + "\n";
 }
 
-std::string option_groups(const std::vector<OptionUsage>& options, std::size_t width) {
-  std::string text;
-  for (const std::string& group : groups_of(options)) {
-    text += fmt::format("\n{}:\n", group);
-    for (const OptionUsage& option : options) {
-      if (option.group == group) {
-        text += entry(heading_of(option), full_help_of(option, options), width);
-      }
+/// Commands with more options than this explain only the first groups unless asked for all.
+constexpr std::size_t most_options = 24;
+
+/// The groups that most people do without.
+bool is_further(const std::string& group) {
+  using namespace groups;
+  return group == energy_and_flow || group == solver_and_memory || group == input_and_output ||
+         group == many_files || group == every_command;
+}
+
+std::string option_group(const std::string& group, const std::vector<OptionUsage>& options,
+                         std::size_t width) {
+  std::string text = fmt::format("\n{}:\n", group);
+  for (const OptionUsage& option : options) {
+    if (option.group == group) {
+      text += entry(heading_of(option), full_help_of(option, options), width);
     }
   }
   return text;
+}
+
+std::string names_in_group(const std::string& group, const std::vector<OptionUsage>& options) {
+  std::vector<std::string> names;
+  for (const OptionUsage& option : options) {
+    if (option.group == group) names.push_back(option.name);
+  }
+  return fmt::format("{}", fmt::join(names, ", "));
+}
+
+std::string option_groups(const std::vector<OptionUsage>& options, std::size_t width) {
+  std::string text;
+  for (const std::string& group : groups_of(options)) {
+    text += option_group(group, options, width);
+  }
+  return text;
+}
+
+/// The first groups, and the names of the options in the others.
+std::string first_option_groups(const CommandUsage& command, std::size_t width) {
+  std::string first;
+  std::string further =
+      fmt::format("\nFurther options, which `ibmfair help {} --all` explains:\n", command.name);
+  for (const std::string& group : groups_of(command.options)) {
+    if (is_further(group)) {
+      further += entry(group, names_in_group(group, command.options), width);
+    } else {
+      first += option_group(group, command.options, width);
+    }
+  }
+  return first + further;
 }
 
 std::string example_list(std::span<const Example> examples, std::size_t width) {
@@ -121,15 +160,17 @@ std::string help_text(const ProgramUsage& program, std::size_t width) {
   return text;
 }
 
-std::string help_text(const CommandUsage& command, std::size_t width) {
+std::string help_text(const CommandUsage& command, std::size_t width, bool all) {
+  all = all || command.options.size() <= most_options;
   std::string text = fmt::format("{}\n\nUsage: {}\n\nExamples:\n{}\nArguments:\n",
                                  wrapped(command.summary, 0, 0, width), synopsis_of(command),
                                  example_list(command.examples, width));
   for (const OptionUsage& argument : command.arguments) {
     text += entry(argument.name, full_help_of(argument, {}), width);
   }
-  text += option_groups(command.options, width);
+  text += all ? option_groups(command.options, width) : first_option_groups(command, width);
   for (const Section& section : command.sections) {
+    if (section.further && !all) continue;
     text += fmt::format("\n{}:\n", section.title);
     std::istringstream lines(section.text);
     for (std::string line; std::getline(lines, line);) {
