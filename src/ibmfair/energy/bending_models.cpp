@@ -84,7 +84,7 @@ constexpr std::array<std::string_view, 4> vertex_masses{"barycentric", "voronoi"
 constexpr std::array<std::string_view, 2> delaunay_masses{"voronoi", "none"};
 constexpr std::array<std::string_view, 3> umbrella_masses{"valence", "barycentric", "none"};
 
-constexpr std::array<BendingModel, 5> models{{
+constexpr BendingModel models[]{
     {.name = "crouzeix-raviart",
      .summary = "edge-based; unfolds spikes, for denoising",
      .make = crouzeix_raviart,
@@ -117,7 +117,7 @@ constexpr std::array<BendingModel, 5> models{{
      .masses = umbrella_masses,
      .evens_edges = true,
      .knows_parts = true},
-}};
+};
 
 /// The names of the members that have a property, for messages.
 std::string names_with(bool BendingModel::*property) {

@@ -37,7 +37,7 @@ Format through_assimp(std::string_view name, std::string_view title, Extensions 
   return format;
 }
 
-std::array<Format, 13> make_formats() {
+std::vector<Format> make_formats() {
   Format obj{.name = "obj", .title = "Wavefront OBJ", .extensions = obj_extensions};
   obj.recognises = obj::recognises;
   obj.read = obj::read;
@@ -94,7 +94,7 @@ std::string lower_case(std::string_view text) {
 }  // namespace
 
 std::span<const Format> formats() {
-  static const std::array<Format, 13> table = make_formats();
+  static const std::vector<Format> table = make_formats();
   return table;
 }
 

@@ -58,7 +58,7 @@ struct Format {
   /// Whether a file that starts like this is of the format.
   bool (*recognises)(std::string_view bytes) = nullptr;
   ParsedMesh (*read)(const SourceBytes& source, std::string_view extension) = nullptr;
-  /// Null where `read` gives the attributes.
+  /// Null where `read` gives the attributes, and where the format has none.
   MeshAttributes (*read_attributes)(const SourceBytes& source, const Mesh& mesh) = nullptr;
   std::vector<std::uint8_t> (*vertex_mask)(const SourceBytes& source, const Mesh& mesh,
                                            std::string_view name) = nullptr;

@@ -25,6 +25,7 @@ struct MeshFile::Contents {
 
   MeshAttributes file_attributes() const {
     if (parsed.attributes) return *parsed.attributes;
+    if (format->read_attributes == nullptr) return {};
     return format->read_attributes(*bytes, weld ? unwelded() : parsed.mesh);
   }
 };
