@@ -16,10 +16,10 @@ namespace ibmfair::commands {
 /// With `strict`, throws BadMesh with the same text instead.
 void warn_of_defects(const Topology& topology, bool strict, const Console& console);
 
-/// The same warnings for a report, each with the first hundred of its elements one by one.
+/// The warnings for a report, each with the first hundred of its elements one by one.
 std::vector<Warning> defect_list(const Points& X, const Topology& topology);
 
-/// The same texts, one a kind, without the consequences.
+/// The texts of the warnings, one for each kind of defect, without the consequences.
 std::vector<std::string> defect_lines(const Topology& topology);
 
 /// Throws BadMesh that names all defects, if there are any.

@@ -11,7 +11,7 @@ class FigureList {
  public:
   void add(std::string label, std::string value);
 
-  /// The same with eight significant digits.
+  /// Adds the value with eight significant digits.
   void add(std::string label, double value);
 
   /// One line a figure, whatever its value holds: see commands/printable.h.

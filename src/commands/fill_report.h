@@ -23,7 +23,7 @@ std::string fill_text(const Filling& filling, const FillSeconds& seconds, bool d
 void add_filling(const Filling& filling, const std::vector<Hole>& holes, const FillSeconds& seconds,
                  Report& report);
 
-/// The same for a region.
+/// Describes the fairing of a region.
 std::string region_text(const RegionReport& region, const FillSeconds& seconds, bool detailed);
 void add_region(const RegionReport& region, const FillSeconds& seconds, Report& report);
 

@@ -31,11 +31,13 @@ constexpr Range not_negative{0.0};
 /// The finite number that `text` is as a whole. Throws BadOption that starts with `name`.
 double parse_real_option(std::string_view name, std::string_view text, const Range& range);
 
-/// The same for an integer between `smallest` and `largest`.
+/// The integer that `text` is as a whole, between `smallest` and `largest`. Throws BadOption that
+/// starts with `name`.
 std::int64_t parse_integer_option(std::string_view name, std::string_view text,
                                   std::int64_t smallest, std::int64_t largest);
 
-/// The same for `count` numbers separated by commas.
+/// The `count` numbers, separated by commas, that `text` consists of. Throws BadOption that starts
+/// with `name`.
 std::vector<double> parse_reals_option(std::string_view name, std::string_view text,
                                        std::size_t count, const Range& range);
 

@@ -48,7 +48,7 @@ struct SmoothFigures {
 /// E_b, area, volume and quality of `X`.
 MeshFigures mesh_figures(const Points& X, const Topology& topology, const FlowOptions& options);
 
-/// The same where E_b is known: the energy takes longer to bind to a mesh than all the rest.
+/// As above, where E_b is known: the energy takes longer to bind to a mesh than all the rest.
 MeshFigures mesh_figures(const Points& X, const Topology& topology, double energy);
 
 /// They as an object, with the counts of a mesh whose connectivity a run may change.

@@ -17,7 +17,7 @@ void show_terminal_line(std::string_view text);
 /// Clears the line where something is shown. Safe in a signal handler.
 void clear_terminal_line();
 
-/// The same, and nothing is shown from here on. Safe in a signal handler.
+/// Clears the line, and shows nothing from here on. Safe in a signal handler.
 void end_terminal_line();
 
 /// While it exists, the line is clear for something else to be printed.

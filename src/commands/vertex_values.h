@@ -21,7 +21,8 @@ std::optional<double> finite_number(std::string_view word);
 Eigen::VectorXd vertex_values(const MeshFile& file, const std::string& source, double least,
                               const std::string& option);
 
-/// The same for any finite numbers; `source` may also be one, for all vertices.
+/// As `vertex_values`, for any finite numbers; `source` may also be a single number, for all
+/// vertices.
 Eigen::VectorXd vertex_values_or_number(const MeshFile& file, const std::string& source,
                                         const std::string& option);
 

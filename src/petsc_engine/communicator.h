@@ -71,7 +71,7 @@ class Communicator {
   int size() const { return size_; }
   bool is_first() const { return rank_ == 0; }
 
-  /// The same bits on all ranks: added up in their order.
+  /// The sum over all ranks, added up in their order, so that all ranks get the same bits.
   double sum(double x) const;
   std::int64_t sum(std::int64_t x) const;
   double max(double x) const;
@@ -96,7 +96,7 @@ class Communicator {
     return received;
   }
 
-  /// The same where `received` has its counts, and room.
+  /// As above, where `received` already has its counts, and room.
   template <class T>
   void exchange_known(const Parcels<T>& sent, Parcels<T>& received) const {
     const BytesType<T> type;

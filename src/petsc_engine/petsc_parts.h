@@ -27,7 +27,7 @@ class PetscParts final : public MeshParts {
   void set_solver(LinearSolver solver) { solver_ = solver; }
 
   using MeshParts::refresh;
-  /// The same for one number a vertex.
+  /// Numbers (#V) of vertices that belong to other parts, from them.
   void refresh(std::vector<PetscInt>& values) const;
 
   const Communicator& communicator() const { return comm_; }

@@ -27,7 +27,7 @@ std::optional<FileStamp> stamp_of(const std::string& path);
 /// FNV-1a of 64 bits, in hexadecimal digits.
 std::string hash_of_text(std::string_view text);
 
-/// The same of a file's bytes; nothing where it cannot be read.
+/// The hash of a file's bytes, as `hash_of_text`; nothing where the file cannot be read.
 std::optional<std::string> hash_of_file(const std::string& path);
 
 }  // namespace ibmfair::commands

@@ -24,7 +24,7 @@ namespace ibmfair::commands {
 /// line and column, or job (counted from 1) and key; BadOption for a command that is not there.
 std::vector<Job> parse_jobs(std::string_view text, const std::string& name);
 
-/// The same from a file, or from standard input where its name is `-`.
+/// Parses the jobs of a file, or of standard input where its name is `-`. Throws as `parse_jobs`.
 std::vector<Job> read_jobs(const std::string& path);
 
 }  // namespace ibmfair::commands

@@ -19,7 +19,7 @@ inline constexpr std::int64_t worth_sharing = 16384;
 /// from running hold up nothing but the task that they are in.
 void parallel_tasks(std::int64_t count, const std::function<void(std::int64_t)>& task);
 
-/// The same on this thread where sharing does not pay.
+/// As `parallel_tasks`, but on this thread where sharing does not pay.
 template <class Task>
 void run_tasks(std::int64_t count, bool share, const Task& task) {
   if (share) {
@@ -40,7 +40,7 @@ void parallel_blocks(std::int64_t count, Body&& body) {
             [&](std::int64_t b) { body(b * block, std::min(count, (b + 1) * block)); });
 }
 
-/// The same for a body(i) for each of them.
+/// Calls body(i) for every i in 0 .. count - 1, in parallel; bodies must not write the same place.
 template <class Body>
 void parallel_for(std::int64_t count, Body&& body) {
   parallel_blocks(count, [&](std::int64_t first, std::int64_t last) {
@@ -98,7 +98,7 @@ Value parallel_block_sum(std::int64_t count, const Value& zero, Body&& body) {
   return sum;
 }
 
-/// The same for a body(i) for each of them.
+/// The sum of body(i) over 0 .. count - 1, added up in the same order for any number of threads.
 template <class Value, class Body>
 Value parallel_sum(std::int64_t count, const Value& zero, Body&& body) {
   return parallel_block_sum(count, zero, [&](std::int64_t first, std::int64_t last) {

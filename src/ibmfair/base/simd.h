@@ -12,7 +12,7 @@
 
 /// Functions that are part of such a kernel: they become part of all of its versions.
 #define IBMFAIR_INLINE __attribute__((always_inline)) inline
-/// The same for lambdas, behind their parameters.
+/// IBMFAIR_INLINE for lambdas; it stands behind their parameters.
 #define IBMFAIR_INLINE_LAMBDA __attribute__((always_inline))
 
 // Elsewhere the compiler makes of the vectors what the machine has.

@@ -26,8 +26,8 @@ struct VertexRoles {
 /// The energy of those of the first `count` vertices that count, from their sums h_v.
 double lagrange_energy(const VertexRoles& roles, Index count, bool mass, BlockVertex* vertices);
 
-/// The same, and puts y_v = h_v / m_v, or 0 where v is not in U, in the place of x_v, with
-/// |y_v|^2 / 6 as fourth number or 0 where masses are left out; and clears the sums, but if
+/// As `lagrange_energy`, and puts y_v = h_v / m_v, or 0 where v is not in U, in the place of x_v,
+/// with |y_v|^2 / 6 as fourth number or 0 where masses are left out; and clears the sums, but if
 /// `spontaneous` for the fourth number, which becomes that of x_v.
 double lagrange_energy_and_y(const VertexRoles& roles, Index count, bool mass, bool spontaneous,
                              BlockVertex* vertices);

@@ -40,8 +40,8 @@ class StencilTerms {
     });
   }
 
-  /// The same in the same order, with the terms whose sums are the entries of the row: take(w,
-  /// w_s c_sv c_sw).
+  /// Visits the same vertices in the same order with the terms whose sums are the entries of the
+  /// row: take(w, w_s c_sv c_sw).
   template <class Take>
   void for_terms(Index v, const StencilWeights& weights, const Take& take) const {
     for_stencils(v, [&](Index place, Index s, std::int64_t first, auto width) {

@@ -25,7 +25,7 @@ class TriangleNet {
   const std::array<Index, 3>& operator[](Index t) const { return corner_[t]; }
   Triangles triangles() const;
 
-  /// The same edge from its other side; triangle -1 at the rim.
+  /// The edge `e` as the triangle on its other side has it; triangle -1 at the rim.
   NetEdge other_side(NetEdge e) const { return across_[e.triangle][e.corner]; }
 
   /// The ends of an edge in the order in which its triangle runs along it, and the corner opposite.

@@ -16,7 +16,7 @@ namespace {
 /// with a factor follows before long (Jacobian::solve), where less, nobody would know.
 constexpr double doubt = 0.6;
 
-/// The same for any number of iterations.
+/// Memory that the backend needs, whatever the number of iterations.
 double bytes_of(const JacobianBackend& backend, const JacobianShape& shape) {
   return backend.forecast(shape, {}).bytes;
 }

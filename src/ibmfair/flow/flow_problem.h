@@ -54,7 +54,7 @@ class FlowProblem {
   /// Moves the state to Y, and leaves the one before in Y.
   void move_to(Points& Y);
 
-  /// The same where Y is the last place that was tried: its energy and gradient are known.
+  /// As `move_to`, where Y is the last place that was tried: its energy and gradient are known.
   void move_to_tried(Points& Y);
 
   /// The gradient at the state (by `update_gradient`), one row per unknown.

@@ -290,8 +290,9 @@ class GuardedFlow {
     return std::min((a - a * a / 2) * slope_ + a * a / 2 * metric_part_, p_.energy());
   }
 
-  /// The same for a trial in Y_ that went only part of the way: half of what the slope says of it.
-  /// An uphill slope is a needle's, steep but for next to none of the way: then the whole step's.
+  /// The predicted decrease for a trial in Y_ that went only part of the way: half of what the
+  /// slope gives. A slope that leads uphill is that of a needle, and ends after next to none of the
+  /// way: then the prediction for the whole step.
   double promised_on_the_way() const {
     const double slope = p_.parts.sum(parallel_sum(p_.unknowns.size(), [&](std::int64_t u) {
       const Index v = p_.unknowns.vertex[u];

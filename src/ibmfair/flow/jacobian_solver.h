@@ -38,8 +38,8 @@ class JacobianSolver {
   /// energy.
   virtual void solve(const Points& B, Points& Y) = 0;
 
-  /// The same, and takes the seconds that it needs on one core, counted, not timed, off `seconds`;
-  /// false, with Y not solved for, where these are too few.
+  /// As `solve`, and subtracts the seconds that it needs on one core, counted, not timed, from
+  /// `seconds`; false, with Y not solved for, where these are too few.
   virtual bool solve_within(double& /*seconds*/, const Points& B, Points& Y) {
     solve(B, Y);
     return true;

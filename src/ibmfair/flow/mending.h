@@ -14,12 +14,12 @@ namespace ibmfair {
 bool catch_up_moves(const FlowProblem& problem, const Rows& rings, const Eigen::VectorXd& lag,
                     Points& move);
 
-/// The same where hinges are folded over though the surface around is not bent much: such a patch
-/// is evened out first (flow/unfolding.h), then flows for the whole time, and moves where that
-/// leaves less energy than there is now.
+/// Moves for patches whose hinges are folded over though the surface around is not bent much: such
+/// a patch is evened out first (flow/unfolding.h), then flows for the whole time, and moves where
+/// that leaves less energy than there is now.
 bool unfolding_moves(FlowProblem& problem, const Rows& rings, Points& move);
 
-/// The same for any patches.
+/// As `unfolding_moves`, for any patches.
 bool even_out_and_flow(const FlowProblem& problem, const Rows& rings,
                        const std::vector<VertexPatch>& patches, Points& move);
 

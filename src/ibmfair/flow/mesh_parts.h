@@ -44,7 +44,7 @@ class MeshParts {
   /// Rows (#V x 3) of vertices that belong to other parts, from them.
   virtual void refresh(Points& /*rows*/) const {}
 
-  /// The same for flags.
+  /// Flags (#V) of vertices that belong to other parts, from them.
   void refresh(std::vector<std::uint8_t>& flags) const;
 
   /// What solves with the Jacobian over all parts, and notes its name in the report; null where any

@@ -26,7 +26,7 @@ class TangentialRelaxation {
   /// creases are kept, off all directions in which the triangles there face.
   void moves(const Points& X, Points& move);
 
-  /// The same for the corners of needles, triangles with an angle of less than a degree; zero for
+  /// The moves of the corners of needles, triangles with an angle of less than a degree; zero for
   /// all others. False, and nothing done, where no part of the mesh has any.
   bool moves_at_needles(const Points& X, Points& move);
 

@@ -57,7 +57,7 @@ class Twicing {
     return move;
   }
 
-  /// The same of the height of the start over the state, along the normals.
+  /// Smooths the height of the start over the state, along the normals.
   Points smooth_height() {
     find_normals();
     Points heights = Points::Zero(p_.unknowns.size(), 3);

@@ -21,7 +21,7 @@ ImportLimits import_limits(std::size_t file_size);
 ParsedMesh read_through_assimp(const SourceBytes& source, std::string_view extension,
                                const ImportLimits& limits);
 
-/// The same within the limits for a file of this size.
+/// Reads within the limits for a file of this size.
 ParsedMesh read_through_assimp(const SourceBytes& source, std::string_view extension);
 
 }  // namespace ibmfair

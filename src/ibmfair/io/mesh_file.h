@@ -73,7 +73,7 @@ class MeshFile {
 /// faces included) and BadOption for an unknown format name.
 MeshFile read_mesh(const std::string& path, const ReadOptions& options = {});
 
-/// The same for bytes that have been read already, or that come from memory.
+/// Reads a mesh from bytes that have been read already, or that come from memory.
 MeshFile read_mesh(std::shared_ptr<const SourceBytes> bytes, const ReadOptions& options = {});
 
 /// How to write a file.

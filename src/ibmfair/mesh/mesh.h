@@ -49,7 +49,7 @@ struct Triangulation {
 /// (as triangles that may repeat a corner too): leaving them out is the topology's decision.
 Triangulation triangulate(const Mesh& mesh);
 
-/// The same for triangle soup that is known to hold triangles only, as shapes and tests make it.
+/// A mesh of these triangles, as shapes and tests make it.
 Mesh mesh_from_triangles(Points X, const Triangles& F);
 
 }  // namespace ibmfair

@@ -84,7 +84,8 @@ struct Topology {
 /// `most_elements` (mesh/mesh.h).
 Topology build_topology(Index vertex_count, Triangles F, std::vector<Index> zero_area = {});
 
-/// The same with the zero-area triangles found by `degenerate_triangles` (mesh/geometry.h).
+/// Builds the topology with the zero-area triangles that `degenerate_triangles` finds
+/// (mesh/geometry.h).
 Topology build_topology(const Points& X, Triangles F);
 
 /// The vertices that each vertex has an edge to: where is_ringed, in the order in which its
@@ -97,7 +98,7 @@ inline bool is_oriented_interior(const Topology& topology, Index v) {
   return topology.kind[v] == VertexKind::interior && !topology.twisted[v];
 }
 
-/// The same, and its triangles are not too many to be put in order one by one.
+/// Whether v is such a vertex, and has few enough triangles to be put in order one by one.
 bool is_ringed(const Topology& topology, Index v);
 
 /// Grows a vertex set by one ring: true for every vertex that shares a triangle with a true one.

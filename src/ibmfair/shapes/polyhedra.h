@@ -24,14 +24,14 @@ struct Subdivision {
 /// Throws BadOption for levels or a refined face out of range, and for a result that is too large.
 TriangleMesh make_icosahedron(const Subdivision& subdivision);
 
-/// The same connectivity with each new vertex put on the unit sphere after each splitting.
-/// Area 4 pi, volume 4/3 pi, E_b 8 pi in the limit.
+/// The connectivity of `make_icosahedron`, with each new vertex put on the unit sphere after each
+/// splitting. Area 4 pi, volume 4/3 pi, E_b 8 pi in the limit.
 TriangleMesh make_icosphere(const Subdivision& subdivision);
 
 /// The cube [-1, 1]^3 of 12 * 4^levels triangles, flat-faced. Area 24, volume 8.
 TriangleMesh make_cube(const Subdivision& subdivision);
 
-/// The same with each new vertex put on the unit sphere, as the corners are: near the middles of
+/// The cube with all vertices put on the unit sphere: near the middles of
 /// the six sides triangles are right-angled, near the eight corners they have 60 or 30 and 120
 /// degrees. Area 4 pi, volume 4/3 pi, E_b 8 pi in the limit.
 TriangleMesh make_cubesphere(const Subdivision& subdivision);

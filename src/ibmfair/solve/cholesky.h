@@ -28,7 +28,7 @@ class SymbolicCholesky {
   /// OutOfMemory.
   explicit SymbolicCholesky(const SymmetricMatrix& J);
 
-  /// The same for unknowns on a surface, at `X` (#unknowns x 3): many are put in order by where
+  /// Analyses J for unknowns on a surface, at `X` (#unknowns x 3): many are put in order by where
   /// they lie, which leaves a smaller factor, and is found on all threads.
   SymbolicCholesky(const SymmetricMatrix& J, const Points& X);
 

@@ -149,7 +149,7 @@ struct FactorStrip {
   }
 };
 
-/// The same columns in other packs.
+/// Divides the columns first .. last - 1 in the packs below those of FactorStrip.
 template <class Real>
 struct DivideBand {
   FrontLayout<Real> front;

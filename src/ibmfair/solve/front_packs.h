@@ -31,7 +31,7 @@ IBMFAIR_INLINE Pack<double> zip_high(const Pack<double>& a, const Pack<double>& 
   return __builtin_shufflevector(a, b, 1, 5, 3, 7);
 }
 
-/// The same by pairs of numbers.
+/// Interleaves two packs by pairs of numbers.
 IBMFAIR_INLINE Pack<float> zip_low_pairs(const Pack<float>& a, const Pack<float>& b) {
   return __builtin_shufflevector(a, b, 0, 1, 8, 9, 4, 5, 12, 13);
 }

@@ -27,7 +27,7 @@ struct Nodes {
   std::int64_t begin = 0;
 };
 
-/// The same with the edges between them, in numbers of their own.
+/// A range of unknowns with the edges between them, numbered from 0.
 struct Part {
   Nodes nodes;
   Rows graph;

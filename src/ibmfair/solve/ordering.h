@@ -17,9 +17,10 @@ Rows graph_of(const SymmetricMatrix& J);
 /// Appl. 17 (1996)]. Throws OutOfMemory.
 std::vector<Index> minimum_degree(const Rows& graph);
 
-/// The same by nested dissection [A. George, "Nested dissection of a regular finite element mesh",
-/// SIAM J. Numer. Anal. 10 (1973)] of a surface: a separator (solve/separator.h) comes after the
-/// sides that it leaves, which are dissected likewise until they are left to minimum degree. `X`
+/// An elimination order by nested dissection [A. George, "Nested dissection of a regular finite
+/// element mesh", SIAM J. Numer. Anal. 10 (1973)] of a surface: a separator (solve/separator.h)
+/// comes after the sides that it leaves, which are dissected likewise until they are left to
+/// minimum degree. `X`
 /// (#nodes x 3) is where the nodes lie. The same for any number of threads. Throws OutOfMemory.
 std::vector<Index> nested_dissection(const Rows& graph, const Points& X);
 
