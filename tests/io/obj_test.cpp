@@ -250,6 +250,11 @@ TEST(ObjFile, NamesOfGroupsMayGoOnOnTheNextLine) {
     for (const std::string name : {"left", "f", "9"})
       EXPECT_EQ(file.vertex_mask(name), (std::vector<std::uint8_t>{1, 1, 1, 0})) << name;
   }
+  // At the end of the file, a backslash continues nothing.
+  for (const std::string end : {"\\", " \\", " x\\", "\\\n", " \\ "}) {
+    const MeshFile last = MeshFiles::read("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\ng" + end, "a.obj");
+    EXPECT_THROW(last.vertex_mask("left"), BadOption) << end;
+  }
   const MeshFile file = MeshFiles::read(
       "v 0 0 0\nv 1 0 0\nv 0 1 0\ng C:\\parts\\\nf 1 2 3\n"
       "g other\\\\part\nf 1 2 3\n",

@@ -45,7 +45,7 @@ void ObjScanner::skip_line() {
 }
 
 void ObjScanner::skip_continuations() {
-  while (p_ != end_ && *p_ == '\\' && p_ + 1 != end_ && (p_[1] == '\n' || p_[1] == '\r')) {
+  while (p_ != end_ && *p_ == '\\' && continues_line()) {
     const bool pair = p_[1] == '\r' && p_ + 2 != end_ && p_[2] == '\n';
     p_ = characters::find_not(p_ + (pair ? 3 : 2), blank);
   }
@@ -74,7 +74,7 @@ std::string_view ObjScanner::word() {
   const char* start = p_;
   skip_to(blank | line_end | continuation);
   // A backslash within a line is a character as others are.
-  while (*p_ == '\\' && !is(p_[1], line_end)) {
+  while (*p_ == '\\' && !continues_line()) {
     ++p_;
     skip_to(blank | line_end | continuation);
   }

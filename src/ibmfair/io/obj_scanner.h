@@ -127,6 +127,8 @@ class ObjScanner {
     return after != nullptr;
   }
   void corner_references(const char* start, RawCorner& corner);
+  /// Whether the backslash at hand continues the line. One at the end of the file does not.
+  bool continues_line() const { return p_ + 1 != end_ && is(p_[1], line_end); }
   void skip_continuations();
   void skip_line();
   [[noreturn]] void fail_at_real() const;
