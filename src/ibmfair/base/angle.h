@@ -1,4 +1,4 @@
-// Angles are in radians, but for people.
+// Conversion of angles. The code computes in radians; people read and write degrees.
 #pragma once
 
 #include <numbers>

@@ -32,7 +32,8 @@ class BadMesh : public Error {
   using Error::Error;
 };
 
-/// The sparse factorization failed: not positive definite, or beyond a limit (exit code 4).
+/// The sparse factorization failed: the matrix is not positive definite, or a limit is exceeded
+/// (exit code 4).
 class FactorizationFailed : public Error {
  public:
   using Error::Error;

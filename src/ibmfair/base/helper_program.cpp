@@ -16,7 +16,7 @@ std::filesystem::path own_directory() {
   if (dladdr(reinterpret_cast<const void*>(&find_helper), &info) != 0) {
     own = std::filesystem::canonical(info.dli_fname, error);
   }
-  // dladdr gives the main program the name it was called by, which need not be a path.
+  // For the main program, dladdr returns the name it was started with, which need not be a path.
   if (own.empty()) {
     own = std::filesystem::read_symlink("/proc/self/exe", error);
   }

@@ -1,4 +1,4 @@
-// Parts of this program that are programs of their own.
+// Finds the helper programs that are installed together with this program.
 #pragma once
 
 #include <string>
@@ -6,8 +6,9 @@
 
 namespace ibmfair {
 
-/// The path of the part of this name: beside the program (or the library, where it is a shared
-/// one), or in libexec/ibmfair. Empty where it is not installed.
+/// The path of the helper program `name`. Searched, in this order: the directory of this program
+/// (or of the shared library that holds this code), ../libexec/ibmfair from there, and the
+/// directory into which the build installs helpers. Empty if the helper is not installed.
 std::string find_helper(std::string_view name);
 
 }  // namespace ibmfair

@@ -8,7 +8,7 @@ namespace ibmfair {
 
 void advise_huge_pages(void* start, std::size_t bytes) {
   constexpr std::size_t page = std::size_t{1} << 21;
-  // The advice holds for whole pages inside of the buffer.
+  // The advice is given for the whole pages inside the buffer only.
   const std::size_t before = (page - reinterpret_cast<std::uintptr_t>(start) % page) % page;
   if (bytes < before + page) return;
   madvise(static_cast<char*>(start) + before, (bytes - before) / page * page, MADV_HUGEPAGE);

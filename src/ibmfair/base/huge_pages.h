@@ -1,4 +1,4 @@
-// Large buffers in large pages.
+// Memory for large buffers, in pages of 2 MiB.
 #pragma once
 
 #include <cstddef>
@@ -7,13 +7,14 @@
 
 namespace ibmfair {
 
-/// Asks the kernel to back a buffer of many megabytes, not yet touched, with pages of 2 MiB:
-/// filling it then costs five hundred times fewer page faults, which are a third of the time of
-/// reading a file. Advice only: nothing depends on its being taken.
+/// Asks the kernel to back a buffer of many megabytes, not yet touched, with pages of 2 MiB.
+/// Filling the buffer then causes five hundred times fewer page faults, which otherwise take a
+/// third of the time of reading a file. This is advice only: nothing depends on whether the kernel
+/// follows it.
 void advise_huge_pages(void* start, std::size_t bytes);
 
-/// An array of plain numbers in large pages, not initialised. It begins with a cache line, so that
-/// vectors of numbers that stand in turn lie in one line each.
+/// An uninitialised array of plain numbers in large pages. The array starts at the start of a cache
+/// line, so that each of a sequence of short vectors lies within one cache line.
 template <class T>
 class LargeArray {
  public:

@@ -1,9 +1,11 @@
-// Four numbers at a time, for the kernels that measurably need it. Only additions, multiplications,
-// divisions and square roots are used, lane by lane, so that both versions of a kernel give the
-// same bytes, except where CMakeLists.txt lets products be fused (base/simd.h).
+// Vectors of four numbers, for the kernels that are measurably faster with them. Only additions,
+// multiplications, divisions and square roots are used, lane by lane, so that both versions of a
+// kernel give the same bytes, except in the files for which CMakeLists.txt allows fused
+// multiply-adds (base/simd.h).
 //
-// For .cpp files of kernels only. Vectors are wider than the baseline's registers, so they must not
-// cross a border between functions that are not inlined: kernels take pointers and numbers.
+// Include this header only in .cpp files of kernels. The vectors are wider than the registers of
+// the baseline instruction set, so they must not be arguments or results of functions that are not
+// inlined: kernels take pointers and numbers.
 #pragma once
 
 #include <cstddef>
@@ -25,7 +27,7 @@ IBMFAIR_INLINE double sum(const Lanes& a) {
   return (a[0] + a[1]) + (a[2] + a[3]);
 }
 
-/// In each lane the larger of two numbers; b where one of them is not a number.
+/// The larger of the two numbers in each lane; b if either of the two is not a number.
 IBMFAIR_INLINE Lanes larger(const Lanes& a, const Lanes& b) {
   return a > b ? a : b;
 }
@@ -35,7 +37,7 @@ IBMFAIR_INLINE double largest(const Lanes& a) {
   return low > high ? low : high;
 }
 
-/// Four vectors of space.
+/// Four vectors in space, one in each lane.
 struct Lanes3 {
   Lanes x, y, z;
 };
@@ -62,7 +64,7 @@ IBMFAIR_INLINE Lanes3 cross(const Lanes3& a, const Lanes3& b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
-/// Four rows of four numbers, transposed: a vector of space and one number more in each lane.
+/// Four rows of four numbers, transposed: each lane holds a vector in space and one more number.
 struct Lanes4 {
   Lanes3 xyz;
   Lanes w;
@@ -72,9 +74,9 @@ namespace simd_detail {
 
 using Two = double __attribute__((vector_size(16)));
 
-/// The two numbers at `a` and at `b` as one vector. The shuffles that remain are the cheap ones,
-/// within halves; and as four numbers are read at `b`, the compiler inserts two of them from
-/// memory, with no shuffle at all.
+/// The two numbers at `a`, followed by the two at `b`, as one vector. Shuffles within the halves of
+/// a vector, which are the cheap ones, then suffice; and because four numbers are read at `b`, the
+/// compiler inserts two of them from memory without any shuffle.
 IBMFAIR_INLINE Lanes halves(const double* a, const double* b) {
   const Two low = load<Two>(a);
   return __builtin_shufflevector(__builtin_shufflevector(low, low, 0, 1, -1, -1), load<Lanes>(b), 0,
@@ -83,14 +85,14 @@ IBMFAIR_INLINE Lanes halves(const double* a, const double* b) {
 
 }  // namespace simd_detail
 
-/// The three numbers at `row`, and 0.
+/// The three numbers at `row`, followed by 0.
 IBMFAIR_INLINE Lanes three_numbers(const double* row) {
   const simd_detail::Two high = {row[2], 0};
   return __builtin_shufflevector(load<simd_detail::Two>(row), high, 0, 1, 2, 3);
 }
 
-/// Lane i from the four numbers at `row[i]`. May read two numbers more behind them, and drops
-/// these: behind the last there must be room.
+/// Fills lane i with the four numbers at `row[i]`. May read up to two numbers beyond each row,
+/// which are ignored, so at least two more numbers must follow the last row in memory.
 IBMFAIR_INLINE Lanes4 gather_rows(const double* const (&row)[lane_count]) {
   using simd_detail::halves;
   const Lanes xy02 = halves(row[0], row[2]), xy13 = halves(row[1], row[3]);
@@ -101,7 +103,7 @@ IBMFAIR_INLINE Lanes4 gather_rows(const double* const (&row)[lane_count]) {
           __builtin_shufflevector(zw02, zw13, 1, 5, 3, 7)};
 }
 
-/// Lane i from the row `rows + at[i]`; reads behind it as gather_rows() does.
+/// Fills lane i with the row at `rows + at[i]`; reads beyond the rows as gather_rows() does.
 IBMFAIR_INLINE Lanes4 gather(const double* rows, const std::int32_t* at) {
   const double* row[lane_count];
   for (int i = 0; i < lane_count; ++i) {
@@ -110,7 +112,7 @@ IBMFAIR_INLINE Lanes4 gather(const double* rows, const std::int32_t* at) {
   return gather_rows(row);
 }
 
-/// Lane i from the row `rows + stride * i`; reads behind it as gather_rows() does.
+/// Fills lane i with the row at `rows + stride * i`; reads beyond the rows as gather_rows() does.
 IBMFAIR_INLINE Lanes4 load_rows(const double* rows, std::ptrdiff_t stride = 4) {
   const double* row[lane_count];
   for (const double*& start : row) {
@@ -120,7 +122,7 @@ IBMFAIR_INLINE Lanes4 load_rows(const double* rows, std::ptrdiff_t stride = 4) {
   return gather_rows(row);
 }
 
-/// The inverse of gather_rows(): row i of four numbers out of lane i.
+/// The inverse of gather_rows(): `row[i]` receives the four numbers of lane i.
 IBMFAIR_INLINE void rows_of(const Lanes3& a, const Lanes& w, Lanes (&row)[lane_count]) {
   const Lanes xy02 = __builtin_shufflevector(a.x, a.y, 0, 4, 2, 6);
   const Lanes xy13 = __builtin_shufflevector(a.x, a.y, 1, 5, 3, 7);
@@ -132,7 +134,8 @@ IBMFAIR_INLINE void rows_of(const Lanes3& a, const Lanes& w, Lanes (&row)[lane_c
   row[3] = __builtin_shufflevector(xy13, zw13, 2, 3, 6, 7);
 }
 
-/// Writes lane i to the row `rows + stride * i`. Unrolled: GCC would copy them all once more.
+/// Writes lane i to the row at `rows + stride * i`. The loop is unrolled because GCC would
+/// otherwise copy all rows once more.
 IBMFAIR_INLINE void store_rows(const Lanes3& a, const Lanes& w, double* rows,
                                std::ptrdiff_t stride = 4) {
   Lanes row[lane_count];
@@ -143,15 +146,15 @@ IBMFAIR_INLINE void store_rows(const Lanes3& a, const Lanes& w, double* rows,
   }
 }
 
-/// a where the lane's number at `masks` is -1, and 0 where it is 0. GCC widens all four at once
-/// only where they are written one by one.
+/// In each lane, the number in `a` if the mask in `masks` is -1, and 0 if the mask is 0. The four
+/// masks are listed one by one because only then does GCC widen all four at once.
 IBMFAIR_INLINE Lanes where(const std::int8_t* masks, const Lanes& a) {
   using Bits = std::int64_t __attribute__((vector_size(32)));
   const Bits all = {masks[0], masks[1], masks[2], masks[3]};
   return __builtin_bit_cast(Lanes, __builtin_bit_cast(Bits, a) & all);
 }
 
-/// Adds to the row at `to`.
+/// Adds `a` to the row of four numbers at `to`.
 IBMFAIR_INLINE void add_to_row(const Lanes& a, double* to) {
   store(to, load<Lanes>(to) + a);
 }

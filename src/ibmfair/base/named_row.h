@@ -1,4 +1,4 @@
-// Finding a row of a table by its name.
+// Finds a row of a table by its name.
 #pragma once
 
 #include <span>
@@ -11,7 +11,8 @@
 
 namespace ibmfair {
 
-/// The row of that name; throws BadOption, naming those there are.
+/// The row whose name is `name`. Throws BadOption, which calls the row a `what` and lists the known
+/// names, if there is no such row.
 template <class Row>
 const Row& row_named(std::span<const Row> rows, std::string_view what, std::string_view name) {
   std::string known;

@@ -1,4 +1,4 @@
-// Loops over all threads whose results do not depend on the number of threads.
+// Parallel loops whose results do not depend on the number of threads.
 #pragma once
 
 #include <algorithm>
@@ -11,15 +11,16 @@
 
 namespace ibmfair {
 
-/// Loops shorter than this run on one thread: waking the others would take longer.
+/// Loops with fewer iterations than this run on one thread, because waking other threads would take
+/// longer.
 inline constexpr std::int64_t worth_sharing = 16384;
 
-/// Calls task(i) for every i in 0 .. count - 1, each to be run by any thread; tasks must not write
-/// the same place. An exception of one of them is thrown here. Threads that other programs keep
-/// from running hold up nothing but the task that they are in.
+/// Calls task(i) for every i in 0 .. count - 1, each on any thread. Two tasks must not write to the
+/// same memory. An exception that a task throws is rethrown here. If other programs keep a thread
+/// from running, only the task on that thread is delayed.
 void parallel_tasks(std::int64_t count, const std::function<void(std::int64_t)>& task);
 
-/// As `parallel_tasks`, but on this thread where sharing does not pay.
+/// Same as `parallel_tasks` if `share` is true; otherwise runs all tasks on the calling thread.
 template <class Task>
 void run_tasks(std::int64_t count, bool share, const Task& task) {
   if (share) {
@@ -31,8 +32,8 @@ void run_tasks(std::int64_t count, bool share, const Task& task) {
   }
 }
 
-/// Calls body(first, last) for blocks of 0 .. count - 1, in parallel; bodies must not write the
-/// same place.
+/// Calls body(first, last) in parallel for blocks of 0 .. count - 1. Two calls must not write to
+/// the same memory.
 template <class Body>
 void parallel_blocks(std::int64_t count, Body&& body) {
   constexpr std::int64_t block = 2048;
@@ -40,7 +41,8 @@ void parallel_blocks(std::int64_t count, Body&& body) {
             [&](std::int64_t b) { body(b * block, std::min(count, (b + 1) * block)); });
 }
 
-/// Calls body(i) for every i in 0 .. count - 1, in parallel; bodies must not write the same place.
+/// Calls body(i) in parallel for every i in 0 .. count - 1. Two calls must not write to the same
+/// memory.
 template <class Body>
 void parallel_for(std::int64_t count, Body&& body) {
   parallel_blocks(count, [&](std::int64_t first, std::int64_t last) {
@@ -50,9 +52,10 @@ void parallel_for(std::int64_t count, Body&& body) {
   });
 }
 
-/// Calls body(first, last) for ranges that make up 0 .. count - 1, one for each of a few threads
-/// where the `work` (passes of a loop) is worth sharing. For sorting into rows: every body goes
-/// through all there is and takes what belongs to its rows, which so get it in order.
+/// Splits 0 .. count - 1 into ranges and calls body(first, last) for each. There is one range for
+/// each of at most 8 threads if the `work` (the number of loop iterations in one body) is worth
+/// sharing, else a single range. Used for sorting into rows: every body goes through all items and
+/// takes those that belong to its own rows, so that each row receives its items in order.
 template <class Body>
 void parallel_ranges(std::int64_t count, std::int64_t work, const Body& body) {
   const bool share = work >= worth_sharing;
@@ -62,13 +65,15 @@ void parallel_ranges(std::int64_t count, std::int64_t work, const Body& body) {
             [&](std::int64_t i) { body(count * i / ranges, count * (i + 1) / ranges); });
 }
 
-/// Calls task(first, last, scratch) on parts of 0 .. count - 1 of `part_size` each, in parallel;
-/// scratch is a vector of at least `scratch_size` entries, zeros or what earlier tasks of the same
-/// thread have left.
+/// Calls task(first, last, scratch) in parallel on parts of 0 .. count - 1 with `part_size` numbers
+/// each. `scratch` is a vector of at least `scratch_size` entries, which hold zeros or the values
+/// that earlier tasks of this loop on the same thread have left.
 template <class Entry, class Task>
 void parallel_parts(std::int64_t count, std::int64_t part_size, std::size_t scratch_size,
                     const Task& task) {
-  constexpr std::size_t cache_line = 64;  // between what two threads write, or each slows the other
+  // Space between the scratch memory of two threads: if both wrote to one cache line, each would
+  // slow the other down.
+  constexpr std::size_t cache_line = 64;
   const std::size_t size = scratch_size + cache_line / sizeof(Entry);
   std::vector<std::vector<Entry>> scratch(worker_count());
   run_tasks((count + part_size - 1) / part_size, count >= worth_sharing, [&](std::int64_t part) {
@@ -78,11 +83,11 @@ void parallel_parts(std::int64_t count, std::int64_t part_size, std::size_t scra
   });
 }
 
-/// The size of the blocks of a sum, the last one excepted.
+/// The number of terms in each block of a sum, except in the last block.
 inline constexpr std::int64_t sum_block = 1024;
 
-/// `zero` plus the sum of body(first, last) over blocks of 0 .. count - 1. These are of fixed size,
-/// and added in order, so that the rounding, too, is the same for any number of threads.
+/// `zero` plus the sum of body(first, last) over blocks of 0 .. count - 1. The blocks have a fixed
+/// size and are added in order, so the rounding errors are the same for any number of threads.
 template <class Value, class Body>
 Value parallel_block_sum(std::int64_t count, const Value& zero, Body&& body) {
   const std::int64_t blocks = (count + sum_block - 1) / sum_block;
@@ -110,7 +115,7 @@ Value parallel_sum(std::int64_t count, const Value& zero, Body&& body) {
   });
 }
 
-/// And for plain numbers.
+/// As above, for plain numbers.
 template <class Body>
 double parallel_sum(std::int64_t count, Body&& body) {
   return parallel_sum(count, 0.0, body);

@@ -21,7 +21,7 @@ namespace {
 
 constexpr double few_bytes = 64e6;
 
-/// The number behind a name in a file of lines such as `VmRSS:   1234 kB`.
+/// The number that follows `name` in a file with lines such as `VmRSS:   1234 kB`.
 std::optional<double> entry(const std::string& path, const std::string& name) {
   std::ifstream file(path);
   for (std::string word; file >> word;) {
@@ -34,15 +34,16 @@ std::optional<double> entry(const std::string& path, const std::string& name) {
 
 constexpr double kilobyte = 1024;
 
-/// The number that is all of a file; "max" is none.
+/// The number in a file that holds nothing else; none if the file says "max".
 std::optional<double> number_in(const std::string& path) {
   std::ifstream file(path);
   double number = 0;
   return file >> number ? std::optional(number) : std::nullopt;
 }
 
-/// What a control group and those around it still allow, `folder` being where the system shows
-/// them. Pages of files that have not been used of late count as taken but are given back.
+/// The bytes that a control group and the groups that contain it still allow; `folder` is where the
+/// system shows the groups. Inactive file pages count as used memory, but the kernel gives them
+/// back when needed.
 double left_in_groups(const std::string& folder, std::string group, const char* limit,
                       const char* usage, const char* inactive) {
   double left = std::numeric_limits<double>::infinity();
@@ -60,7 +61,7 @@ double left_in_groups(const std::string& folder, std::string group, const char* 
   }
 }
 
-/// Of both versions of control groups: lines `NUMBER:CONTROLLERS:/GROUP`.
+/// Reads the process's control groups, of version 1 and 2, from lines `NUMBER:CONTROLLERS:/GROUP`.
 double left_in_control_groups(const std::string& root) {
   double left = std::numeric_limits<double>::infinity();
   std::ifstream file(root + "/proc/self/cgroup");
@@ -87,7 +88,8 @@ double left_in_control_groups(const std::string& root) {
   return left;
 }
 
-/// A limit of what the process may map, and the name that the system shows its part in use under.
+/// A limit on the memory that the process may map, and the name under which the system shows how
+/// much of it is in use.
 struct MappingLimit {
   decltype(RLIMIT_AS) resource;
   const char* taken;
@@ -116,15 +118,17 @@ double left_of_address_space(const std::string& root) {
 
 void keep_freed_memory() {
 #ifdef __GLIBC__
-  mallopt(M_MMAP_MAX, 0);         // what was mapped for one array would go back with it
-  mallopt(M_TRIM_THRESHOLD, -1);  // never
-  mallopt(M_ARENA_MAX, 1);        // others are mapped, too
+  // An array in a mapping of its own would be returned to the system when it is freed.
+  mallopt(M_MMAP_MAX, 0);
+  mallopt(M_TRIM_THRESHOLD, -1);  // never return memory at the end of the heap to the system
+  mallopt(M_ARENA_MAX, 1);        // the heaps of other threads are mappings, too
 #endif
 }
 
 void use_large_pages() {
 #if defined(__GLIBC__) && !defined(IBMFAIR_SANITIZED)
-  constexpr double all_is_counted = 2;  // address space counts as memory before it is touched
+  // In this mode, address space counts as used memory even if it is never touched.
+  constexpr double all_is_counted = 2;
   if (std::isfinite(address_space_limit()) ||
       number_in("/proc/sys/vm/overcommit_memory") == all_is_counted) {
     return;
@@ -133,7 +137,7 @@ void use_large_pages() {
                      static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
   if (void* const ahead = std::malloc(bytes)) {
     advise_huge_pages(ahead, bytes);
-    std::free(ahead);  // the heap goes on from here
+    std::free(ahead);  // the heap now reuses this memory
   }
 #endif
 }

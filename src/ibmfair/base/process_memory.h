@@ -1,43 +1,47 @@
-// How much memory the process has, and could have.
+// How much memory the process has, and how much more it can get.
 #pragma once
 
 #include <string>
 
 namespace ibmfair {
 
-/// From now on memory that is freed stays with the process, in one heap for all threads, for what
-/// it needs next: to get a page from the system takes as long as to write it a few times. Of 655
-/// thousand vertices the flow took 7 % less, of 2.6 million 5 %, and no more memory.
+/// From now on the process keeps freed memory for later allocations, in one heap for all threads,
+/// because getting a page from the system takes as long as writing to the page a few times. This
+/// made the flow 7 % faster on 655 thousand vertices and 5 % faster on 2.6 million, without using
+/// more memory.
 void keep_freed_memory();
 
-/// From now on the heap grows by pages of 2 MiB, where the system has them: a page costs a fault,
-/// for which some virtual machines take 12 us, and what is far apart in memory waits for the page
-/// table. On such a machine the flow of 41 and 655 thousand vertices took half of the time, and no
-/// more memory. Advice only. Sets address space apart, half as much as the system has memory; does
-/// nothing where that is limited.
+/// From now on the heap grows by pages of 2 MiB, if the system has them. Each page costs a page
+/// fault, which takes 12 us on some virtual machines, and with small pages, accesses to distant
+/// addresses wait for the page table. On such a machine the flow of 41 and of 655 thousand vertices
+/// took half the time, without using more memory. This is advice only. Reserves address space of
+/// half the size of the system's memory; does nothing if address space is limited.
 void use_large_pages();
 
-/// Bytes of memory that the process holds now, freed ones that it keeps among them; 0 where the
-/// system does not tell.
+/// Bytes of memory that the process holds now, including freed memory that it keeps; 0 if the
+/// system does not report the number.
 double resident_bytes();
 
-/// The most that it has held.
+/// The largest number of bytes that the process has held so far; 0 if the system does not report
+/// it.
 double peak_resident_bytes();
 
-/// Bytes that the process could still get without swapping: what the system has left, or the
-/// control groups that the process is in (containers, batch systems), or its limits of address
-/// space and data (ulimit -v, -d), whichever is least; infinite where nothing tells. `root` stands
-/// before the names of the system's files.
+/// Bytes that the process can still get without swapping: the least of the system's available
+/// memory, the remainder in the process's control groups (containers, batch systems), and the
+/// remainder below its limits of address space and data (ulimit -v, -d). Infinite if none of these
+/// is known. `root` is put before the paths of the system's files.
 double available_bytes(const std::string& root = "");
 
-/// The lower of the limits of address space and of data (ulimit -v, -d) in bytes; infinite where
-/// there is none.
+/// The lower of the limits of address space and of data (ulimit -v, -d) in bytes; infinite if there
+/// is no limit.
 double address_space_limit();
 
-/// Whether so many bytes are available. A few always are: not worth a look at what the system has.
+/// Whether this many bytes are available. For a small number (below 64 MB) the answer is always
+/// yes, without asking the system.
 bool is_available(double bytes);
 
-/// Throws OutOfMemory, naming `what` and the numbers, where it needs more bytes than are available.
+/// Throws OutOfMemory, naming `what` and both numbers, if `what` needs more bytes than are
+/// available.
 void require_available(double bytes, const std::string& what);
 
 }  // namespace ibmfair

@@ -18,14 +18,14 @@ class RandomNumbers {
   /// Uniform in [0, 1), a multiple of 2^-53.
   double uniform();
 
-  /// Standard normal. Algorithm N of Karney, "Sampling exactly from the normal distribution", ACM
-  /// TOMS 42 (2016): nothing but comparisons, one sum and one quotient, so that no platform's
-  /// logarithm or rounding changes a bit.
+  /// A standard normal number. Algorithm N of Karney, "Sampling exactly from the normal
+  /// distribution", ACM TOMS 42 (2016). The algorithm uses only comparisons, one sum and one
+  /// quotient, so the result does not depend on a platform's logarithm or rounding.
   double normal();
 
  private:
-  /// True with probability exp(-x * q), x and q in [0, 1] (von Neumann's method: the parity of the
-  /// length of a falling run of uniform numbers).
+  /// True with probability exp(-x * q), x and q in [0, 1] (von Neumann's method, which uses the
+  /// parity of the length of a decreasing run of uniform numbers).
   bool exponential_trial(double x, double q);
 
   std::array<std::uint64_t, 4> state_{};

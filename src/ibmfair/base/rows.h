@@ -11,8 +11,9 @@ namespace ibmfair {
 
 /// A flat list of short lists: item i holds value[first[i]] .. value[first[i + 1] - 1].
 struct Rows {
-  /// No aggregate: where its list finds no memory in a `{}` of what holds it, GCC 12 destroys the
-  /// members before it twice.
+  /// This constructor keeps Rows from being an aggregate. If Rows were one and the allocation of
+  /// `first` failed while a `{}` initialises an enclosing object, GCC 12 would destroy the object's
+  /// preceding members twice.
   Rows() = default;
 
   std::vector<std::int64_t> first{0};
@@ -24,11 +25,12 @@ struct Rows {
   }
 };
 
-/// Row v, of 0 .. count - 1: where v stands in `values`, in increasing order. Negative values are
-/// in no row. Throws BadMesh where there are more values than Index can number.
+/// Sorts the positions in `values` by value: row v, 0 <= v < count, lists the positions at which v
+/// stands in `values`, in increasing order. Negative values belong to no row. Throws BadMesh if
+/// there are more values than Index can number.
 Rows positions_by_value(std::span<const Index> values, Index count);
 
-/// For each position in `rows.value` the row that it belongs to.
+/// For each position in `rows.value`, the number of the row that contains the position.
 std::vector<Index> row_of_position(const Rows& rows);
 
 }  // namespace ibmfair

@@ -1,4 +1,4 @@
-// What a file says, for messages.
+// Text from a file, shortened for messages.
 #pragma once
 
 #include <algorithm>
@@ -8,7 +8,8 @@
 
 namespace ibmfair {
 
-/// The first `longest` bytes of the text, with everything replaced that a terminal might obey.
+/// The first `longest` bytes of the text; control characters, which a terminal might obey, become
+/// '?'.
 inline std::string short_text(std::string_view text, std::size_t longest = 200) {
   std::string result(text.substr(0, longest));
   const auto is_control = [](unsigned char c) { return c < ' ' || c == 0x7f; };

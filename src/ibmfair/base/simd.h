@@ -1,21 +1,23 @@
-// Kernels that are written once, with the compiler's own vectors, and compiled twice: for the
+// Kernels that are written once, with the vector types of the compiler, and compiled twice: for the
 // instructions that every x86-64 processor has, and for AVX2 with FMA. run_kernel() chooses between
-// the two when the program runs. Results do not depend on the choice, because vector operations
-// round lane by lane and nothing is fused (-ffp-contract=off), except in the files that
-// CMakeLists.txt compiles with -ffp-contract=fast: there the AVX2 version adds products without
-// rounding them first.
+// the two versions at run time. The results do not depend on the choice, because vector operations
+// round lane by lane and multiply-adds are not fused (-ffp-contract=off). The exceptions are the
+// files that CMakeLists.txt compiles with -ffp-contract=fast: there the AVX2 version adds products
+// without rounding them first.
 #pragma once
 
 #include <cstring>
 
 #include "ibmfair/base/instruction_set.h"
 
-/// Functions that are part of such a kernel: they become part of all of its versions.
+/// Marks a function that is part of such a kernel; the function is inlined into both versions of
+/// it.
 #define IBMFAIR_INLINE __attribute__((always_inline)) inline
-/// IBMFAIR_INLINE for lambdas; it stands behind their parameters.
+/// The same for lambdas; written after the parameters of the lambda.
 #define IBMFAIR_INLINE_LAMBDA __attribute__((always_inline))
 
-// Elsewhere the compiler makes of the vectors what the machine has.
+// On other platforms there is one version, and the compiler maps the vectors to the machine's
+// instructions.
 #if defined(__x86_64__) && defined(__GNUC__)
 #define IBMFAIR_HAS_AVX_KERNELS 1
 #define IBMFAIR_TARGET(set) [[gnu::target(set)]]
@@ -24,15 +26,15 @@
 #define IBMFAIR_TARGET(set)
 #endif
 
-// GCC warns of vectors that are wider than the baseline's registers and cross a border between
-// functions; every function of a kernel is inlined, so that they never do.
+// GCC warns when a vector that is wider than the registers of the baseline is passed to or returned
+// from a function. This cannot happen here, because every function of a kernel is inlined.
 #pragma GCC diagnostic ignored "-Wpsabi"
 
 namespace ibmfair {
 
-/// The numbers from `numbers` on, which need be aligned as single numbers only. Vectors come from
-/// memory and go there by these two alone: a pointer or a reference to a vector type promises the
-/// alignment of whole vectors, and the compiler takes the promise.
+/// Reads a vector from `numbers`, which only need the alignment of single numbers. Use load() and
+/// store() for every access to vectors in memory: a pointer or reference to a vector type promises
+/// the alignment of a whole vector, and the compiler relies on the promise.
 template <class Vector, class Real>
 IBMFAIR_INLINE Vector load(const Real* numbers) {
   Vector vector;
@@ -59,7 +61,8 @@ auto run_avx2(Arguments... arguments) {
 
 }  // namespace simd_detail
 
-/// Kernel::run(arguments...), an IBMFAIR_INLINE function, as compiled for kernel_set().
+/// Calls Kernel::run(arguments...), an IBMFAIR_INLINE function, in the version compiled for
+/// kernel_set().
 template <class Kernel, class... Arguments>
 auto run_kernel(Arguments... arguments) {
 #if IBMFAIR_HAS_AVX_KERNELS

@@ -11,8 +11,9 @@
 
 namespace ibmfair {
 
-/// Rows 0 .. count - 1, each with its values in the order in which they come. `each(put)` calls
-/// put(row, value) for about `work` of them, the same each time; those of other rows are dropped.
+/// Rows 0 .. count - 1, each with its values in the order in which `each` passes them. `each(put)`
+/// must call put(row, value) for every value, about `work` of them, in the same way each time it is
+/// called. Values for rows outside 0 .. count - 1 are dropped.
 template <class Each>
 Rows sort_into_rows(Index count, std::int64_t work, const Each& each) {
   const auto for_own_rows = [&](const auto& take) {

@@ -1,4 +1,4 @@
-// Adds the wall time of a scope to a figure of a report.
+// Adds the wall time spent in a scope, in seconds, to a number in a report.
 #pragma once
 
 #include <chrono>

@@ -24,7 +24,7 @@
 namespace ibmfair {
 namespace {
 
-/// What the environment asks for, or 0.
+/// The thread count that OMP_NUM_THREADS asks for, or 0.
 int environment_thread_count() {
   const char* text = std::getenv("OMP_NUM_THREADS");
   const std::string_view digits = text != nullptr ? text : "";
@@ -33,7 +33,8 @@ int environment_thread_count() {
   return std::clamp(count, 0, largest_thread_count);
 }
 
-/// How many threads, up to `wanted`, there can be at a time, this one being the first.
+/// The number of threads, at most `wanted` and including the calling one, that can exist at the
+/// same time.
 int possible_threads(int wanted) {
   std::vector<std::thread> others;
   others.reserve(static_cast<std::size_t>(wanted));
@@ -42,7 +43,7 @@ int possible_threads(int wanted) {
     while (static_cast<int>(others.size()) + 1 < wanted) {
       others.emplace_back([&end] { end.wait(); });
     }
-  } catch (const std::system_error&) {  // there is no room for its stack
+  } catch (const std::system_error&) {  // there is no memory for the stack of another thread
   }
   end.count_down();
   for (std::thread& thread : others) {
@@ -51,13 +52,13 @@ int possible_threads(int wanted) {
   return static_cast<int>(others.size()) + 1;
 }
 
-/// The function of this name in the libraries that are loaded, or null.
+/// The function with this name in the loaded libraries, or null.
 template <class Function>
 Function* loaded_function(const char* name) {
   return reinterpret_cast<Function*>(dlsym(RTLD_DEFAULT, name));
 }
 
-/// Whether the system lets the process have so many bytes more.
+/// Whether the process can get this many more bytes of address space.
 bool can_map(std::size_t bytes) {
   constexpr int no_file = -1;
   void* const memory = mmap(nullptr, bytes, PROT_READ | PROT_WRITE,
@@ -78,8 +79,8 @@ void set_thread_count(int count) {
     limit.emplace(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(count));
   }
   if (std::isfinite(address_space_limit())) {
-    // A thread that cannot be started would end the program later. With fewer it goes on; and those
-    // that can be are started while there is room.
+    // If TBB later failed to start a thread, the program would end; so the limit is the number of
+    // threads that can be started. They are started now, while there is room for them.
     const int possible = possible_threads(thread_count());
     limit.emplace(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(possible));
     tbb::parallel_for(0, possible, [](int) {});
@@ -106,10 +107,11 @@ void end_blas_threads() {
   if (thread_count == nullptr || set_threads == nullptr || end_threads == nullptr) {
     return;
   }
-  // A thread that is refused its buffer asks for it for ever, and its end would be awaited.
+  // A thread of OpenBLAS that cannot allocate its buffer tries again for ever, and ending the
+  // threads would wait for it for ever.
   constexpr std::size_t buffer_bytes = std::size_t{128} << 20U;
   if (can_map(static_cast<std::size_t>(thread_count()) * buffer_bytes)) {
-    set_threads(1);  // first, as it starts them if there are none
+    set_threads(1);  // must come first, because this call starts threads if there are none
     end_threads();
   }
 }

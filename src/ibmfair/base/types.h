@@ -1,4 +1,4 @@
-// The few types that every room shares.
+// The few types that all parts of the library share.
 #pragma once
 
 #include <cstdint>
@@ -8,8 +8,8 @@
 
 namespace ibmfair {
 
-/// A vertex, face, edge or hinge number. Meshes have fewer than 2^31 of each; anything that can
-/// exceed that (entries of a sparse matrix, bytes of a file) is std::int64_t.
+/// The number of a vertex, face, edge or hinge. A mesh has fewer than 2^31 of each; quantities that
+/// can exceed this (entries of a sparse matrix, bytes of a file) are std::int64_t.
 using Index = std::int32_t;
 
 /// Vertex positions, #V x 3, one vertex a row, in the mesh's own length unit.

@@ -1,4 +1,4 @@
-// Versions: of the library, and of what it is built on.
+// Versions of the library and of the libraries that it uses.
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@
 
 namespace ibmfair {
 
-/// The library's own version, as "0.1.0".
+/// The version of this library, such as "0.1.0".
 std::string_view version();
 
 struct Component {
@@ -15,8 +15,8 @@ struct Component {
   std::string version;
 };
 
-/// What the running program computes with, as found at run time where the component tells: Eigen,
-/// SuiteSparse, CHOLMOD, and the instructions that kernels use.
+/// The components that the running program computes with (Eigen, SuiteSparse, CHOLMOD, and the
+/// instruction set of the kernels); versions are asked for at run time if the component can tell.
 std::vector<Component> component_versions();
 
 }  // namespace ibmfair

@@ -15,7 +15,7 @@ namespace {
 constexpr const char* helper_name = "ibmfair-assimp";
 constexpr const char* without_it = "OBJ, PLY and OFF are read without it";
 
-/// assimp tells binary glTF from text by its name alone.
+/// The extension to give to assimp, which tells binary glTF from text glTF by the name alone.
 std::string extension_for_assimp(const SourceBytes& source, std::string_view extension) {
   return std::string(source.view().starts_with("glTF") ? "glb" : extension);
 }

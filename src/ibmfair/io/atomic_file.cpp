@@ -14,14 +14,14 @@
 namespace ibmfair {
 namespace {
 
-constexpr int most_links = 40;  // as the kernel allows
+constexpr int most_links = 40;  // the limit that the Linux kernel sets
 
 std::string directory_of(const std::string& path) {
   const std::string parent = std::filesystem::path(path).parent_path().string();
   return parent.empty() ? "." : parent;
 }
 
-/// Where a chain of symbolic links ends, whether or not anything is there.
+/// The path at the end of a chain of symbolic links, whether or not a file exists there.
 std::string follow_links(const std::string& path) {
   std::filesystem::path target = path;
   std::error_code error;
@@ -33,13 +33,13 @@ std::string follow_links(const std::string& path) {
   return target.string();
 }
 
-/// Names of open descriptors: what stands behind them must be written, never replaced.
+/// Whether the path names an open descriptor. Its file must be written to and never replaced.
 bool names_a_descriptor(const std::string& path) {
   return path == "/dev/stdout" || path == "/dev/stderr" || path.starts_with("/dev/fd/") ||
          path.starts_with("/proc/self/fd/");
 }
 
-/// A device, a pipe, a descriptor: nothing that could be replaced.
+/// Whether the path is a device, a pipe or a descriptor, none of which can be replaced.
 bool is_written_directly(const std::string& path, const struct stat& status) {
   return !S_ISREG(status.st_mode) || names_a_descriptor(path);
 }
@@ -77,7 +77,7 @@ AtomicFile::AtomicFile(const std::string& path, bool overwrite, Sharing sharing)
   const bool named = sharing == Sharing::by_name;
   if (const int error = temporary_.create(directory_of(target_), named); error != 0) fail(error);
   fd_ = temporary_.descriptor();
-  // Best effort: only root may give a file to its former owner.
+  // Best effort: only root may set another owner.
   if (exists && fchown(fd_, status.st_uid, status.st_gid) != 0) errno = 0;
   if (exists && fchmod(fd_, status.st_mode & 07777) != 0) fail(errno);
 }
@@ -100,7 +100,7 @@ void AtomicFile::commit() {
   if (target_.empty()) return;
   if (fsync(fd_) != 0) fail(errno);
   if (const int error = temporary_.move_to(target_, overwrite_); error != 0) fail(error);
-  // The rename itself reaches the disk with its directory; not every file system can be asked.
+  // Flushing the directory makes the rename itself permanent; not every file system supports it.
   const int directory = open(directory_of(target_).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
   if (directory >= 0) {
     fsync(directory);
@@ -116,7 +116,7 @@ void require_writable(const std::string& path, bool overwrite) {
   struct stat status {};
   if (stat(path.c_str(), &status) == 0 && is_written_directly(path, status) &&
       !S_ISDIR(status.st_mode)) {
-    return;  // who reads a pipe would take the end of the probe for that of the data
+    return;  // a reader of the pipe would take the end of this test for the end of the data
   }
   const AtomicFile probe(path, overwrite);
 }

@@ -1,4 +1,4 @@
-// What a mesh file may hold beyond positions and faces, in terms that any format can take up.
+// The contents of a mesh file besides positions and faces, in a form independent of the format.
 #pragma once
 
 #include <array>
@@ -11,24 +11,26 @@
 
 namespace ibmfair {
 
-/// Everything here is optional: an empty list says that the file has none of it. All numbers are
-/// finite: what is not in the file is 0 here.
+/// All members are optional: an empty list means that the file has no such data. All numbers are
+/// finite: a value that is missing or not finite in the file is 0 here.
 struct MeshAttributes {
-  /// Texture coordinates, shared by corners; a corner without one has -1.
+  /// Texture coordinates; several corners may refer to the same row.
   std::vector<std::array<double, 2>> texture_coordinates;
-  std::vector<Index> corner_texture;  ///< #corners, rows of `texture_coordinates`
+  /// #corners, the row of `texture_coordinates` for each corner; -1 for a corner without one.
+  std::vector<Index> corner_texture;
 
-  /// Red, green, blue and opacity of each vertex, 0 .. 1; #V.
+  /// Red, green, blue and opacity of each vertex, in 0 .. 1; #V.
   std::vector<std::array<double, 4>> colours;
-  bool opacity = false;       ///< whether the fourth value means something
-  bool byte_colours = false;  ///< whether the file counts 0 .. 255 in whole steps
+  bool opacity = false;       ///< whether the file has opacities
+  bool byte_colours = false;  ///< whether the file stores colours as integers 0 .. 255
 
-  bool normals = false;  ///< the file has normals; they are recomputed, never carried over
+  bool normals = false;  ///< the file has normals; writers recompute them
 
-  /// OBJ groups, objects, materials and smoothing groups: a line and the face that it precedes.
+  /// The OBJ statements for groups, objects, materials and smoothing groups, each with the face
+  /// that follows it.
   std::vector<std::pair<Index, std::string>> face_statements;
 
-  /// What else the file has and no other format can take: "comments", "element edge", ...
+  /// Names of other data in the file that no other format can hold: "comments", "element edge", ...
   std::vector<std::string> uncarried;
 };
 

@@ -1,4 +1,4 @@
-// Numbers as bytes of either byte order.
+// Conversion of numbers to and from bytes in either byte order.
 #pragma once
 
 #include <algorithm>
@@ -22,13 +22,13 @@ T load(const char* p, bool swapped) {
   return value;
 }
 
-/// The integer of type T stored at `p`, as a count or an index.
+/// The integer of type T stored at `p`, as 64 bits, for a count or an index.
 template <class T>
 std::int64_t load_integer(const char* p, bool swapped) {
   return static_cast<std::int64_t>(load<T>(p, swapped));
 }
 
-/// The bytes of `value`, in reverse order if `swapped`; valid as long as `buffer` is.
+/// The bytes of `value`, in reverse order if `swapped`. The result points into `buffer`.
 template <class T, std::size_t size>
 std::string_view bytes_of(T value, bool swapped, char (&buffer)[size]) {
   static_assert(sizeof(T) <= size);

@@ -9,7 +9,7 @@
 namespace ibmfair {
 namespace {
 
-// What is put off takes memory, and had better stay in the cache: so much at most.
+// Limits on the pieces that wait to be written, which take memory and should fit into the cache.
 constexpr std::size_t most_pieces = 8192;
 constexpr std::size_t most_bytes = std::size_t{1} << 20;
 constexpr std::size_t pieces_per_task = 512;

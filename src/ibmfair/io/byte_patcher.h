@@ -1,4 +1,4 @@
-// Copies a file with some of its numbers replaced.
+// Copies a file and replaces some of its numbers.
 #pragma once
 
 #include <cstddef>
@@ -12,15 +12,15 @@
 
 namespace ibmfair {
 
-/// Replacements must come in the order of the file; everything between them is copied as it is.
-/// Finding the text of a number takes longer than all else: it is left until there are many of
-/// them, for all threads.
+/// Replacements must be given in the order of the file; everything between them is copied
+/// unchanged. Most of the time goes into converting numbers to text, so numbers are collected until
+/// there are many, and then converted on all threads.
 class BytePatcher {
  public:
   BytePatcher(const SourceBytes& source, ByteSink& out)
       : copied_(source.begin()), end_(source.end()), out_(out) {}
 
-  /// Puts the shortest text of `value` in the place of [first, last).
+  /// Replaces [first, last) by the shortest text that reads back as `value`.
   void replace(const char* first, const char* last, double value) {
     put_off(first, last, value, false);
   }
@@ -28,42 +28,44 @@ class BytePatcher {
     put_off(first, last, value, true);
   }
 
-  /// Puts `text` in the place of [first, last).
+  /// Replaces [first, last) by `text`.
   void replace(const char* first, const char* last, std::string_view text) {
     remove(first, last);
     out_.write(text);
   }
 
-  /// Leaves out [first, last).
+  /// Leaves out the bytes in [first, last).
   void remove(const char* first, const char* last) {
     copy_up_to(first);
     copied_ = last;
   }
 
-  /// Copies what stands before `p`; what is written to the file next is inserted there.
+  /// Copies the bytes before `p`. Bytes written to the output directly after this call are inserted
+  /// there.
   void copy_up_to(const char* p);
 
-  /// Copies what is left.
+  /// Copies the rest of the file.
   void finish() { copy_up_to(end_); }
 
  private:
-  /// Bytes of the source, and the number behind them.
+  /// Bytes of the source, and the number to write after them.
   struct Piece {
     std::string_view copied;
     double value;
-    bool single;  // a float's
+    bool single;  // the number is a float
   };
 
   void put_off(const char* first, const char* last, double value, bool single);
   void write_pieces();
   static void join(std::span<const Piece> pieces, std::string& text);
 
-  const char* copied_;  // up to here, by pieces, too
+  const char* copied_;  // the source is copied up to here, if `pieces_` are included
   const char* end_;
   ByteSink& out_;
-  std::vector<Piece> pieces_;       // that are not written yet
-  std::size_t piece_bytes_ = 0;     // copied by these
-  std::vector<std::string> texts_;  // of some of them each, kept for their memory
+  std::vector<Piece> pieces_;    // pieces that are not written yet
+  std::size_t piece_bytes_ = 0;  // source bytes in `pieces_`
+  // The text of one group of pieces each; kept to reuse the memory.
+  std::vector<std::string> texts_;
 };
 
 }  // namespace ibmfair

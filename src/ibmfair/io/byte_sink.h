@@ -1,4 +1,4 @@
-// Where the writers of all formats put their bytes.
+// The interface through which the writers of all formats output bytes.
 #pragma once
 
 #include <cstdint>
@@ -9,7 +9,7 @@
 
 namespace ibmfair {
 
-/// Collects bytes in a buffer and passes them on when that is full.
+/// Collects bytes in a buffer and passes them on when the buffer is full.
 class ByteSink {
  public:
   ByteSink() : buffer_(std::make_unique_for_overwrite<char[]>(capacity)) {}
@@ -35,13 +35,13 @@ class ByteSink {
   std::int64_t bytes() const { return passed_on_ + static_cast<std::int64_t>(used_); }
 
  protected:
-  /// Passes on what the buffer holds.
+  /// Passes on the contents of the buffer.
   void flush();
 
  private:
   static constexpr std::size_t capacity = std::size_t{1} << 18;
 
-  /// Takes all of the bytes, or throws.
+  /// Outputs all of the bytes, or throws.
   virtual void take(std::string_view bytes) = 0;
   void pass_on(std::string_view bytes);
 
@@ -50,7 +50,7 @@ class ByteSink {
   std::int64_t passed_on_ = 0;
 };
 
-/// Keeps them in memory.
+/// Keeps the bytes in memory.
 class MemorySink final : public ByteSink {
  public:
   /// All that was written.

@@ -1,4 +1,4 @@
-// What the characters of a text file are to its scanners.
+// Classes of characters for the scanners of text files.
 #pragma once
 
 #include <array>
@@ -6,7 +6,7 @@
 
 namespace ibmfair::characters {
 
-/// Kinds, of which several can be asked for at once.
+/// Classes of characters; combine several with `|`.
 inline constexpr std::uint8_t blank = 1;
 inline constexpr std::uint8_t line_end = 2;
 inline constexpr std::uint8_t hash = 4;
@@ -27,8 +27,9 @@ inline bool is(char c, std::uint8_t kind) {
   return (kinds[static_cast<unsigned char>(c)] & kind) != 0;
 }
 
-/// The first character from `p` on that is of this kind, or that is not. The bytes of a file
-/// (io/source_bytes.h) end with a line feed: a search for an end of line needs no other end.
+/// The first character from `p` on that is in the class (find) or is not (find_not). There is no
+/// check for the end of the text: the bytes of a file (io/source_bytes.h) are followed by a line
+/// feed, which ends every search for the end of a line.
 inline const char* find(const char* p, std::uint8_t kind) {
   while (!is(*p, kind))
     ++p;

@@ -19,7 +19,7 @@ std::string_view keyword_of(const Statement& statement) {
   return text.substr(0, text.find(' '));
 }
 
-/// The statements of one keyword, and which of them holds where.
+/// The statements of one keyword, in the order of the faces that they precede.
 class Timeline {
  public:
   Timeline(std::string_view keyword, std::string_view none, const std::vector<Statement>& of_source)
@@ -30,8 +30,9 @@ class Timeline {
     current_ = statements_.empty() ? std::string_view() : statements_.back()->second;
   }
 
-  /// The statement that has to precede a new face; empty where the one that holds is right. Counts
-  /// in `lost` the faces whose model has none, where there is no way to say so.
+  /// The statement to write before the next new face; empty if the statement in effect is right
+  /// already. Adds 1 to `lost` if the model face has no statement, but the format cannot express
+  /// that.
   std::string_view before(Index model_face, Index& lost) {
     std::string_view wanted = at(model_face);
     if (wanted.empty() && !current_.empty()) {
@@ -78,7 +79,7 @@ void extend_colours(MeshAttributes& attributes, const Extension& extension) {
 SourceCorners find_source_corners(const Mesh& mesh, const Extension& extension) {
   const Polygons& faces = mesh.faces;
   const auto vertices = static_cast<Index>(mesh.X.rows());
-  // The first corner of the source at each vertex.
+  // For each vertex, its first corner in the source.
   std::vector<std::int64_t> any(static_cast<std::size_t>(vertices), -1);
   for (std::size_t i = faces.corner.size(); i-- > 0;)
     any[static_cast<std::size_t>(faces.corner[i])] = static_cast<std::int64_t>(i);
@@ -154,7 +155,7 @@ std::vector<Statement> statements_before_new_faces(const std::vector<Statement>&
                                                    std::vector<std::string>& notes) {
   struct Kind {
     std::string_view keyword;
-    std::string_view none;  // the statement for "no such thing", where the format has one
+    std::string_view none;  // the statement for "none of this kind", if the format has one
     std::string_view title;
   };
   constexpr std::array<Kind, 4> kinds{{{"o", "", "object"},
@@ -188,7 +189,8 @@ MeshAttributes extended_attributes(MeshAttributes attributes, const Mesh& mesh,
                                    const Extension& extension, std::vector<std::string>& notes) {
   if (!attributes.colours.empty()) extend_colours(attributes, extension);
   if (attributes.texture_coordinates.empty()) {
-    attributes.corner_texture.clear();  // corners may have been given room for some, all unreadable
+    // The list may exist although no texture coordinate was readable.
+    attributes.corner_texture.clear();
   } else {
     extend_corner_texture(attributes, mesh, extension);
   }

@@ -10,7 +10,8 @@
 namespace ibmfair {
 namespace {
 
-/// Known values that reach a vertex with less than this weight are too far away to tell anything.
+/// If known values have a smaller total weight than this at a vertex, they are too far away to be
+/// used.
 constexpr double least_weight = 1e-6;
 
 [[noreturn]] void misfit(const std::string& what) {
@@ -25,7 +26,7 @@ void require_numbers(const std::vector<Index>& numbers, Index limit, std::string
   }
 }
 
-/// The faces around each new vertex, one list behind the other.
+/// The faces around each new vertex, in one list after the other.
 struct Incidence {
   std::vector<std::size_t> first;
   std::vector<Index> face;
@@ -43,7 +44,8 @@ Incidence faces_around_new_vertices(const Extension& extension, Index source_ver
       }
     }
   };
-  // Counted two places ahead: filling the lists turns the starts one place ahead into ends.
+  // Counts are stored two places ahead: entry v + 1 is first the start of list v, and filling the
+  // lists turns it into the end.
   each_new_corner([&](std::size_t v, Index) { ++around.first[v + 2]; });
   for (std::size_t v = 2; v < around.first.size(); ++v)
     around.first[v] += around.first[v - 1];
@@ -52,7 +54,8 @@ Incidence faces_around_new_vertices(const Extension& extension, Index source_ver
   return around;
 }
 
-/// 1 or -1 for each vertex of the rim: the side of the surface on which the file's normal is.
+/// For each vertex of the rim, 1 if the file's normal is on the side of the area vectors of its
+/// faces, -1 if it is on the other side, unknown if the file has no usable normal.
 Eigen::VectorXd sides(const Mesh& mesh, const Extension& extension, const Points& at_rim) {
   std::vector<Index> place(static_cast<std::size_t>(mesh.X.rows()), -1);
   for (std::size_t i = 0; i < extension.rim.size(); ++i) {
@@ -68,7 +71,7 @@ Eigen::VectorXd sides(const Mesh& mesh, const Extension& extension, const Points
   Eigen::VectorXd side(at_rim.rows());
   for (Eigen::Index i = 0; i < side.size(); ++i) {
     const double along = around.row(i).dot(at_rim.row(i));
-    // Comparisons that are false for unknown normals.
+    // Both comparisons are false for an unknown normal.
     side[i] = along > 0.0 ? 1.0 : along < 0.0 ? -1.0 : unknown;
   }
   return side;
@@ -141,7 +144,7 @@ Eigen::MatrixXd extend_values(const Extension& extension, const Eigen::MatrixXd&
 Eigen::MatrixXd in_order_of_rim(const Extension& extension, const std::vector<Index>& sorted_rim,
                                 const Eigen::MatrixXd& values) {
   Eigen::MatrixXd result(extension.rim.size(), values.cols());
-  if (values.cols() == 0) return result;  // rows without numbers have no place in memory
+  if (values.cols() == 0) return result;  // copying rows without columns would be invalid
   for (std::size_t i = 0; i < extension.rim.size(); ++i) {
     const std::size_t place = position_in(sorted_rim, extension.rim[i]);
     result.row(static_cast<Eigen::Index>(i)) = values.row(static_cast<Eigen::Index>(place));

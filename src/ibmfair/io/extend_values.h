@@ -1,4 +1,4 @@
-// What the formats share in writing an extension: the values that its vertices get.
+// Values of the new vertices of an extension, as the writers of all formats need them.
 #pragma once
 
 #include <algorithm>
@@ -11,31 +11,33 @@
 
 namespace ibmfair {
 
-/// Stands for a value that a vertex does not have.
+/// Stands for a value that a vertex does not have (NaN).
 inline constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
-/// Throws BadMesh where the extension does not fit the mesh or has a coordinate that is not finite.
+/// Throws BadMesh if the extension does not fit the mesh or has a coordinate that is not finite.
 void require_fit(const Extension& extension, const Mesh& mesh);
 
-/// The mesh with its vertices at X and the extension behind them.
+/// The mesh with its vertices at X, followed by the vertices and faces of the extension.
 Mesh extended_mesh(const Mesh& mesh, const Points& X, const Extension& extension);
 
-/// Values at the rim (#rim x columns) extended to the new vertices (#new x columns). An entry that
-/// is not finite is unknown: a new vertex gets the mean of those that are known, weighted as
-/// Extension::extend weights them, or unknown where none of them reaches it.
+/// Extends values at the rim (#rim x columns) to the new vertices (#new x columns). An entry that
+/// is not finite is unknown. A new vertex gets the mean of the known values, with the weights of
+/// Extension::extend, or unknown if no known value has a noticeable weight.
 Eigen::MatrixXd extend_values(const Extension& extension, const Eigen::MatrixXd& at_rim);
 
-/// #new vertices: the source's vertex that is nearest in edges of the new faces; of several the one
-/// met first. 0 for a vertex that no new face connects to the source.
+/// For each new vertex, the nearest vertex of the source, where distance is the number of edges of
+/// new faces; among several, the first one found. 0 for a vertex that no new face connects to the
+/// source.
 std::vector<Index> nearest_source_vertices(const Extension& extension, Index source_vertices);
 
-/// #new vertices x 3, of length 1 (zero without area around): the normals of the new faces, turned
-/// to the side of `at_rim` (#rim x 3, the file's normals of the rim's vertices, or unknown);
-/// unknown where no normal of the rim reaches. `X` is where the source's vertices are written.
+/// Unit normals at the new vertices, #new vertices x 3, from the new faces around each; zero if
+/// these have no area. They are oriented consistently with `at_rim` (#rim x 3, the file's normals
+/// at the rim, or unknown), and unknown if no normal of the rim is near enough. `X` are the
+/// positions at which the vertices of the source are written.
 Points new_normals(const Mesh& mesh, const Points& X, const Extension& extension,
                    const Points& at_rim);
 
-/// The numbers in ascending order, each once.
+/// The numbers in ascending order, without repetitions.
 template <class T>
 std::vector<T> sorted_once(std::vector<T> numbers) {
   std::sort(numbers.begin(), numbers.end());
@@ -43,15 +45,15 @@ std::vector<T> sorted_once(std::vector<T> numbers) {
   return numbers;
 }
 
-/// Where `number` stands among numbers in ascending order, which have it.
+/// The position of `number` in `sorted`, which is in ascending order and contains it.
 template <class T>
 std::size_t position_in(const std::vector<T>& sorted, T number) {
   return static_cast<std::size_t>(std::lower_bound(sorted.begin(), sorted.end(), number) -
                                   sorted.begin());
 }
 
-/// Rows of values that were met in ascending order of the rim's vertices, as files are read, in the
-/// order of the rim itself.
+/// Reorders the rows of `values`: they are in ascending order of the rim's vertices, as a pass over
+/// a file finds them, and come out in the order of the rim itself.
 Eigen::MatrixXd in_order_of_rim(const Extension& extension, const std::vector<Index>& sorted_rim,
                                 const Eigen::MatrixXd& values);
 

@@ -1,4 +1,5 @@
-// The table of mesh formats. A new format is one file with a reader, and one row in formats.cpp.
+// The table of mesh formats. To add a format, write one file with a reader and add one row in
+// formats.cpp.
 #pragma once
 
 #include <cstdint>
@@ -17,17 +18,18 @@ namespace ibmfair {
 class ByteSink;
 struct Extension;  // io/extension.h
 
-/// What a format's reader finds.
+/// The result of a format's reader.
 struct ParsedMesh {
   Mesh mesh;
   bool has_texture_coordinates = false;
   bool has_normals = false;
   std::vector<std::string> notes;
-  std::optional<MeshAttributes> attributes;  ///< where the reader gets them for nothing
+  /// Set if reading the mesh gives the attributes at no extra cost.
+  std::optional<MeshAttributes> attributes;
 };
 
-/// A file to be written as its source's bytes with the vertices of `moved` replaced, and what the
-/// extension has, if there is one, put behind the source's vertices and faces.
+/// A request to write the bytes of the source with the vertices in `moved` replaced, and with the
+/// vertices and faces of the extension, if there is one, added after those of the source.
 struct PatchRequest {
   const SourceBytes& source;
   const Mesh& mesh;                        ///< as read from `source`
@@ -35,49 +37,49 @@ struct PatchRequest {
   bool has_normals;                        ///< as read from `source`
   const Points& X;                         ///< #V x 3, the new positions
   const std::vector<std::uint8_t>& moved;  ///< #V
-  bool any_moved;                          ///< without an extension always
+  bool any_moved;  ///< whether any vertex moved; always true without an extension
   WriteOptions::PlyReal ply_real = WriteOptions::PlyReal::promote;
   const Extension* extension = nullptr;  ///< fits `mesh`
 };
 
-/// A file to be written from the model.
+/// A request to generate a file from the mesh and its attributes.
 struct GenerateRequest {
   const Mesh& mesh;
   const MeshAttributes& attributes;
-  const SourceBytes* source =
-      nullptr;  ///< a file of the same format whose flavour to keep, or none
+  /// A file of the same format whose variant of the format is kept; null if there is none.
+  const SourceBytes* source = nullptr;
 };
 
-/// One format. Functions that a format does not have are null.
+/// One format. A function that the format does not support is null.
 struct Format {
   std::string_view name;                         ///< "obj"
   std::string_view title;                        ///< "Wavefront OBJ"
   std::span<const std::string_view> extensions;  ///< lower case, without the dot
-  bool always_weld = false;                      ///< the format has no shared vertices
+  bool always_weld = false;  ///< vertices are always merged because the format cannot share them
 
-  /// Whether a file that starts like this is of the format.
+  /// Whether a file that starts with these bytes is in this format.
   bool (*recognises)(std::string_view bytes) = nullptr;
   ParsedMesh (*read)(const SourceBytes& source, std::string_view extension) = nullptr;
-  /// Null where `read` gives the attributes, and where the format has none.
+  /// Null if `read` returns the attributes, or if the format has none.
   MeshAttributes (*read_attributes)(const SourceBytes& source, const Mesh& mesh) = nullptr;
   std::vector<std::uint8_t> (*vertex_mask)(const SourceBytes& source, const Mesh& mesh,
                                            std::string_view name) = nullptr;
-  /// A number for each vertex as the file counts them; nothing where none has that name.
+  /// The value of the vertex property `name` for each vertex, numbered as in the file; nothing if
+  /// the file has no property of this name.
   std::optional<std::vector<double>> (*vertex_values)(const SourceBytes& source,
                                                       std::string_view name) = nullptr;
-  /// Both return notes for the user.
+  /// Both functions return notes for the user.
   std::vector<std::string> (*patch)(const PatchRequest& request, ByteSink& out) = nullptr;
   std::vector<std::string> (*generate)(const GenerateRequest& request, ByteSink& out) = nullptr;
 };
 
-/// Every format, our own first.
+/// All formats; those that this library reads itself come first.
 std::span<const Format> formats();
 
-/// The format with this name or extension, in any case; nullptr where there is none.
+/// The format with this name or extension, in upper or lower case; nullptr if there is none.
 const Format* find_format(std::string_view name_or_extension);
 
-/// The part of a path's last component after its last dot, in lower case; empty where there is
-/// none.
+/// The part of a path's last component after its last dot, in lower case; empty if there is no dot.
 std::string path_extension(std::string_view path);
 
 /// The names of the formats that can be written: "obj, ply, off".

@@ -36,7 +36,7 @@ std::vector<std::array<double, 2>> texture_per_vertex(const Mesh& mesh,
 }
 
 int byte_colour(double value) {
-  if (!(value > 0.0)) return 0;  // nan too
+  if (!(value > 0.0)) return 0;  // for NaN, too
   return static_cast<int>(std::lround(255.0 * std::min(value, 1.0)));
 }
 

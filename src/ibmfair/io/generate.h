@@ -1,4 +1,4 @@
-// What the writers that generate a file share.
+// Functions shared by the writers that generate a file.
 #pragma once
 
 #include <string>
@@ -9,15 +9,15 @@
 
 namespace ibmfair {
 
-/// Whether every vertex has one texture coordinate (or none), whatever face looks at it.
+/// Whether all corners at a vertex have the same texture coordinate (or none), for every vertex.
 bool texture_is_per_vertex(const Mesh& mesh, const MeshAttributes& attributes);
 
-/// #V, the texture coordinate of each vertex; 0, 0 where it has none. Only where
-/// texture_is_per_vertex.
+/// The texture coordinate of each vertex, #V; (0, 0) if the vertex has none.
+/// texture_is_per_vertex() must hold.
 std::vector<std::array<double, 2>> texture_per_vertex(const Mesh& mesh,
                                                       const MeshAttributes& attributes);
 
-/// A colour channel as a whole number 0 .. 255.
+/// Converts a colour channel in 0 .. 1 to an integer in 0 .. 255.
 int byte_colour(double value);
 
 /// The note "FORMAT cannot hold, left out: ...", or nothing for an empty list.

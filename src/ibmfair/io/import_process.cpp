@@ -91,7 +91,7 @@ bool ImportProcess::receive(void* data, std::size_t size) {
   while (size > 0) {
     const ssize_t count = recv(socket_, rest, size, 0);
     if (count < 0 && errno == EINTR) continue;
-    // It is too late, too, where it sends something now and then.
+    // The deadline applies even if the process keeps sending a few bytes.
     timed_out_ = (count < 0 && errno == EAGAIN) || Clock::now() > deadline_;
     if (count <= 0 || timed_out_) return false;
     rest += count;
@@ -104,7 +104,8 @@ ProcessEnd ImportProcess::end() {
   int status = 0;
   pid_t ended = waitpid(id_, &status, WNOHANG);
   if (ended == 0) {
-    // What is ending keeps its exit code; what has only closed its socket would go on.
+    // A process that is exiting already keeps its exit code; one that only closed its socket would
+    // run on.
     kill(id_, SIGKILL);
     do {
       ended = waitpid(id_, &status, 0);
@@ -113,7 +114,8 @@ ProcessEnd ImportProcess::end() {
   id_ = -1;
   ProcessEnd result;
   result.timed_out = timed_out_;
-  if (ended < 0) return result;  // a program that ignores SIGCHLD is not told
+  // If this program ignores SIGCHLD, the system does not report how the process ended.
+  if (ended < 0) return result;
   if (WIFEXITED(status)) result.exit_code = WEXITSTATUS(status);
   if (WIFSIGNALED(status)) result.signal_number = WTERMSIG(status);
   return result;

@@ -1,4 +1,4 @@
-// A process that does something with a file which this one must survive.
+// Runs a separate process to handle a file that could crash this one.
 #pragma once
 
 #include <chrono>
@@ -13,30 +13,33 @@ namespace ibmfair {
 
 /// How a process ended.
 struct ProcessEnd {
-  int exit_code = -1;      ///< negative: it did not come to an end of its own
-  int signal_number = 0;   ///< that ended it
-  bool timed_out = false;  ///< it had not said everything after too long
+  int exit_code = -1;      ///< negative: the process did not exit by itself
+  int signal_number = 0;   ///< the signal that ended the process, or 0
+  bool timed_out = false;  ///< the process did not send everything in time
 };
 
-/// Its standard input is a socket for bytes both ways, its other streams lead nowhere.
+/// A child process. Its standard input is a socket for bytes in both directions; its standard
+/// output and error go to /dev/null.
 class ImportProcess {
  public:
-  /// Starts `program`. Throws std::system_error where the system refuses to. Receiving bytes must
-  /// be done after `patience`.
+  /// Starts `program`. All bytes must be received within `patience` from now. Throws
+  /// std::system_error if the system cannot start it.
   ImportProcess(const std::string& program, std::vector<std::string> arguments,
                 std::chrono::seconds patience);
-  /// Ends it if it still runs.
+  /// Ends the process if it still runs.
   ~ImportProcess();
   ImportProcess(const ImportProcess&) = delete;
   ImportProcess& operator=(const ImportProcess&) = delete;
 
-  /// Sends bytes. That the process does not take them shows when its reply is missing.
+  /// Sends bytes. If the process does not read them, this is not reported here: its reply will be
+  /// missing.
   void send(std::string_view bytes);
 
-  /// Receives that many bytes; false where it sent fewer and then ended or was silent.
+  /// Receives `size` bytes; false if the process sent fewer bytes before it ended or time ran out.
   bool receive(void* data, std::size_t size);
 
-  /// Ends it, unless it has come to its end already, and tells how it ended; to be called once.
+  /// Ends the process, unless it has exited already, and returns how it ended. May be called once
+  /// only.
   ProcessEnd end();
 
  private:

@@ -26,7 +26,7 @@ bool all_finite(const std::vector<std::array<double, columns>>& rows) {
   });
 }
 
-/// Whether this process, and so every one that it starts, may map less.
+/// Whether this process, and so every process that it starts, has a lower limit on address space.
 bool is_limited_below(const ImportLimits& limits) {
   return address_space_limit() < static_cast<double>(limits.memory);
 }
@@ -75,7 +75,8 @@ class ImportReceiver {
     return text;
   }
 
-  /// Before anything of that size is allocated: the process cannot have held more than it may take.
+  /// Checks the counts before memory is allocated for them: the process cannot have held more data
+  /// than its memory limit.
   void check_counts() const {
     constexpr auto most = static_cast<std::uint64_t>(std::numeric_limits<Index>::max());
     require(header_.vertices <= most && header_.corners <= most);
@@ -114,7 +115,8 @@ class ImportReceiver {
     if (header_.texture != 0) {
       attributes.texture_coordinates = receive_list<std::array<double, 2>>(header_.vertices);
       require(all_finite(attributes.texture_coordinates));
-      // They are stored vertex by vertex, so that they share their numbers.
+      // There is one texture coordinate for each vertex, so corners refer to it by the vertex
+      // number.
       attributes.corner_texture = faces.corner;
     }
     if (header_.colours != 0) {
@@ -134,7 +136,7 @@ class ImportReceiver {
     if (!outside_.empty()) parsed.notes.push_back(about_outside());
   }
 
-  /// Empty where it refers to nothing there.
+  /// A sentence about the file outside the folder; empty if there is no such file.
   std::string about_outside() const {
     return outside_.empty()
                ? std::string()
@@ -158,7 +160,7 @@ class ImportReceiver {
   }
 
   [[noreturn]] void fail_for_end(const ProcessEnd& end) const {
-    constexpr int cannot_load = 127;  // as the dynamic linker has it
+    constexpr int cannot_load = 127;  // the exit code if the dynamic linker fails
     if (end.timed_out || end.signal_number == SIGXCPU) {
       fail_in_file(source_, fmt::format("assimp took more than {} s for it", limits_.time.count()));
     }

@@ -1,15 +1,15 @@
-// What the importing process (src/assimp_helper) tells the program: a header, then as many of the
-// following as it says, one after the other in the machine's own byte order:
+// The reply of the importing process (src/assimp_helper): a header, followed by these arrays, whose
+// sizes are in the header, in the byte order of the machine:
 //
 //     message         characters
 //     outside         characters
 //     positions       3 doubles a vertex
 //     first           64-bit integers: Polygons::first, one more than there are faces
 //     corner          32-bit integers: Polygons::corner
-//     texture         2 doubles a vertex, where it has any
-//     colours         4 doubles a vertex, where it has any
+//     texture         2 doubles a vertex, if there are any
+//     colours         4 doubles a vertex, if there are any
 //
-// After a message, positions and all the rest are missing.
+// If there is a message, the reply ends after `outside`.
 #pragma once
 
 #include <chrono>
@@ -26,37 +26,40 @@ enum class ImportStatus : std::uint64_t { done, refused, out_of_memory };
 
 struct ImportHeader {
   ImportStatus status = ImportStatus::done;
-  std::uint64_t message_size = 0;  ///< why it was refused
-  std::uint64_t outside_size = 0;  ///< first file that it refers to outside its folder; 0: none
+  std::uint64_t message_size = 0;  ///< the reason for rejecting the file
+  /// The first file that this file refers to outside its own folder; 0: there is none.
+  std::uint64_t outside_size = 0;
   std::uint64_t vertices = 0;
   std::uint64_t faces = 0;
   std::uint64_t corners = 0;
   std::uint64_t left_out_faces = 0;  ///< points and lines
-  std::uint64_t normals = 0;         ///< 0 or 1, as the following
+  std::uint64_t normals = 0;         ///< 0 or 1; the same for the next two
   std::uint64_t texture = 0;
   std::uint64_t colours = 0;
 };
 
-/// Longer texts are cut.
+/// Longer messages and file names are cut off.
 constexpr std::size_t longest_import_text = 1000;
 
-/// The descriptor of the socket through which the process receives the file's bytes and replies.
+/// The descriptor of the socket through which the process receives the bytes of the file and sends
+/// its reply.
 constexpr int import_socket = 0;
 
-/// The process's arguments, after its name: the file's path (empty: it has none), the extension
-/// that tells its format, how many bytes it has, and the limits, in seconds and bytes.
+/// The arguments of the process, after its name: the path of the file (empty if it has none), the
+/// extension that gives the format, the size of the file in bytes, and the limits in seconds and
+/// bytes.
 constexpr int import_arguments = 5;
 
-/// What the process may take before it is ended.
+/// The resources that the process may use before it is ended.
 struct ImportLimits {
-  std::chrono::seconds time;  ///< on a processor
+  std::chrono::seconds time;  ///< processor time
   std::int64_t memory;        ///< bytes of address space
 };
 
-/// Receives the reply of a process that was sent the file. It has read a file that may be hostile,
-/// so nothing that it says is believed before it is checked. Throws BadFile where the process
-/// refuses the file, is ended by it, or replies what makes no sense; OutOfMemory where it needed
-/// more than this process may have itself.
+/// Receives the reply of a process that was sent the file. Because a hostile file may have taken
+/// over the process, the reply is checked before it is used. Throws BadFile if the process rejects
+/// the file, crashes on it or sends an invalid reply, and OutOfMemory if the process needed more
+/// memory than this process may have.
 ParsedMesh receive_import(ImportProcess& process, const SourceBytes& source,
                           const ImportLimits& limits);
 

@@ -1,4 +1,4 @@
-// Memory for the mesh of a large file.
+// Reserves memory for the mesh of a large file.
 #pragma once
 
 #include <cstdint>
@@ -7,8 +7,8 @@
 
 namespace ibmfair {
 
-/// Sizes mesh.X for `vertices` and reserves memory for faces, in large pages. Memory that stays
-/// untouched costs nothing.
+/// Resizes mesh.X to `vertices` rows and reserves memory for the faces, in large pages. Reserved
+/// memory costs nothing until it is used.
 void make_room(Mesh& mesh, std::int64_t vertices, std::int64_t faces, std::int64_t corners);
 
 }  // namespace ibmfair

@@ -18,9 +18,9 @@ struct MeshFile::Contents {
   const Format* format = nullptr;
   std::string extension;
   ParsedMesh parsed;
-  std::optional<Weld> weld;  // where vertices were merged
+  std::optional<Weld> weld;  // set if vertices were merged
 
-  /// The mesh in the file's own numbering, which attributes and masks refer to.
+  /// The mesh with the vertex numbers of the file, which attributes and masks use.
   Mesh unwelded() const { return format->read(*bytes, extension).mesh; }
 
   MeshAttributes file_attributes() const {
@@ -32,7 +32,8 @@ struct MeshFile::Contents {
 
 namespace {
 
-/// The format that the options, the path or the content names, and the extension to tell it apart.
+/// The format according to the options, the path or the content, and the extension, which some
+/// readers need to tell formats apart.
 std::pair<const Format*, std::string> choose_format(const SourceBytes& bytes,
                                                     const std::string& wanted) {
   if (!wanted.empty()) {
@@ -63,7 +64,7 @@ void refuse_too_many_elements(const Mesh& mesh, const SourceBytes& bytes) {
   }
 }
 
-/// Merges coincident vertices; leaves `result` empty where there are none.
+/// Merges coincident vertices; leaves `result` empty if there are none.
 void weld_vertices(ParsedMesh& parsed, std::optional<Weld>& result) {
   Weld weld = find_coincident_vertices(parsed.mesh.X);
   const std::size_t merged = weld.vertex.size() - weld.first.size();

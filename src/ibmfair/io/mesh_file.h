@@ -1,4 +1,4 @@
-// Reading and writing meshes so that what goes in comes out: same vertices, same order, same
+// Reads and writes meshes without loss: the same vertices in the same order, the same
 // double-precision values, and everything else that the file holds.
 #pragma once
 
@@ -17,21 +17,21 @@ namespace ibmfair {
 struct Format;      // io/formats.h
 class SourceBytes;  // io/source_bytes.h
 
-/// How to read a file.
+/// Options for reading a file.
 struct ReadOptions {
-  std::string format =
-      {};             ///< name or extension of a format; empty: by the path, then by the content
-  bool weld = false;  ///< merge vertices at exactly the same place
+  /// Name or extension of a format. If empty, the path determines the format, or else the content.
+  std::string format = {};
+  bool weld = false;  ///< merge vertices with exactly the same position
 };
 
-/// A parsed mesh together with the bytes that it was parsed from. Cheap to copy.
+/// A parsed mesh together with the bytes it was parsed from. Cheap to copy.
 class MeshFile {
  public:
-  /// Positions and polygons in the file's order; nothing merged unless `weld` asked for it (STL,
-  /// which has no shared vertices, is always welded).
+  /// Positions and polygons in the file's order. Vertices are merged only if `weld` was set, or in
+  /// STL, which has no shared vertices and is always welded.
   const Mesh& mesh() const;
 
-  /// The row of the format table (io/formats.h).
+  /// The format of the file, a row of the format table (io/formats.h).
   const Format& format() const;
 
   /// The path as given, or "standard input".
@@ -40,26 +40,28 @@ class MeshFile {
   bool has_texture_coordinates() const;
   bool has_normals() const;
 
-  /// True where vertices were merged, so that the mesh is no longer the file's own.
+  /// Whether vertices were merged, so that the mesh is no longer that of the file.
   bool welded() const;
 
-  /// What a user should be told about the reading, one sentence each.
+  /// Notes on the reading for the user, one sentence each.
   const std::vector<std::string>& notes() const;
 
-  /// #V, 1 for the vertices that `name` selects: those of the faces of an OBJ group, object or
-  /// material, or those whose PLY vertex property is not zero. Throws BadOption that lists the
-  /// names the file has, and BadFile where a PLY file has two vertex properties of this name.
+  /// #V, 1 for each vertex that `name` selects: the vertices of the faces in an OBJ group, object
+  /// or material of this name, or those whose PLY vertex property of this name is not zero. Throws
+  /// BadOption with a list of the names in the file if `name` is not one of them, and BadFile if a
+  /// PLY file has two vertex properties of this name.
   std::vector<std::uint8_t> vertex_mask(const std::string& name) const;
 
-  /// The vertex property of this name, for each vertex the number that the file has, nan and
-  /// infinities included; nothing where the file has no such property.
-  /// Where vertices were welded, that of the first of them.
+  /// The value of the vertex property of this name for each vertex, including NaN and infinities;
+  /// nothing if the file has no such property. A welded vertex has the value of the first of the
+  /// vertices that were merged.
   std::optional<std::vector<double>> vertex_values(const std::string& name) const;
 
-  /// Texture coordinates, colours and the like, for writing another format. Read on demand.
+  /// Texture coordinates, colours and similar data, for writing another format. Not stored with the
+  /// mesh: most formats read them from the bytes in every call.
   MeshAttributes attributes() const;
 
-  /// The file's own bytes.
+  /// The bytes of the file.
   const SourceBytes& bytes() const;
 
  private:
@@ -68,48 +70,49 @@ class MeshFile {
   std::shared_ptr<const Contents> contents_;
 };
 
-/// Reads `path`, or standard input for "-". OBJ, PLY and OFF are read exactly; every other format
-/// goes through assimp. Throws BadFile for what cannot be read or is malformed (a mesh without
-/// faces included) and BadOption for an unknown format name.
+/// Reads a mesh from `path`, or from standard input for "-". OBJ, PLY and OFF are read exactly;
+/// every other format is read through assimp. Throws BadFile for a file that cannot be read, is
+/// malformed or has no faces, and BadOption for an unknown format name.
 MeshFile read_mesh(const std::string& path, const ReadOptions& options = {});
 
-/// Reads a mesh from bytes that have been read already, or that come from memory.
+/// Reads a mesh from bytes that are in memory already.
 MeshFile read_mesh(std::shared_ptr<const SourceBytes> bytes, const ReadOptions& options = {});
 
-/// How to write a file.
+/// Options for writing a file.
 struct WriteOptions {
-  /// What becomes of PLY coordinates declared float once a vertex has moved: promoted to double, so
-  /// that the result is kept exactly, or kept as they are, so that it is rounded.
+  /// What to do with PLY coordinates that are declared float once a vertex has moved: `promote`
+  /// declares them double, so that the result is exact; `keep` leaves them float, so that the
+  /// result is rounded.
   enum class PlyReal : std::uint8_t { promote, keep };
 
-  std::string format = {};  ///< name or extension; empty: by the path, for "-" the source's own
-  bool overwrite = false;   ///< whether an existing file may be replaced
+  std::string format = {};  ///< name or extension; empty: by the path, or the source's for "-"
+  bool overwrite = false;   ///< whether to replace an existing file
   PlyReal ply_real = PlyReal::promote;
 };
 
-/// What was written.
+/// A report on the file that was written.
 struct WriteReport {
-  bool patched = false;             ///< the input's own bytes, with moved coordinates replaced
+  bool patched = false;  ///< the source's bytes were kept, with moved coordinates replaced
   std::int64_t moved_vertices = 0;  ///< vertices whose coordinates differ from the source's
   std::int64_t bytes = 0;
   std::vector<std::string> notes;  ///< what could not be kept, one sentence each
 };
 
-/// Writes `source` with its vertices at `X` (#V x 3, as many as the source has) to `path`, or to
-/// standard output for "-". Where the format is the source's own, the output is the source's bytes
-/// with only the coordinates of moved vertices (and normals that depend on them) replaced;
-/// otherwise the file is generated and keeps what the format can hold. Throws CannotWrite, with the
-/// target as it was before; BadOption where the format cannot be written; BadMesh for a coordinate
-/// that is not finite.
+/// Writes `source` with its vertices at `X` (#V x 3, with the vertex count of the source) to
+/// `path`, or to standard output for "-". If the format is that of the source, the output is the
+/// source's bytes with only the coordinates of moved vertices (and normals that depend on them)
+/// replaced. Otherwise the file is generated and keeps the data that the format can hold. Throws
+/// CannotWrite, leaving the target as it was; BadOption if the format cannot be written; BadMesh
+/// for a coordinate that is not finite.
 WriteReport write_mesh(const MeshFile& source, const Points& X, const std::string& path,
                        const WriteOptions& options = {});
 
-/// Throws BadOption where `write_mesh` would for the format, so that a long computation need not
-/// run into it at its end.
+/// Throws BadOption if `write_mesh` would do so because of the format, so that a long computation
+/// does not fail only at its end.
 void require_writable_format(const MeshFile& source, const std::string& path,
                              const WriteOptions& options);
 
-/// Writes a mesh that comes from no file.
+/// Writes a mesh that was not read from a file.
 WriteReport write_mesh(const Mesh& mesh, const std::string& path, const WriteOptions& options = {});
 
 }  // namespace ibmfair

@@ -4,7 +4,7 @@ namespace ibmfair {
 
 Vec3 polygon_area_vector(const Points& X, std::span<const Index> corners) {
   Vec3 sum = Vec3::Zero();
-  // Relative to the first corner, so that no digits are lost far from the origin.
+  // Computed relative to the first corner, to avoid cancellation far from the origin.
   const Vec3 origin = X.row(corners[0]);
   for (std::size_t i = 2; i < corners.size(); ++i) {
     const Vec3 a = X.row(corners[i - 1]).transpose() - origin;

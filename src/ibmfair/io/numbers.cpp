@@ -10,12 +10,13 @@ bool is_digit(char c) {
   return c >= '0' && c <= '9';
 }
 
-/// "+1" and "+.5" are numbers to everyone except std::from_chars; "+-1" is one to nobody.
+/// Skips a plus sign before a number, which std::from_chars does not accept. A sign after the plus,
+/// as in "+-1", is not accepted.
 const char* skip_plus(const char* p, const char* end) {
   return p != end && *p == '+' && p + 1 != end && (is_digit(p[1]) || p[1] == '.') ? p + 1 : p;
 }
 
-/// The power of ten of the leading digit of a number that std::from_chars found out of range.
+/// The power of ten of the leading digit of a number that is out of range for std::from_chars.
 std::int64_t decimal_magnitude(const char* p, const char* end) {
   std::int64_t magnitude = 0;
   bool after_point = false;

@@ -1,4 +1,5 @@
-// Numbers in text: exact both ways, independent of the locale, never allocating.
+// Conversion between numbers and text: exact in both directions, independent of the locale, without
+// allocation.
 #pragma once
 
 #include <charconv>
@@ -12,35 +13,36 @@
 namespace ibmfair {
 
 namespace detail {
-/// The slow path of parse_real: a number too small for a double becomes zero, everything else that
-/// std::from_chars refuses or that is not finite returns nullptr.
+/// The slow path of parse_real: a number too small for a double becomes zero; for everything else
+/// that std::from_chars rejects or that is not finite, returns nullptr.
 const char* parse_unusual_real(const char* p, const char* end, double& value);
 
-/// The slow path of parse_integer: signs, and more digits than 64 bits may hold.
+/// The slow path of parse_integer, for signs and for numbers with more digits than 64 bits can
+/// hold.
 const char* parse_unusual_integer(const char* p, const char* end, std::int64_t& value);
 }  // namespace detail
 
-/// Reads the finite number that starts at `p` ("+1", ".5" and "1e-400", which is 0, included) and
-/// returns where it ends, or nullptr where there is none.
+/// Reads the finite number that starts at `p` ("+1", ".5" and "1e-400", which is 0, included).
+/// Returns the end of the number, or nullptr if there is none.
 inline const char* parse_real(const char* p, const char* end, double& value) {
   const auto [after, error] = std::from_chars(p, end, value);
   if (error == std::errc() && std::isfinite(value)) return after;
   return detail::parse_unusual_real(p, end, value);
 }
 
-/// The finite number that the text starts with, 0 where it starts with none.
+/// The finite number at the start of the text, or 0 if there is none.
 inline double real_or_zero(std::string_view text) {
   double value = 0.0;
   return parse_real(text.data(), text.data() + text.size(), value) != nullptr ? value : 0.0;
 }
 
-/// Reads the integer that starts at `p`, with or without a sign, and returns where it ends, or
-/// nullptr where there is none. Beyond 64 bits the value is the nearest one that 64 bits hold.
+/// Reads the integer that starts at `p`, with or without a sign. Returns the end of the number, or
+/// nullptr if there is none. A value outside the range of 64 bits becomes the nearest one inside.
 inline const char* parse_integer(const char* p, const char* end, std::int64_t& value) {
   constexpr std::ptrdiff_t most_safe_digits = 18;
   const char* start = p;
   std::int64_t result = 0;
-  // An unsigned comparison catches both sides of '0' .. '9'.
+  // The unsigned comparison rejects characters both below '0' and above '9'.
   for (unsigned digit; p != end && (digit = static_cast<unsigned char>(*p) - unsigned{'0'}) < 10;
        ++p) {
     if (p - start == most_safe_digits) return detail::parse_unusual_integer(start, end, value);
@@ -51,13 +53,13 @@ inline const char* parse_integer(const char* p, const char* end, std::int64_t& v
   return p;
 }
 
-/// Why parse_real refused the number at `p`: a message for the user.
+/// The reason why parse_real rejected the number at `p`, as a message for the user.
 std::string_view describe_bad_real(const char* p, const char* end);
 
-/// Space for the longest shortest form of a double, "-2.2250738585072014e-308".
+/// The space for the longest text that real_text() returns, "-2.2250738585072014e-308".
 constexpr std::size_t real_text_capacity = 32;
 
-/// The shortest text that reads back to the same number; valid as long as `buffer` is.
+/// The shortest text that reads back as the same number. The result points into `buffer`.
 inline std::string_view real_text(double value, char (&buffer)[real_text_capacity]) {
   const auto result = std::to_chars(buffer, buffer + real_text_capacity, value);
   return {buffer, static_cast<std::size_t>(result.ptr - buffer)};
@@ -67,7 +69,7 @@ inline std::string_view real_text(float value, char (&buffer)[real_text_capacity
   return {buffer, static_cast<std::size_t>(result.ptr - buffer)};
 }
 
-/// Appends the shortest text of `value`.
+/// Appends the shortest text that reads back as `value`.
 void append_real(std::string& text, double value);
 
 /// Appends a decimal integer.

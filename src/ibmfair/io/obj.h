@@ -1,5 +1,5 @@
-// Wavefront OBJ: the functions of its row in the format table. Positions and faces are modelled;
-// every other statement is carried along by the patching writer.
+// Wavefront OBJ: the functions in its row of the format table. The mesh has positions and faces
+// only; the patching writer keeps every other statement.
 #pragma once
 
 #include <array>
@@ -12,22 +12,23 @@
 
 namespace ibmfair::obj {
 
-/// Texture coordinates and normals, as the corners of the faces refer to them.
+/// Texture coordinates and normals, and the references of face corners to them.
 struct CornerReferences {
-  std::vector<std::array<double, 2>> texture_coordinates;  ///< of the `vt` statements
-  std::vector<std::array<double, 3>> normals;              ///< of the `vn` statements
-  std::vector<Index> corner_texture;                       ///< #corners, -1 where there is none
-  std::vector<Index> corner_normal;                        ///< #corners, -1 where there is none
+  std::vector<std::array<double, 2>> texture_coordinates;  ///< from the `vt` statements
+  std::vector<std::array<double, 3>> normals;              ///< from the `vn` statements
+  std::vector<Index> corner_texture;                       ///< #corners, -1 if there is none
+  std::vector<Index> corner_normal;                        ///< #corners, -1 if there is none
 };
 
 bool recognises(std::string_view bytes);
 ParsedMesh read(const SourceBytes& source, std::string_view extension);
 CornerReferences read_corner_references(const SourceBytes& source);
-/// Row number of a reference as written, `count_so_far` rows having been read; -1 where there is
-/// none or it leads nowhere.
+/// The row number, from 0, of a reference as written in the file, after `count_so_far` rows have
+/// been read; -1 if there is no reference or no such row.
 Index resolve_reference(std::int64_t raw, std::size_t count_so_far);
 
-/// Whether a statement says what the faces behind it belong to: a group, object or material.
+/// Whether a statement sets the group, object, material (also its library) or smoothing group of
+/// the faces that follow.
 bool is_face_statement(std::string_view keyword);
 
 MeshAttributes read_attributes(const SourceBytes& source, const Mesh& mesh);
@@ -35,7 +36,7 @@ std::vector<std::uint8_t> vertex_mask(const SourceBytes& source, const Mesh& mes
                                       std::string_view name);
 std::vector<std::string> patch(const PatchRequest& request, ByteSink& out);
 
-/// Writes what stands behind the source's text: the request's extension. Returns notes.
+/// Writes the request's extension, which follows the text of the source. Returns notes.
 std::vector<std::string> append(const PatchRequest& request, bool with_normals, ByteSink& out);
 std::vector<std::string> generate(const GenerateRequest& request, ByteSink& out);
 

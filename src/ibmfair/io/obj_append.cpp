@@ -1,4 +1,4 @@
-// Writes what an extension puts behind the text of an OBJ file.
+// Writes the vertices and faces of an extension at the end of an OBJ file.
 #include <cmath>
 
 #include "ibmfair/io/extend_attributes.h"
@@ -11,15 +11,16 @@
 namespace ibmfair::obj {
 namespace {
 
-/// Ends the last line, and the statement on it where a backslash would continue it.
+/// Ends the last line, and also the statement on it if a backslash would continue it.
 void end_text(std::string_view text, std::string_view line_end, ByteSink& out) {
   const std::size_t last = text.find_last_not_of("\r\n");
   if (last == text.size() - 1) out.write(line_end);
-  // Behind a carriage return a line feed would only make the pair that is one end.
+  // After a carriage return, a line feed would only complete the line end CR LF, so another
+  // carriage return is written.
   if (text[last] == '\\') out.write(text.back() == '\r' ? "\r" : line_end);
 }
 
-/// Rows of one kind, `vt` or `vn`.
+/// New rows of `vt` or of `vn`.
 struct AppendedRows {
   Eigen::MatrixXd values;  // #new vertices
   NewRows rows;
@@ -62,12 +63,12 @@ class Appender {
     return sorted_once(std::move(all));
   }
 
-  /// The row that a corner of the source refers to.
+  /// The row that a corner of the source refers to; -1 if there is none.
   Index row_of(const std::vector<Index>& rows, std::int64_t corner) const {
     return corner < 0 ? -1 : rows[position_in(wanted_corners_, corner)];
   }
 
-  /// #rim, the values to which the rim's corners refer.
+  /// #rim x columns, the values to which the rim's corners refer; unknown if there are none.
   template <class Read>
   Eigen::MatrixXd at_rim(const std::vector<Index>& rows, Eigen::Index columns, Read&& read) const {
     Eigen::MatrixXd values = Eigen::MatrixXd::Constant(
@@ -100,7 +101,8 @@ class Appender {
     normals_.rows = number(normals_.values, excerpt_.normal, excerpt_.normal_count());
   }
 
-  /// A vertex has as many colour values as are known, as the rim's vertices have.
+  /// Writes as many colour values for each new vertex as are known, which are as many as the
+  /// vertices of the rim have.
   void write_vertices(ObjLines& lines) const {
     for (Eigen::Index v = 0; v < extension_.X.rows(); ++v) {
       std::array<double, 7> values{};

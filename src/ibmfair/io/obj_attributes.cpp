@@ -1,4 +1,5 @@
-// What an OBJ text holds besides positions and faces: texture coordinates, colours, groups.
+// Reads the contents of an OBJ text besides positions and faces: texture coordinates, colours,
+// groups.
 #include <algorithm>
 #include <set>
 
@@ -17,7 +18,7 @@ void drop_dangling(std::vector<Index>& references, std::size_t count) {
   }
 }
 
-/// The numbers of a vertex beyond x, y and z; a colour if there are three or four.
+/// Reads the numbers after x, y and z of a vertex, which are a colour if there are three or four.
 void read_colour(ObjScanner& scan, Index vertex, MeshAttributes& attributes) {
   for (int c = 0; c < 3; ++c)
     scan.skip_number();
@@ -33,8 +34,8 @@ void read_colour(ObjScanner& scan, Index vertex, MeshAttributes& attributes) {
   attributes.colours.push_back(rgba);
 }
 
-/// One pass that follows which names apply to the face at hand, and marks the vertices of faces to
-/// which the wanted one does.
+/// Reads the text once, keeps track of the names that apply to the current face, and marks the
+/// vertices of all faces to which the wanted name applies.
 class MaskReader {
  public:
   MaskReader(const SourceBytes& source, const Mesh& mesh, std::string_view wanted)
@@ -69,7 +70,8 @@ class MaskReader {
     return name == wanted_;
   }
 
-  /// A face may be in several groups at once; a name with blanks is found too.
+  /// Reads a `g` statement, which may name several groups. The wanted name may also be the whole
+  /// statement, so that a name with blanks is found.
   bool read_group() {
     ObjScanner whole = scan_;
     const std::string_view all = whole.rest();

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double missing = std::numeric_limits<double>::quiet_NaN();
 
-/// The next argument, whatever it says; nan where that is no finite number.
+/// The next argument as a number; NaN if it is not a finite number.
 double any_number(ObjScanner& scan) {
   const std::string_view text = scan.word();
   double value = missing;
@@ -29,7 +29,7 @@ Eigen::RowVector4d read_colour(ObjScanner& scan) {
     const double value = any_number(scan);
     if (columns < 4) colour[columns] = value;
   }
-  // A single number is a weight.
+  // A single number after x, y, z is a weight, not a colour.
   return columns == 3 || columns == 4 ? colour : Eigen::RowVector4d::Constant(missing);
 }
 

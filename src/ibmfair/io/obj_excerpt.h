@@ -1,4 +1,4 @@
-// What an OBJ text says of a few of its vertices and corners.
+// Reads the attributes of a few vertices and corners from an OBJ text.
 #pragma once
 
 #include <cstdint>
@@ -12,19 +12,18 @@
 
 namespace ibmfair::obj {
 
-/// One pass over the text that parses nothing but what is asked for, and so takes little more time
-/// than copying the text does.
+/// Reads the text once and parses only the requested parts, so it takes little more time than
+/// copying the text.
 class Excerpt {
  public:
   /// `vertices` and `corners` (of `mesh`, read from `source`) are in ascending order, each once.
   Excerpt(const SourceBytes& source, const Mesh& mesh, const std::vector<Index>& vertices,
           const std::vector<std::int64_t>& corners);
 
-  /// #vertices x 4, the numbers that follow x, y, z where these are a colour; nan where not, or
-  /// where there are fewer.
+  /// #vertices x 4, the colour after x, y, z (three or four numbers); NaN for missing values.
   Eigen::MatrixXd colours;
 
-  /// #corners each, rows of the texture coordinates and normals; -1 where there are none.
+  /// #corners each, the rows of the texture coordinates and normals; -1 if there are none.
   std::vector<Index> texture;
   std::vector<Index> normal;
 
@@ -34,14 +33,14 @@ class Excerpt {
   Index texture_count() const { return static_cast<Index>(textures_.size()); }
   Index normal_count() const { return static_cast<Index>(normals_.size()); }
 
-  /// The numbers of one row; nan for what is no finite number.
+  /// The numbers of one row; NaN for one that is not a finite number.
   Eigen::RowVector2d texture_coordinate(Index row) const;
   Eigen::RowVector3d normal_vector(Index row) const;
 
  private:
   const SourceBytes& source_;
-  std::vector<const char*> textures_;  // where the `vt` statements begin
-  std::vector<const char*> normals_;   // where the `vn` statements begin
+  std::vector<const char*> textures_;  // the start of each `vt` statement
+  std::vector<const char*> normals_;   // the start of each `vn` statement
 };
 
 }  // namespace ibmfair::obj

@@ -1,4 +1,4 @@
-// Writes an OBJ text from the model.
+// Generates an OBJ text from the mesh and its attributes.
 #include "ibmfair/io/byte_sink.h"
 #include "ibmfair/io/generate.h"
 #include "ibmfair/io/normals.h"

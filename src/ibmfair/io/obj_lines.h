@@ -10,7 +10,7 @@
 
 namespace ibmfair::obj {
 
-/// What a face corner refers to, rows counted from 0; -1 for none.
+/// The references of a face corner, with rows counted from 0; -1 for none.
 struct Corner {
   Index vertex = -1;
   Index texture = -1;
@@ -21,7 +21,7 @@ class ObjLines {
  public:
   ObjLines(ByteSink& out, std::string_view line_end) : out_(out), line_end_(line_end) {}
 
-  /// A keyword and numbers.
+  /// Writes a line with a keyword and numbers.
   void row(std::string_view keyword, std::span<const double> values) {
     out_.write(keyword);
     for (const double value : values) {
@@ -31,7 +31,8 @@ class ObjLines {
     out_.write(line_end_);
   }
 
-  /// A line as it is. After a backslash at its end a blank keeps the next line from continuing it.
+  /// Writes a line unchanged. If the line ends with a backslash, a blank is added so that the next
+  /// line does not continue it.
   void statement(std::string_view text) {
     out_.write(text);
     if (text.ends_with('\\')) out_.write(" ");

@@ -1,5 +1,5 @@
-// Writes an OBJ text with only the coordinates of moved vertices, and what depends on them,
-// changed.
+// Copies an OBJ text and changes only the coordinates of moved vertices and the normals that depend
+// on them.
 #include "ibmfair/io/byte_patcher.h"
 #include "ibmfair/io/normals.h"
 #include "ibmfair/io/obj.h"
@@ -8,15 +8,15 @@
 namespace ibmfair::obj {
 namespace {
 
-/// What becomes of the `vn` statements. One that several vertices share cannot be right for all of
-/// them any more; then no normal of the file is kept.
+/// What to do with the `vn` statements. If several vertices share a normal that changes, it cannot
+/// be right for all of them any more; then all normals of the file are dropped.
 struct NormalPlan {
   bool drop_all = false;
-  std::vector<std::uint8_t> stale;  // #vn, to be replaced
+  std::vector<std::uint8_t> stale;  // #vn, whether to replace the normal
   Points renewed;                   // #vn x 3
 };
 
-/// The normal of `vn` n belongs to the faces whose corners name it: on a crease one vertex has
+/// Computes each normal from the faces whose corners refer to it: on a crease, one vertex has
 /// several normals, one for each side.
 NormalPlan plan_normals(const PatchRequest& request, const CornerReferences& references) {
   const Polygons& faces = request.mesh.faces;
@@ -58,7 +58,7 @@ NormalPlan plan_normals(const PatchRequest& request, const CornerReferences& ref
   return plan;
 }
 
-/// Replaces the three numbers that follow in the statement, where they changed.
+/// Replaces those of the next three numbers of the statement for which changed(c) is true.
 template <class Changed>
 void replace_numbers(ObjScanner& scan, BytePatcher& text, const Points& X, Eigen::Index row,
                      Changed changed) {
@@ -69,7 +69,7 @@ void replace_numbers(ObjScanner& scan, BytePatcher& text, const Points& X, Eigen
   }
 }
 
-/// Turns the corners `a/b/c` and `a//c` of a face into `a/b` and `a`.
+/// Turns the face corners `a/b/c` into `a/b`, and `a//c` into `a`.
 void remove_normals(ObjScanner& scan, BytePatcher& text) {
   while (!scan.at_statement_end()) {
     const char* start = scan.position();
@@ -82,7 +82,7 @@ void remove_normals(ObjScanner& scan, BytePatcher& text) {
   }
 }
 
-/// Copies the text with moved vertices and stale normals replaced, or without any normals.
+/// Copies the text with moved vertices and stale normals replaced, or with all normals removed.
 void patch_text(const PatchRequest& request, const NormalPlan& normals, ByteSink& out) {
   BytePatcher text(request.source, out);
   ObjScanner scan(request.source);

@@ -15,8 +15,9 @@ namespace {
 constexpr std::int64_t largest_index = std::numeric_limits<Index>::max();
 constexpr std::int64_t unlimited = std::numeric_limits<std::int64_t>::max();
 
-/// One pass over the text. Faces may precede their vertices, so that only at the end it is known
-/// how many there are: an index beyond is found by its maximum and located by a second pass.
+/// Reads the text once. Faces may precede their vertices, so the number of vertices is known only
+/// at the end: an index that is too large is detected by the largest index, and a second pass finds
+/// its place in the text.
 class Reader {
  public:
   Reader(const SourceBytes& source, std::int64_t vertex_limit)
@@ -24,7 +25,8 @@ class Reader {
     reserve();
   }
 
-  /// What writing will need must be numbers: better to say so now than after all the work.
+  /// Also checks the numbers of `vt` and `vn`, which are needed only for writing, so that an error
+  /// is reported before the computation and not after it.
   void run() {
     while (scan_.next_statement()) {
       const std::string_view keyword = scan_.keyword();
@@ -57,8 +59,8 @@ class Reader {
   }
 
  private:
-  /// Room for as much as a file of this size usually holds: memory that is not touched costs
-  /// nothing, growing and copying costs a third of the time.
+  /// Reserves memory for the mesh that a file of this size usually holds. Unused memory costs
+  /// nothing, whereas growing and copying takes a third of the time.
   void reserve() {
     constexpr std::int64_t bytes_per_statement = 24;
     const std::int64_t statements =
@@ -76,7 +78,8 @@ class Reader {
     if (!scan_.at_statement_end()) read_more_of_vertex();
   }
 
-  /// A weight, which must be 1, or a colour, which may be anything.
+  /// Reads the numbers after x, y and z: a single weight, which must be 1, or a colour, which may
+  /// have any values.
   void read_more_of_vertex() {
     const char* start = scan_.position();
     scan_.skip_number();
@@ -125,7 +128,7 @@ class Reader {
   std::int64_t normal_count_ = 0;
   std::int64_t largest_vertex_ = -1;
   std::int64_t vertex_count_ = 0;
-  Mesh mesh_;  // X has room for more than vertex_count_
+  Mesh mesh_;  // X may have more rows than vertex_count_
 };
 
 void require_text(const SourceBytes& source) {
@@ -133,7 +136,8 @@ void require_text(const SourceBytes& source) {
   if (bytes.starts_with("\xFF\xFE") || bytes.starts_with("\xFE\xFF")) {
     fail_in_file(source, "the text is UTF-16; save it as UTF-8");
   }
-  // In the whole file: numbers that are written anew change where in it a byte stands.
+  // The whole file is searched and not only its beginning, because the position of a byte changes
+  // when numbers before it are rewritten.
   const std::size_t nul = bytes.find('\0');
   if (nul != std::string_view::npos) {
     fail_in_file(source, fmt::format("not an OBJ text (byte {} is zero)", nul));

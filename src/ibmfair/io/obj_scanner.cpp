@@ -15,7 +15,7 @@ bool ObjScanner::next_statement() {
     skip_blanks();
     if (p_ == end_) return false;
     if (*p_ == '#') {
-      // A comment ends with its line, whatever it ends in: `# C:\meshes\` continues nothing.
+      // A comment ends with its line even if the line ends with a backslash, as in `# C:\meshes\`.
       skip_to(line_end);
     }
     if (p_ == end_) return false;
@@ -73,7 +73,7 @@ std::string_view ObjScanner::word() {
   if (at_statement_end()) return {};
   const char* start = p_;
   skip_to(blank | line_end | continuation);
-  // A backslash within a line is a character as others are.
+  // A backslash inside a line is an ordinary character.
   while (*p_ == '\\' && !continues_line()) {
     ++p_;
     skip_to(blank | line_end | continuation);

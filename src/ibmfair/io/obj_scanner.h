@@ -1,4 +1,4 @@
-// Walks an OBJ text statement by statement, without copying and without counting lines.
+// Reads an OBJ text statement by statement, without copying text and without counting lines.
 #pragma once
 
 #include <cstdint>
@@ -11,15 +11,17 @@
 
 namespace ibmfair::obj {
 
-/// A face corner as written: 1-based, or negative and counted from the end; 0 where left out.
+/// A face corner as written: each number is 1-based, or negative and counted from the end; 0 if
+/// left out.
 struct RawCorner {
   std::int64_t vertex = 0;
   std::int64_t texture = 0;
   std::int64_t normal = 0;
 };
 
-/// A statement is a keyword and its arguments up to the end of the line; a backslash before the end
-/// of the line continues it, `#` starts a comment. Lines end with LF, CRLF or CR.
+/// A statement is a keyword and its arguments up to the end of the line. A backslash before the end
+/// of the line continues the statement on the next line, and `#` starts a comment. Lines end with
+/// LF, CRLF or CR.
 class ObjScanner {
  public:
   /// Starts before the first statement, after a UTF-8 byte-order mark if there is one.
@@ -29,18 +31,18 @@ class ObjScanner {
   ObjScanner(const SourceBytes& source, const char* start)
       : source_(source), p_(start), end_(source.end()) {}
 
-  /// Goes to the next statement; false at the end of the text.
+  /// Advances to the next statement; false at the end of the text.
   bool next_statement();
 
   std::string_view keyword() const { return keyword_; }
 
-  /// Where the next argument starts, or where the statement's arguments end.
+  /// The start of the next argument, or the end of the arguments if there is none.
   const char* position() {
     skip_blanks();
     return p_;
   }
 
-  /// Where the argument read last ends.
+  /// The end of the last argument that was read.
   const char* position_after() const { return p_; }
 
   bool at_statement_end() {
@@ -58,20 +60,20 @@ class ObjScanner {
     return value;
   }
 
-  /// Reads a number of any value, "nan" included, as 0 where it is not finite; throws BadFile for
-  /// anything else.
+  /// Reads a number, which may be NaN or infinite; the result is 0 if it is not finite. Throws
+  /// BadFile for anything that is not a number.
   double any_real();
 
-  /// Passes over such a number.
+  /// Skips a number, with the same checks as any_real().
   void skip_number() { any_real(); }
 
-  /// Passes over an argument, whatever it says.
+  /// Skips an argument of any form.
   void skip_argument() {
     skip_blanks();
     skip_to(delimiter);
   }
 
-  /// Reads `v`, `v/t`, `v//n` or `v/t/n`; throws BadFile where it is none of these.
+  /// Reads `v`, `v/t`, `v//n` or `v/t/n`; throws BadFile for any other text.
   RawCorner corner() {
     skip_blanks();
     RawCorner corner;
@@ -85,22 +87,23 @@ class ObjScanner {
   /// The next argument as text; empty at the end of the statement.
   std::string_view word();
 
-  /// All that is left of the statement, without surrounding blanks.
+  /// The rest of the statement, without surrounding blanks.
   std::string_view rest();
 
-  /// Goes to the end of the line, several times as fast as next_statement() would; for texts only
-  /// in which has_plain_lines().
+  /// Skips to the end of the line, several times as fast as next_statement() would. Allowed only if
+  /// has_plain_lines().
   void skip_plain_line() {
     p_ = static_cast<const char*>(std::memchr(p_, '\n', static_cast<std::size_t>(end_ - p_) + 1));
   }
 
-  /// Whether every line ends with LF and none is continued.
+  /// Whether no line ends with CR and the text has no backslash, so that no statement continues
+  /// over several lines.
   static bool has_plain_lines(const SourceBytes& source) {
     return source.view().find('\r') == std::string_view::npos &&
            source.view().find('\\') == std::string_view::npos;
   }
 
-  /// Where the statement begins, and where the line after it begins.
+  /// The start of the statement, and the start of the line after it.
   const char* statement_start() const { return keyword_.data(); }
   const char* after_statement();
 
@@ -111,7 +114,7 @@ class ObjScanner {
  private:
   static constexpr std::uint8_t blank = characters::blank;
   static constexpr std::uint8_t line_end = characters::line_end;
-  static constexpr std::uint8_t continuation = characters::backslash;  // where a line end follows
+  static constexpr std::uint8_t continuation = characters::backslash;  // if a line end follows
   static constexpr std::uint8_t statement_end = line_end | characters::hash;
   static constexpr std::uint8_t delimiter = blank | statement_end | continuation;
 

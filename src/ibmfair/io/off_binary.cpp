@@ -1,6 +1,6 @@
-// Binary OFF: big-endian with a number of colours after each face as Geomview writes it, or
-// little-endian without as PMP does, or any mixture of the two. Nothing in the file says which; the
-// one that ends exactly with the file is right.
+// Binary OFF. Geomview writes it big-endian, with a number of colour values after each face; PMP
+// writes it little-endian and without that number; mixtures exist. Nothing in the file states the
+// dialect, so the right one is the one in which the faces end exactly at the end of the file.
 #include <bit>
 #include <cmath>
 #include <optional>
@@ -16,7 +16,7 @@
 namespace ibmfair::off {
 namespace {
 
-constexpr std::int64_t word = 4;  // every number of the format has four bytes
+constexpr std::int64_t word = 4;  // every number in the file has four bytes
 constexpr std::int64_t counts = 3 * word;
 
 std::int64_t vertex_row(const Layout& layout) {
@@ -27,7 +27,7 @@ std::int32_t integer(const char* p, const Layout& layout) {
   return load<std::int32_t>(p, layout.swapped);
 }
 
-/// Reads the counts; false where the file cannot hold as many rows.
+/// Reads the counts; false if the file is too short for that many rows.
 bool read_counts(const SourceBytes& source, Layout& layout) {
   const std::int64_t room = source.end() - layout.body - counts;
   if (room < 0) return false;
@@ -42,7 +42,7 @@ const char* first_face(const Layout& layout) {
   return layout.body + counts + layout.vertex_count * vertex_row(layout);
 }
 
-/// The end of a face that starts at `p`, nullptr where it does not fit the file.
+/// The end of the face that starts at `p`; nullptr if it would end after the file.
 const char* skip_face(const SourceBytes& source, const Layout& layout, const char* p) {
   for (int list = 0; list < (layout.colour_counts ? 2 : 1); ++list) {
     if (source.end() - p < word) return nullptr;
@@ -92,8 +92,9 @@ void read_face(const SourceBytes& source, const Layout& layout, std::int64_t f, 
   faces.first.push_back(static_cast<std::int64_t>(faces.corner.size()));
 }
 
-/// Copies the rows of the vertices with moved positions and stale normals replaced; fills `at_rim`
-/// (#rim x extra columns) with what follows the positions of `rim`, in ascending order.
+/// Copies the rows of the vertices, with moved positions and stale normals replaced. Fills `at_rim`
+/// (#rim x extra columns) with the values after the positions of the vertices in `rim`, which is in
+/// ascending order.
 void patch_vertices(const PatchRequest& request, const Layout& layout,
                     const std::vector<Index>& rim, Eigen::MatrixXd& at_rim, ByteSink& out) {
   std::optional<RenewedNormals> normals;
@@ -142,8 +143,8 @@ void append_vertices(const PatchRequest& request, const Layout& layout,
   }
 }
 
-/// Copies the rows of the faces and writes the new ones behind them, with the colours of their
-/// model faces.
+/// Copies the rows of the faces and appends the new faces, with the colours of their model faces.
+/// Returns the end of the faces in the source.
 const char* append_faces(const PatchRequest& request, const Layout& layout, ByteSink& out) {
   const Extension& extension = *request.extension;
   const std::vector<Index> models = sorted_once(extension.model_face);

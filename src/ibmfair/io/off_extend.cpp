@@ -1,4 +1,4 @@
-// What an extension adds to an OFF file, text or binary.
+// Counts and vertex values for an extension of an OFF file, text or binary.
 #include <unordered_set>
 
 #include "ibmfair/io/extend_values.h"
@@ -7,13 +7,13 @@
 namespace ibmfair::off {
 namespace {
 
-/// An edge as one number, the same from both sides.
+/// An edge as one number, which does not depend on the order of the vertices.
 std::uint64_t edge(Index a, Index b) {
   const auto [low, high] = std::minmax(a, b);
   return static_cast<std::uint64_t>(low) << 32 | static_cast<std::uint64_t>(high);
 }
 
-/// The edges of the new faces that are not the source's already.
+/// The number of edges of the new faces that are not edges of the source.
 std::int64_t count_new_edges(const Mesh& mesh, const Extension& extension) {
   std::unordered_set<std::uint64_t> edges;
   std::vector<std::uint8_t> touched(static_cast<std::size_t>(mesh.X.rows()), 0);
@@ -43,7 +43,8 @@ std::array<std::int64_t, 3> extended_counts(const PatchRequest& request, const L
   if (request.extension == nullptr) return counts;
   counts[0] += request.extension->X.rows();
   counts[1] += request.extension->F.rows();
-  // Few programs fill in the count of edges. One that these faces cannot have is left as it is.
+  // Few programs write the number of edges. A number that is too large for the source's faces is
+  // left unchanged.
   const auto most_edges = static_cast<std::int64_t>(request.mesh.faces.corner.size());
   if (counts[2] > 0 && counts[2] <= most_edges) {
     counts[2] += count_new_edges(request.mesh, *request.extension);

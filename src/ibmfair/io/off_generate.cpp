@@ -1,4 +1,4 @@
-// Writes a text OFF file from the model.
+// Generates a text OFF file from the mesh and its attributes.
 #include <fmt/format.h>
 
 #include "ibmfair/io/byte_sink.h"

@@ -1,4 +1,4 @@
-// Reads the header of an OFF file and finds out which of its many variants it is.
+// Reads the header of an OFF file and determines its variant.
 #include <algorithm>
 #include <limits>
 
@@ -10,7 +10,7 @@
 namespace ibmfair::off {
 namespace {
 
-/// Reads the letters before "OFF".
+/// Reads the letters before "OFF", which state what the vertices have.
 void read_prefix(const SourceBytes& source, std::string_view prefix, Layout& layout) {
   const char* where = prefix.data();
   while (!prefix.empty()) {
@@ -31,8 +31,8 @@ void read_prefix(const SourceBytes& source, std::string_view prefix, Layout& lay
   }
 }
 
-/// Reads the keyword, if there is one, and returns where the counts start. The first count may be
-/// glued to the keyword.
+/// Reads the keyword, if there is one, and returns the start of the counts. The first count may
+/// follow the keyword without a blank.
 const char* read_keyword(const SourceBytes& source, TokenCursor& cursor, Layout& layout) {
   if (!cursor.skip_to_token()) fail_in_file(source, "the file is empty");
   const char* start = cursor.position();
@@ -52,7 +52,7 @@ const char* read_keyword(const SourceBytes& source, TokenCursor& cursor, Layout&
   return start + off + 3;
 }
 
-/// A colour has three or four numbers; only the first row can tell.
+/// The number of colour channels, three or four, which only the first row shows.
 int count_colour_channels(const SourceBytes& source, const Layout& layout) {
   TokenCursor cursor(source, layout.body, true);
   if (!cursor.skip_to_token()) return 4;
@@ -75,7 +75,7 @@ std::int64_t read_count(TokenCursor& cursor, std::int64_t smallest_row, std::str
   const std::int64_t count = read_integer(cursor, text);
   const char* where = text.data();
   if (count < 0) cursor.fail(where, fmt::format("a negative number of {}", rows));
-  // The last separator may be missing.
+  // The separator after the last row may be missing.
   if (count > (cursor.remaining() + 1) / smallest_row) {
     cursor.fail(where, fmt::format("the file is too short for that many {}:", rows));
   }

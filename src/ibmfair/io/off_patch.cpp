@@ -1,5 +1,5 @@
-// Writes an OFF file with only the coordinates of moved vertices, and their normals, changed, and
-// new rows behind its vertices and faces.
+// Copies an OFF file, changes only the coordinates of moved vertices and their normals, and inserts
+// new rows after its vertices and after its faces.
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -83,7 +83,7 @@ class TextPatcher {
       replace(row_[3 + static_cast<std::size_t>(c)], renewed[c]);
   }
 
-  /// Whether a number of a vertex's row is part of its colour.
+  /// Whether a column of a vertex row is part of the colour.
   bool is_colour(std::size_t column) const {
     const std::size_t first = layout_.normal ? 6 : 3;
     return column >= first && column < first + static_cast<std::size_t>(layout_.colour_channels);
@@ -91,7 +91,7 @@ class TextPatcher {
 
   void remember_vertex(std::int64_t v) {
     for (std::size_t c = 3; c < row_.size(); ++c) {
-      // Whole numbers count to 255, fractions to 1.
+      // Colours with a decimal point are in 0 .. 1, others in 0 .. 255.
       if (is_colour(c) && row_[c].find('.') != Token::npos) fractions_ = true;
     }
     const auto at = static_cast<std::size_t>(next_rim_);
@@ -101,7 +101,8 @@ class TextPatcher {
     ++next_rim_;
   }
 
-  /// Where rows end their lines, new ones do so, too; else they go on on the same line.
+  /// Inserts rows at the cursor: each on its own line if `end_lines`, otherwise all on the current
+  /// line.
   template <class AppendRow>
   void insert_rows(Eigen::Index count, bool end_lines, AppendRow&& append_row) {
     if (count == 0) return;
@@ -117,7 +118,7 @@ class TextPatcher {
     for (Eigen::Index i = 0; i < count; ++i) {
       line.clear();
       append_row(i, line);
-      // Every number has a blank before it.
+      // append_row() puts a blank before every number; the first is not needed on a new line.
       out_.write(end_lines ? Token(line).substr(1) : Token(line));
       out_.write(line_end);
     }
@@ -148,7 +149,7 @@ class TextPatcher {
   void insert_faces() {
     const Extension& extension = *request_.extension;
     const std::vector<Index> models = sorted_once(extension.model_face);
-    std::vector<Token> colours(models.size());  // as they are written
+    std::vector<Token> colours(models.size());  // the text of the colours
     Polygons unused;
     read_text_faces(cursor_, layout_, unused, [&](Index face, Token colour) {
       const auto model = std::lower_bound(models.begin(), models.end(), face);
@@ -174,10 +175,10 @@ class TextPatcher {
   TokenCursor cursor_;
   BytePatcher file_;
   ByteSink& out_;
-  std::vector<Token> row_;  // the numbers of the vertex at hand
+  std::vector<Token> row_;  // the numbers in the row of the current vertex
   std::optional<RenewedNormals> normals_;
   std::vector<Index> rim_;  // in ascending order
-  Eigen::MatrixXd at_rim_;  // in that order, what follows the position
+  Eigen::MatrixXd at_rim_;  // the values after the position, in the order of rim_
   Eigen::Index next_rim_ = 0;
   bool fractions_ = false;
 };

@@ -1,4 +1,4 @@
-// Reads positions and faces of a text OFF file, and what its vertices hold besides.
+// Reads the positions and faces of a text OFF file, and the other values of its vertices.
 #include <exception>
 #include <functional>
 #include <limits>
@@ -77,7 +77,7 @@ void read_text_body(const SourceBytes& source, Layout& layout, Mesh& mesh,
   read_text_faces(cursor, layout, mesh.faces, colour);
 }
 
-/// Copies the numbers that follow each position into the attributes.
+/// Copies the values after each position into the attributes.
 void read_vertex_attributes(const SourceBytes& source, const Layout& layout,
                             MeshAttributes& attributes) {
   TokenCursor cursor(source, layout.body, true);
@@ -90,7 +90,7 @@ void read_vertex_attributes(const SourceBytes& source, const Layout& layout,
       for (int c = 0; c < layout.colour_channels; ++c) {
         const std::string_view text = cursor.token();
         rgba[static_cast<std::size_t>(c)] = real_or_zero(text);
-        // Whole numbers count to 255, fractions to 1.
+        // Colours with a decimal point are in 0 .. 1, others in 0 .. 255.
         if (text.find('.') != std::string_view::npos) attributes.byte_colours = false;
       }
       attributes.colours.push_back(rgba);
@@ -104,8 +104,9 @@ void read_vertex_attributes(const SourceBytes& source, const Layout& layout,
 
 }  // namespace
 
-// Colours make it necessary to trust in lines; a file in which that fails may still be a plain
-// stream of numbers.
+// A colour after a face can be told from the next face only by the end of the line. If reading
+// fails under the assumption that faces end lines, the file is read again as a plain sequence of
+// numbers.
 void read_text_faces(TokenCursor& cursor, Layout& layout, Polygons& faces,
                      const ColourVisitor& colour) {
   const TokenCursor start = cursor;

@@ -11,7 +11,7 @@
 namespace ibmfair::ply {
 namespace {
 
-/// An empty list, with what its count is stored as.
+/// Writes an empty list, a count of 0 in the count's type.
 void write_empty_list(const Property& property, RowWriter& row) {
   row.number(property.count_type, 0.0);
 }
@@ -132,7 +132,8 @@ void FaceAppender::see(std::int64_t row, const std::vector<Span>& spans) {
   const bool triangle = request_.mesh.faces[static_cast<Index>(row)].size() == 3;
   std::vector<std::string>& texts = texts_.emplace_back(spans.size());
   for (std::size_t i = 0; i < spans.size(); ++i) {
-    // A list may have as many values as its face has corners.
+    // The length of a list may depend on the number of corners, so lists are copied from triangles
+    // only.
     if (layout_.faces().properties[i].is_list && !triangle) continue;
     texts[i].assign(spans[i].first, spans[i].last);
   }

@@ -1,4 +1,4 @@
-// The rows that an extension puts behind the vertices and the faces of a PLY file.
+// Writes the rows of an extension, after the vertices and after the faces of a PLY file.
 #pragma once
 
 #include <optional>
@@ -11,29 +11,30 @@
 
 namespace ibmfair::ply {
 
-/// Where a value stands in the file, and where the one before it ended.
+/// The bytes of a value in the file, and the end of the value before it.
 struct Span {
   const char* before = nullptr;
   const char* first = nullptr;
   const char* last = nullptr;
 };
 
-/// The scalar at a place of the body; nan where a text is no finite number.
+/// The scalar in these bytes of the body; NaN if a text is not a finite number.
 double number_at(const Span& span, Type type, Encoding encoding);
 
 class VertexAppender {
  public:
   VertexAppender(const PatchRequest& request, const Layout& layout);
 
-  /// Takes what it needs of a row of the source; rows come in order, a span for each property.
+  /// Stores the needed values of a row of the source. Rows must come in order, with a span for each
+  /// property.
   void see(std::int64_t row, const std::vector<Span>& spans);
 
-  /// Writes the new rows. `stored` has the type of each property in the file written; none for
-  /// those left out.
+  /// Writes the new rows. `stored` gives the type of each property in the output, or none for a
+  /// property that is left out.
   void write(const std::vector<std::optional<Type>>& stored, RowWriter& row) const;
 
  private:
-  /// What a property's new values are.
+  /// Where the new values of a property come from.
   enum class Source : std::uint8_t { position, normal, extended, nearest, empty_list };
   Source source_of(std::size_t property) const;
 
@@ -47,14 +48,16 @@ class VertexAppender {
   std::size_t next_ = 0;
 };
 
-/// Triangle strips get a strip of its own for each new face.
+/// Writes the rows of the new faces. If the file has triangle strips, each new face becomes a
+/// strip.
 class FaceAppender {
  public:
-  /// Throws CannotWrite for strips that have properties besides their vertices, which no new strip
-  /// could take from a face.
+  /// Throws CannotWrite if the file has triangle strips with properties besides their vertices,
+  /// because a new strip cannot take the values of those properties from a face.
   FaceAppender(const PatchRequest& request, const Layout& layout);
 
-  /// Takes what it needs of a row of the source; rows come in order, a span for each property.
+  /// Stores the needed values of a row of the source. Rows must come in order, with a span for each
+  /// property.
   void see(std::int64_t row, const std::vector<Span>& spans);
 
   /// Writes the new rows with vertex numbers of type `index_type`. Returns notes.
@@ -65,9 +68,9 @@ class FaceAppender {
 
   const PatchRequest& request_;
   const Layout& layout_;
-  MeshAttributes texture_;                       // of the faces' corners, those of new faces last
-  std::vector<Index> models_;                    // in ascending order
-  std::vector<std::vector<std::string>> texts_;  // #models, of each property
+  MeshAttributes texture_;                       // of all corners of faces, those of new faces last
+  std::vector<Index> models_;                    // the model faces in ascending order
+  std::vector<std::vector<std::string>> texts_;  // #models, the text of each property
 };
 
 }  // namespace ibmfair::ply

@@ -1,4 +1,5 @@
-// What a PLY file holds besides positions and faces: texture coordinates, colours, properties.
+// Reads the contents of a PLY file besides positions and faces: texture coordinates, colours,
+// properties.
 #include <algorithm>
 #include <cmath>
 
@@ -28,12 +29,13 @@ void skip_elements_before(const Layout& layout, std::size_t element, Body& body)
   body.start_element(layout.header.elements[element]);
 }
 
-/// No format that an attribute may go to holds nan or an infinity.
+/// Attributes must be finite, because not every format that they are written to can hold NaN or
+/// infinity.
 double finite_or_zero(double value) {
   return std::isfinite(value) ? value : 0.0;
 }
 
-/// Reads scalar vertex properties: one row of values a vertex, a column a property.
+/// Reads scalar vertex properties: one row for each vertex, one column for each property.
 std::vector<double> read_columns(const SourceBytes& source, const Layout& layout,
                                  const std::vector<int>& columns) {
   const Element& vertex = layout.vertices();
@@ -63,7 +65,8 @@ void read_colours(const SourceBytes& source, const Layout& layout, MeshAttribute
   const std::size_t channels = attributes.opacity ? 4 : 3;
   const std::vector<int> columns(layout.colour.begin(), layout.colour.begin() + channels);
   const std::vector<double> values = read_columns(source, layout, columns);
-  // Integers count up to the largest of their type, reals to 1.
+  // The largest value of a channel is 255 for integers of one byte, 65535 for larger integers, and
+  // 1 for reals.
   std::array<double, 4> full{1, 1, 1, 1};
   for (std::size_t c = 0; c < channels; ++c) {
     const Type type = layout.vertices().properties[static_cast<std::size_t>(columns[c])].type;

@@ -35,7 +35,7 @@ std::int64_t BinaryBody::count(const Property& list) {
   });
   if (count < 0) fail("a list with a negative count");
   p_ += size_of(list.count_type);
-  // A count has 32 bits at most, so that the product cannot overflow.
+  // A count has at most 32 bits, so the product cannot overflow.
   if (count * size_of(list.type) > end_ - p_) {
     fail(fmt::format("a list of {} values, but the file ends before it does", count));
   }

@@ -1,5 +1,5 @@
-// Walks the rows of a PLY body value by value. The ascii and the binary body have the same members,
-// so that what reads one reads the other.
+// Reads the rows of a PLY body value by value. The ascii and the binary body have the same member
+// functions, so that a reader can be a template that works on both.
 #pragma once
 
 #include <bit>
@@ -37,7 +37,7 @@ decltype(auto) with_type(Type type, F&& f) {
   }
 }
 
-/// Whether numbers of this encoding have the opposite byte order of this machine's.
+/// Whether numbers in this encoding have the opposite of this machine's byte order.
 inline bool is_swapped(Encoding encoding) {
   const bool big = std::endian::native == std::endian::big;
   return encoding != Encoding::ascii && (encoding == Encoding::big_endian) != big;
@@ -50,7 +50,7 @@ inline double binary_number(const char* p, Type type, bool swapped) {
   });
 }
 
-/// What both bodies do: say where they are.
+/// The common part of both bodies: they know the current element and row, for error messages.
 class BodyBase {
  public:
   void start_element(const Element& element) { element_ = &element; }
@@ -61,8 +61,8 @@ class BodyBase {
   std::int64_t row_ = 0;
 };
 
-/// The rows of a binary body. Every member throws BadFile where the file ends early or a value
-/// cannot be what it is read as.
+/// The rows of a binary body. Every member throws BadFile if the file ends early or a value is not
+/// valid.
 class BinaryBody : public BodyBase {
  public:
   BinaryBody(const SourceBytes& source, const Header& header)
@@ -71,17 +71,18 @@ class BinaryBody : public BodyBase {
         end_(source.end()),
         swapped_(is_swapped(header.encoding)) {}
 
-  /// Where the next value starts, and where the last one ended.
+  /// The start of the next value, and the end of the last one.
   const char* position() const { return p_; }
   const char* after_value() const { return p_; }
 
-  /// A scalar as a finite number.
+  /// Reads a scalar that must be a finite number.
   double real(Type type);
-  /// A scalar, nan and infinities included.
+  /// Reads a scalar, which may be NaN or infinite.
   double any_real(Type type);
-  /// A list's count, never more than the file has room for.
+  /// Reads the count of a list, and checks that the file has room for that many values.
   std::int64_t count(const Property& list);
-  /// Appends `count` vertex numbers, each from `smallest` up to below `limit`.
+  /// Reads `count` vertex numbers, each at least `smallest` and less than `limit`, and appends
+  /// them.
   void indices(Type type, std::int64_t count, std::int64_t smallest, std::int64_t limit,
                std::vector<Index>& out);
   void skip(const Property& property);
@@ -104,22 +105,22 @@ class BinaryBody : public BodyBase {
   bool swapped_;
 };
 
-/// The rows of an ascii body: each starts on a line of its own, blank lines do not count.
+/// The rows of an ascii body. Each row starts on a new line; blank lines are skipped.
 class AsciiBody : public BodyBase {
  public:
   AsciiBody(const SourceBytes& source, const Header& header)
       : cursor_(source, header.body, false) {}
 
-  /// Where the next value starts, and where the last one ended.
+  /// The start of the next value, and the end of the last one.
   const char* position() {
     cursor_.skip_to_token();
     return cursor_.position();
   }
   const char* after_value() const { return cursor_.position(); }
 
-  /// A scalar as a finite number.
+  /// Reads a scalar that must be a finite number.
   double real(Type /*type*/) { return cursor_.real(); }
-  /// A scalar, whatever it says; nan where that is no finite number.
+  /// Reads a scalar of any form; NaN if it is not a finite number.
   double any_real(Type type);
   std::int64_t count(const Property& list);
   void indices(Type type, std::int64_t count, std::int64_t smallest, std::int64_t limit,
@@ -132,7 +133,7 @@ class AsciiBody : public BodyBase {
     }
   }
 
-  /// Goes behind the end of the row's line and returns it; empty at the end of the file.
+  /// Moves past the end of the row's line and returns the line end; empty at the end of the file.
   std::string_view take_line_end() { return cursor_.take_line_end(); }
 
   [[noreturn]] void fail(std::string_view message) {

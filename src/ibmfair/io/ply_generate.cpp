@@ -1,4 +1,5 @@
-// Writes a PLY file from the model: in the encoding of a PLY source, else binary little-endian.
+// Generates a PLY file from the mesh and its attributes: in the encoding of the source if that is a
+// PLY file, otherwise binary little-endian.
 #include <algorithm>
 
 #include <fmt/format.h>
@@ -12,7 +13,7 @@
 namespace ibmfair::ply {
 namespace {
 
-/// What the file will hold, decided before its header is written.
+/// The properties that the file will have, decided before its header is written.
 struct Contents {
   bool colours = false;
   bool byte_colours = false;
@@ -20,7 +21,7 @@ struct Contents {
   bool normals = false;
   bool vertex_texture = false;
   bool corner_texture = false;
-  bool long_faces = false;  // more corners (or texture values) than a byte can count
+  bool long_faces = false;  // some face has more corners (or texture values) than a byte can count
 };
 
 Contents plan(const GenerateRequest& request) {
@@ -35,7 +36,7 @@ Contents plan(const GenerateRequest& request) {
     contents.corner_texture = !contents.vertex_texture;
   }
   const Polygons& faces = request.mesh.faces;
-  constexpr std::size_t most = 127;  // twice as many texture values still fit
+  constexpr std::size_t most = 127;  // twice as many texture values still fit into a byte
   for (Index f = 0; f < faces.size(); ++f) {
     contents.long_faces = contents.long_faces || faces[f].size() > most;
   }

@@ -36,8 +36,9 @@ bool is_blank(char c) {
   return c == ' ' || c == '\t' || c == '\r' || c == '\v' || c == '\f';
 }
 
-/// Reads the header line by line. The first line decides what ends a line: in a file of bare CRs
-/// the body may begin with an LF, and the other way round.
+/// Reads the header line by line. The first line end decides whether lines end with CR or with LF:
+/// after a header with lines that end with CR, a binary body may begin with the byte LF, and vice
+/// versa.
 class HeaderReader {
  public:
   explicit HeaderReader(const SourceBytes& source) : source_(source), next_(source.begin()) {
@@ -94,8 +95,8 @@ class HeaderReader {
     } else if (keyword == "comment" || keyword == "obj_info") {
       header_.comments.emplace_back(at_, stop_);
     } else if (!keyword.empty() && !header_.elements.empty()) {
-      // Harmless before the elements, where some exporters break their comments over lines; later
-      // it may be a property that all rows would be misread without.
+      // Before the elements, an unknown line is harmless; some exporters break comments over
+      // several lines. Later, it may be a property, without which all rows would be misread.
       fail("unknown header line");
     }
   }
@@ -158,22 +159,22 @@ class HeaderReader {
   Header header_;
   bool has_format_ = false;
   char line_end_ = '\n';
-  const char* line_start_ = nullptr;  // of the current line
-  const char* stop_ = nullptr;        // of the current line, before its end
-  const char* next_ = nullptr;        // the line after
-  const char* at_ = nullptr;          // after the current word
-  const char* word_ = nullptr;        // the current word
+  const char* line_start_ = nullptr;  // the start of the current line
+  const char* stop_ = nullptr;        // end of the current line, before its line end
+  const char* next_ = nullptr;        // the start of the next line
+  const char* at_ = nullptr;          // the end of the current word
+  const char* word_ = nullptr;        // the start of the current word
 };
 
-/// Every row takes at least this many bytes, so that a count can be checked against the file's
-/// size: in text a digit and a separator for each value.
+/// Checks each count against the size of the file. In a text, every value takes at least a digit
+/// and a separator.
 void require_room(const SourceBytes& source, const Header& header) {
   const std::int64_t room = source.end() - header.body;
   for (const Element& element : header.elements) {
     const std::int64_t row = header.encoding == Encoding::ascii
                                  ? 2 * static_cast<std::int64_t>(element.properties.size())
                                  : element.smallest_row();
-    // The last separator may be missing.
+    // The separator after the last row may be missing.
     if (row > 0 && element.count > (room + 1) / row) {
       fail_in_text(source, element.count_text.data(),
                    fmt::format("the file is too short for that many rows of '{}' (it ends {} bytes "

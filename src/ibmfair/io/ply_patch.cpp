@@ -1,5 +1,5 @@
-// Writes a PLY file with only the coordinates of moved vertices, and what depends on them, changed,
-// and new rows behind its vertices and faces.
+// Copies a PLY file, changes only the coordinates of moved vertices and the values that depend on
+// them, and inserts new rows after its vertices and after its faces.
 #include <algorithm>
 #include <cctype>
 #include <cmath>
@@ -17,11 +17,11 @@
 namespace ibmfair::ply {
 namespace {
 
-/// What happens to a vertex property.
+/// How to write a vertex property.
 struct Treatment {
   enum class Kind : std::uint8_t { copy, position, normal, drop } kind = Kind::copy;
   int axis = 0;
-  Type type = Type::float32;  // that it is stored as afterwards
+  Type type = Type::float32;  // the type in the output
 };
 
 constexpr std::int64_t largest_of(Type type) {
@@ -70,7 +70,7 @@ class Patcher {
     for (int c = 0; c < 3; ++c) {
       const int i = layout_.position[static_cast<std::size_t>(c)];
       const Type declared = property(i).type;
-      // An integer could hold no moved coordinate at all, so that `keep` can only mean float.
+      // An integer cannot hold a moved coordinate, so `keep` applies to float only.
       const bool keep =
           declared == Type::float64 ||
           (declared == Type::float32 && request_.ply_real == WriteOptions::PlyReal::keep);
@@ -101,7 +101,8 @@ class Patcher {
     }
   }
 
-  /// Vertex numbers that their type cannot hold any more get a wider one.
+  /// If the type of the faces' vertex numbers cannot hold the largest new number, a wider type is
+  /// used.
   void plan_indices() {
     const Property& indices = index_property();
     index_type_ = indices.type;
@@ -142,7 +143,8 @@ class Patcher {
     if (more > 0) file.replace(old.data(), old.data() + old.size(), std::string_view(text));
   }
 
-  /// Types have names with and without their size; a file keeps to its own kind.
+  /// Each type has a name with its size and one without; the new name is of the same kind as the
+  /// old.
   static void replace_type(const Property& property, std::string_view name,
                            std::string_view sized_name, BytePatcher& file) {
     const std::string_view old = property.type_text;
@@ -203,7 +205,7 @@ class Patcher {
       for (std::size_t i = 0; i < spans.size(); ++i) {
         const char* before = body.after_value();
         spans[i].first = body.position();
-        // What precedes a row's first value is the end of the line before.
+        // The bytes before the first value of a row are the end of the line before.
         spans[i].before = i == 0 ? spans[i].first : before;
         body.skip(element.properties[i]);
         spans[i].last = body.after_value();
@@ -213,7 +215,7 @@ class Patcher {
     }
   }
 
-  /// Calls write(row) behind the rows that have just been walked over.
+  /// Calls write(row), whose output is inserted after the rows that have just been read.
   template <class Body, class Write>
   void insert_rows(Body& body, BytePatcher& file, ByteSink& out, Write&& write) const {
     const bool ascii = layout_.header.encoding == Encoding::ascii;
@@ -302,8 +304,8 @@ class Patcher {
   const PatchRequest& request_;
   Layout layout_;
   bool swapped_;
-  std::vector<Treatment> treatments_;  // one a vertex property
-  Type index_type_ = Type::int32;      // of the faces' vertex numbers afterwards
+  std::vector<Treatment> treatments_;  // one for each vertex property
+  Type index_type_ = Type::int32;      // the type of the faces' vertex numbers in the output
   std::optional<RenewedNormals> normals_;
   std::optional<VertexAppender> new_vertices_;
   std::optional<FaceAppender> new_faces_;

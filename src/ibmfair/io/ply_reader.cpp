@@ -1,4 +1,4 @@
-// Reads positions and faces of a PLY file.
+// Reads the positions and faces of a PLY file.
 #include <algorithm>
 #include <limits>
 
@@ -18,7 +18,7 @@ int find_scalar(const SourceBytes& source, const Element& element, std::string_v
   return property.is_list ? -1 : found;
 }
 
-/// All of the names, or -1 for each.
+/// The positions of the properties with these names, or -1 for each if not all of them exist.
 template <std::size_t n>
 std::array<int, n> find_all(const SourceBytes& source, const Element& element,
                             const std::array<std::string_view, n>& names) {
@@ -50,7 +50,7 @@ void find_in_vertices(const SourceBytes& source, Layout& layout) {
   }
 }
 
-/// The list of vertex numbers of an element; false if it has none.
+/// Finds the list of vertex numbers of an element; false if there is none.
 bool find_indices(const SourceBytes& source, const Element& element, Layout& layout) {
   for (const std::string_view name : {"vertex_indices", "vertex_index"}) {
     const int found = element.find(source, name);
@@ -125,8 +125,8 @@ void read_faces(const Layout& layout, Body& body, Polygons& faces) {
   }
 }
 
-/// Cuts a strip into its triangles, every other one turned back. Repeated vertices only steer the
-/// strip and make no triangle.
+/// Cuts a strip into triangles and reverses every other one, as strips require. Triangles with a
+/// repeated vertex only serve to join parts of the strip and are left out.
 void add_strip(std::span<const Index> strip, Polygons& faces) {
   for (std::size_t i = 2; i < strip.size(); ++i) {
     const Index a = strip[i - 2];

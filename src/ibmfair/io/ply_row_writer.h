@@ -15,7 +15,7 @@
 
 namespace ibmfair::ply {
 
-/// Writes values one after the other, as text with blanks between them or as bytes.
+/// Writes values one after the other, as text separated by blanks or as bytes.
 class RowWriter {
  public:
   RowWriter(ByteSink& out, Encoding encoding, std::string_view line_end = "\n")
@@ -32,7 +32,8 @@ class RowWriter {
     verbatim({buffer, static_cast<std::size_t>(result.ptr - buffer)});
   }
 
-  /// A number as the type holds it: integers get the nearest value in their range, 0 for nan.
+  /// Writes a number in the given type; an integer type gets the nearest value in its range, and 0
+  /// for NaN.
   void number(Type type, double number) {
     with_type(type, [&](auto of) {
       using T = typename decltype(of)::type;
@@ -47,7 +48,7 @@ class RowWriter {
     });
   }
 
-  /// A value or list as it stands in a body of the same encoding.
+  /// Writes a value or list exactly as it is stored in a body of the same encoding.
   void verbatim(std::string_view bytes) {
     if (ascii_ && !first_) out_.write(" ");
     first_ = false;

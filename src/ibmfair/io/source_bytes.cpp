@@ -19,7 +19,7 @@ namespace {
 
 constexpr std::size_t longest_quote = 40;
 
-/// A descriptor that is closed when it goes out of scope, except standard input.
+/// A file descriptor that is closed at the end of the scope, unless it is standard input.
 struct Descriptor {
   int fd;
   explicit Descriptor(int fd) : fd(fd) {}
@@ -41,17 +41,20 @@ struct stat status_of(int fd, const std::string& name) {
   return status;
 }
 
-/// False for pipes, and for files that the kernel makes up.
+/// Whether the size of the file is known. It is not for pipes and for files that the kernel
+/// generates.
 bool has_size(const struct stat& status) {
   return S_ISREG(status.st_mode) && status.st_size > 0;
 }
 
-/// Bytes to expect: a file's size, one to meet its end without growing the buffer, one to mark it.
+/// The initial capacity: the size of the file, one byte to detect its end without growing the
+/// buffer, and one byte for the line feed at the end.
 std::size_t first_capacity(const struct stat& status) {
   return has_size(status) ? static_cast<std::size_t>(status.st_size) + 2 : std::size_t{1} << 16;
 }
 
-/// Half of one file and half of another may well be a mesh.
+/// Throws BadFile if the file has changed: the first part of one version and the last part of
+/// another may well form a valid mesh.
 void require_unchanged(const struct stat& before, int fd, const std::string& name) {
   const struct stat after = status_of(fd, name);
   if (has_size(before) &&

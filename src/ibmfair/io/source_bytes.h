@@ -9,20 +9,21 @@
 
 namespace ibmfair {
 
-/// A file read completely into memory: whatever happens to it afterwards (an edit, a truncation,
-/// being the output's own target) does not reach a run that has begun.
+/// A file that is read completely into memory, so that later changes to the file (an edit, a
+/// truncation, the output replacing it) do not affect a run.
 class SourceBytes {
  public:
-  /// Reads `path`, or standard input for "-". Throws BadFile with the system's reason.
+  /// Reads the file `path`, or standard input for "-". Throws BadFile with the reason that the
+  /// system gives.
   static std::shared_ptr<const SourceBytes> read(const std::string& path);
 
-  /// Bytes that are in memory already, with the name that messages shall give them.
+  /// Copies bytes that are in memory already; `name` is the name to use in messages.
   static std::shared_ptr<const SourceBytes> from_memory(std::string name, std::string_view bytes);
 
   std::string_view view() const { return {bytes_.get(), size_}; }
   const char* begin() const { return bytes_.get(); }
-  /// One behind the last byte. A line feed stands there, so that a search for the end of a number
-  /// or line need not look out for the end of the file.
+  /// The end of the bytes. A line feed is stored there, so that a search for the end of a number or
+  /// of a line need not check for the end of the file.
   const char* end() const { return bytes_.get() + size_; }
   std::size_t size() const { return size_; }
 
@@ -40,8 +41,8 @@ class SourceBytes {
   std::size_t size_ = 0;
 };
 
-/// Throws BadFile "NAME:LINE:COL: message in 'text'" for the place `where` in a text file; the text
-/// is the word found there. Lines end with LF, CRLF or CR, columns count bytes from 1.
+/// Throws BadFile "NAME:LINE:COL: message in 'text'" for the place `where` in a text file; `text`
+/// is the word at that place. Lines end with LF, CRLF or CR; columns count bytes from 1.
 [[noreturn]] void fail_in_text(const SourceBytes& source, const char* where,
                                std::string_view message);
 
@@ -49,7 +50,7 @@ class SourceBytes {
 [[noreturn]] void fail_in_binary(const SourceBytes& source, std::string_view element,
                                  std::int64_t row, const char* where, std::string_view message);
 
-/// Throws BadFile "NAME: message" where no place can be named.
+/// Throws BadFile "NAME: message", for an error without a place in the file.
 [[noreturn]] void fail_in_file(const SourceBytes& source, std::string_view message);
 
 }  // namespace ibmfair

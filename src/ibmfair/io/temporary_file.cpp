@@ -14,7 +14,8 @@
 namespace ibmfair {
 namespace {
 
-/// The names that are in use. More files than these at a time are left to the next run.
+/// The names in use. If there are more files than entries, the names of the others are not
+/// recorded, and remove_temporary_files() leaves their files behind.
 std::array<std::atomic<const char*>, 64> names_in_use{};
 static_assert(std::atomic<const char*>::is_always_lock_free);
 
@@ -29,7 +30,7 @@ std::atomic<const char*>* note(const char* name) {
 int rename_where_nothing_is(const char* from, const char* to) {
   if (renameat2(AT_FDCWD, from, AT_FDCWD, to, RENAME_NOREPLACE) == 0) return 0;
   if (errno != EINVAL && errno != ENOSYS) return errno;
-  // Network file systems do not know that call, those of cameras have no second names.
+  // Network file systems lack renameat2(); file systems of cameras have no hard links.
   if (link(from, to) == 0) {
     unlink(from);
     return 0;
@@ -56,8 +57,8 @@ TemporaryFile::~TemporaryFile() {
   }
 }
 
-/// Noted before there is a file, so that no signal comes in between; random, so that what the name
-/// stands for is never somebody else's.
+/// Chooses and records the name before the file exists, so that no signal can come in between. The
+/// name is random, so that the file to remove is never one of another program.
 void TemporaryFile::choose_name() {
   std::uint64_t number = 0;
   while (getrandom(&number, sizeof number, 0) < 0 && errno == EINTR) {
@@ -70,7 +71,7 @@ void TemporaryFile::forget_name() {
   const char* name = name_.c_str();
   if (noted_ != nullptr && !noted_->compare_exchange_strong(name, nullptr)) {
     while (true)
-      pause();  // another thread is ending the process, and still reads the name
+      pause();  // another thread is ending the process and still uses the name
   }
   noted_ = nullptr;
   name_.clear();
@@ -78,7 +79,7 @@ void TemporaryFile::forget_name() {
 
 int TemporaryFile::create(const std::string& directory, bool named) {
   directory_ = directory;
-  // A file without a name gets one through /proc, which is not everywhere.
+  // A file without a name is given one through /proc, which not every system has.
   if (!named && access("/proc/self/fd", X_OK) == 0) {
     fd_ = open(directory.c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, 0666);
     if (fd_ >= 0) return 0;

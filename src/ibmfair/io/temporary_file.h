@@ -1,4 +1,4 @@
-// A file that is written beside its target and then takes its place.
+// A file that is written in the directory of its target and then replaces the target.
 #pragma once
 
 #include <atomic>
@@ -6,9 +6,9 @@
 
 namespace ibmfair {
 
-/// Where the file system can hold files without a name, this is one until it is complete, so that
-/// not even a killed process leaves anything behind. Elsewhere, and for the moment in which it
-/// replaces another file, it is called `.ibmfair-PROCESS-RANDOM.tmp`.
+/// A temporary file. On file systems that support files without a name, it has no name until it is
+/// complete, so that even a killed process leaves nothing behind. On others, and for the moment in
+/// which it replaces another file, its name is `.ibmfair-PROCESS-RANDOM.tmp`.
 class TemporaryFile {
  public:
   TemporaryFile() = default;
@@ -17,15 +17,15 @@ class TemporaryFile {
   TemporaryFile(const TemporaryFile&) = delete;
   TemporaryFile& operator=(const TemporaryFile&) = delete;
 
-  /// Makes the file, for writing only; with a name from the start if `named`. Returns 0 or the
+  /// Creates the file for writing only; if `named`, with a name from the start. Returns 0 or the
   /// system's error number.
   int create(const std::string& directory, bool named = false);
 
-  /// Empty while it has none.
+  /// The path of the file; empty while it has no name.
   const std::string& name() const { return name_; }
 
-  /// Gives the file the name `target`, in the same directory; what has that name is replaced only
-  /// if `overwrite`. Returns 0 or the system's error number.
+  /// Gives the file the name `target`, which must be in the same directory. An existing file of
+  /// that name is replaced only if `overwrite`. Returns 0 or the system's error number.
   int move_to(const std::string& target, bool overwrite);
 
   /// -1 before `create`.
@@ -37,13 +37,14 @@ class TemporaryFile {
 
   std::string directory_;
   std::string name_;
-  std::atomic<const char*>* noted_ = nullptr;  // where remove_temporary_files finds the name
+  // The entry in which remove_temporary_files() finds the name.
+  std::atomic<const char*>* noted_ = nullptr;
   int fd_ = -1;
 };
 
-/// Removes the files of this process that have names. For a process that ends at once: may be
-/// called in a signal handler; a file that is removed so is never moved to its target afterwards,
-/// its thread waits for the end.
+/// Removes the temporary files of this process that have names. For use just before the process
+/// ends; may be called in a signal handler. A removed file is never moved to its target afterwards:
+/// its thread waits for the end of the process.
 void remove_temporary_files();
 
 }  // namespace ibmfair

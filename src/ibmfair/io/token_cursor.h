@@ -1,4 +1,4 @@
-// Walks a text of numbers separated by blanks and ends of lines: the body of OFF and ascii PLY.
+// Reads a text of numbers separated by blanks and line ends: the body of OFF and ascii PLY.
 #pragma once
 
 #include <cstdint>
@@ -11,8 +11,8 @@
 
 namespace ibmfair {
 
-/// Every number must be followed by a blank, the end of its line, or a comment where the text has
-/// comments (`#` up to the end of the line, even glued to a number).
+/// Every number must be followed by a blank, the end of its line, or a comment if the format has
+/// comments (from `#` to the end of the line; a blank before `#` is not required).
 class TokenCursor {
  public:
   TokenCursor(const SourceBytes& source, const char* start, bool comments)
@@ -21,7 +21,7 @@ class TokenCursor {
         end_(source.end()),
         comment_(comments ? characters::hash : std::uint8_t{0}) {}
 
-  /// Goes to the next token on this or a later line; false at the end of the text.
+  /// Moves to the next token on this or a later line; false at the end of the text.
   bool skip_to_token() {
     skip_space();
     while (characters::is(*p_, comment_)) {
@@ -31,14 +31,14 @@ class TokenCursor {
     return p_ != end_;
   }
 
-  /// Whether nothing more (than a comment) follows on this line.
+  /// Whether only blanks or a comment follow on this line.
   bool at_line_end() {
     p_ = characters::find_not(p_, characters::blank);
     return characters::is(*p_, characters::line_end | comment_);
   }
 
-  /// Goes behind the end of this line, passing over a comment, and returns that end: empty where
-  /// more follows on the line or the text ends with it.
+  /// Moves past the end of this line, including a comment, and returns the line end. Returns an
+  /// empty text if more follows on the line or if the text ends here.
   std::string_view take_line_end() {
     if (!at_line_end()) return {};
     skip_comment();
@@ -47,7 +47,7 @@ class TokenCursor {
     return line_end;
   }
 
-  /// Where the cursor stands; after skip_to_token() the start of a token.
+  /// The position of the cursor; after skip_to_token(), the start of a token.
   const char* position() const { return p_; }
 
   /// Reads a finite number; throws BadFile.
@@ -71,7 +71,7 @@ class TokenCursor {
     return value;
   }
 
-  /// Passes over a token, whatever it says, and returns it.
+  /// Skips a token of any form and returns it.
   std::string_view token() {
     if (!skip_to_token()) fail(p_, "the file ends before its last row does");
     const char* start = p_;
@@ -79,10 +79,10 @@ class TokenCursor {
     return {start, static_cast<std::size_t>(p_ - start)};
   }
 
-  /// Goes to where another cursor over the same text stands.
+  /// Moves to the position of another cursor over the same text.
   void go_back(const TokenCursor& there) { p_ = there.p_; }
 
-  /// Bytes between the cursor and the end of the text.
+  /// The number of bytes between the cursor and the end of the text.
   std::int64_t remaining() const { return end_ - p_; }
 
   [[noreturn]] void fail(const char* where, std::string_view message) const {
@@ -103,7 +103,7 @@ class TokenCursor {
   const SourceBytes& source_;
   const char* p_;
   const char* end_;
-  std::uint8_t comment_;  // what one starts with, where there are any
+  std::uint8_t comment_;  // class of the character that starts a comment, or 0
 };
 
 }  // namespace ibmfair

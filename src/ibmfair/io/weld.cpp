@@ -10,7 +10,8 @@ std::size_t hash_position(const Points& X, Eigen::Index v) {
   std::uint64_t hash = 0;
   for (int c = 0; c < 3; ++c) {
     // Adding zero turns -0 into +0. The multiplier is that of a 64-bit linear congruential
-    // generator; the shift brings the mixed high bits down to where the table looks.
+    // generator; the shift mixes the high bits into the low bits, which select the slot of the
+    // table.
     hash = (hash ^ std::bit_cast<std::uint64_t>(X(v, c) + 0.0)) * 6364136223846793005U;
     hash ^= hash >> 32;
   }

@@ -1,4 +1,4 @@
-// Merging vertices that lie at exactly the same place.
+// Merges vertices with exactly the same position.
 #pragma once
 
 #include <vector>
@@ -7,18 +7,19 @@
 
 namespace ibmfair {
 
-/// What welding did: old vertex v is new vertex `vertex[v]`, which is old vertex
-/// `first[vertex[v]]`.
+/// The result of welding: old vertex v becomes new vertex `vertex[v]`, and new vertex w is old
+/// vertex `first[w]`.
 struct Weld {
-  std::vector<Index> vertex;  ///< #V before
-  std::vector<Index> first;   ///< #V after
+  std::vector<Index> vertex;  ///< #V before welding
+  std::vector<Index> first;   ///< #V after welding
 };
 
-/// Finds equal positions (+0 and -0 are equal, nothing else is rounded). New vertices are numbered
-/// in the order in which they are first met. Expected time linear in #V.
+/// Finds vertices with equal positions (+0 equals -0; nothing is rounded). New vertices are
+/// numbered in the order in which their positions first occur. Expected time linear in #V.
 Weld find_coincident_vertices(const Points& X);
 
-/// Replaces positions and corners; faces keep their number and order, some may repeat a corner now.
+/// Replaces positions and corners. The faces keep their number and order; some may have a repeated
+/// corner afterwards.
 void apply(const Weld& weld, Mesh& mesh);
 
 }  // namespace ibmfair

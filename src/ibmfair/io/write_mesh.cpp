@@ -24,7 +24,7 @@ const Format& choose_format(const std::string& path, const WriteOptions& options
   }
   if (format == nullptr && options.format.empty() && source != nullptr &&
       source->generate != nullptr) {
-    return *source;  // an extension that means nothing, as in "mesh.obj.new"
+    return *source;  // an extension that names no format, as in "mesh.obj.new"
   }
   if (format == nullptr || format->generate == nullptr) {
     throw BadOption(fmt::format("{}: '{}' is not a mesh format that can be written (one of: {})",
@@ -57,7 +57,7 @@ WriteReport finish(WriteReport report, AtomicFile& out) {
   return report;
 }
 
-/// Both ways of writing a mesh that comes from a file; `extension` may be null.
+/// Writes a mesh that was read from a file, by patching or by generating; `extension` may be null.
 WriteReport write(const MeshFile& source, const Points& X, const Extension* extension,
                   const std::string& path, const WriteOptions& options) {
   const Mesh& mesh = source.mesh();
@@ -80,7 +80,7 @@ WriteReport write(const MeshFile& source, const Points& X, const Extension* exte
     MeshAttributes attributes = source.attributes();
     if (extension != nullptr) {
       attributes = extended_attributes(std::move(attributes), mesh, *extension, report.notes);
-      // These are about statements that no other format can take.
+      // The notes concern OBJ statements, which no other format can hold.
       if (flavour == nullptr) report.notes.clear();
     }
     const Mesh target =

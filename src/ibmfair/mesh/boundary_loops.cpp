@@ -12,7 +12,7 @@
 namespace ibmfair {
 namespace {
 
-/// A boundary edge in the direction of its triangle, between two fans.
+/// A boundary edge, directed as in its triangle, with the fans at its two ends.
 struct BoundaryEdge {
   std::array<Index, 2> vertex;
   std::array<Index, 2> fan;
@@ -33,7 +33,7 @@ std::vector<BoundaryEdge> boundary_edges(const Topology& topology, const std::ve
   return result;
 }
 
-/// The one or two boundary edges at each fan; -1 where there are fewer.
+/// The one or two boundary edges of each fan; -1 if there are fewer.
 using EdgesAtFan = std::vector<std::array<Index, 2>>;
 
 EdgesAtFan edges_at_fans(const std::vector<BoundaryEdge>& edges, Index fan_bound) {
@@ -47,7 +47,7 @@ EdgesAtFan edges_at_fans(const std::vector<BoundaryEdge>& edges, Index fan_bound
   return at_fan;
 }
 
-/// The loop starts at its smallest vertex; whether it is simple shows in the sorted vertices.
+/// Makes a closed loop start at its smallest vertex, and finds out whether the loop is simple.
 void normalise(BoundaryLoop& loop) {
   auto& v = loop.vertices;
   if (loop.closed) {
@@ -83,8 +83,9 @@ std::vector<BoundaryLoop> walk_loops(const std::vector<BoundaryEdge>& edges,
                                      const EdgesAtFan& at_fan) {
   std::vector<std::uint8_t> walked(edges.size(), 0);
 
-  // Walks from edge `start`, leaving it at its end `side`; ends do not depend on orientation, so
-  // the loop of a Moebius strip closes like any other.
+  // Walks along the boundary from edge `start`, first to its end `side` (0 or 1). At each further
+  // edge, the side is found from the shared fan and not from the orientation, so the loop of a
+  // Moebius strip closes like any other.
   const auto walk = [&](Index start, int side) {
     BoundaryLoop loop;
     Index i = start;
@@ -110,7 +111,7 @@ std::vector<BoundaryLoop> walk_loops(const std::vector<BoundaryEdge>& edges,
 
   std::vector<BoundaryLoop> loops;
   const auto ends_at = [&](Index i, int side) { return at_fan[edges[i].fan[side]][1] < 0; };
-  for (const bool chains : {true, false}) {  // what is left after the open chains are cycles
+  for (const bool chains : {true, false}) {  // open chains first; the remaining edges form cycles
     for (Index i = 0; i < static_cast<Index>(edges.size()); ++i) {
       if (!walked[i] && (!chains || ends_at(i, 0) || ends_at(i, 1))) {
         loops.push_back(walk(i, ends_at(i, 0) || !ends_at(i, 1) ? 1 : 0));

@@ -1,5 +1,5 @@
-// Both lists are counting sorts: linear in the size of the mesh, and next to no branches that a
-// processor cannot foresee.
+// Stars and edges are found by counting sorts, which take time linear in the size of the mesh and
+// have almost no branches that a processor cannot predict.
 #include "ibmfair/mesh/edges.h"
 
 #include <algorithm>
@@ -12,8 +12,8 @@
 namespace ibmfair {
 namespace {
 
-/// Hands out places in a flat list of rows: first every item is counted, then, after `begin`, every
-/// item takes the next place of its row.
+/// Assigns places in a flat list of rows. First count() is called for every item, then begin(), and
+/// then take() for every item returns the next free place in the row of the item.
 class RowPlaces {
  public:
   explicit RowPlaces(Index rows) : next_(static_cast<std::size_t>(rows) + 2, 0) {}
@@ -23,31 +23,32 @@ class RowPlaces {
   std::int64_t total() const { return next_.back(); }
   std::int64_t take(Index row) { return next_[static_cast<std::size_t>(row) + 1]++; }
 
-  /// Where each row starts, and the end of the last; every place must have been taken.
+  /// The start of each row and the end of the last row. Call this after every place has been taken.
   std::vector<std::int64_t> first() && {
     next_.pop_back();
     return std::move(next_);
   }
 
  private:
-  // Element r + 1 is the next place of row r: when all are taken, the start of row r + 1.
+  // Element r + 1 is the next free place of row r; when all places are taken, this is the start of
+  // row r + 1.
   std::vector<std::int64_t> next_;
 };
 
-/// A side of a triangle, kept with its smaller vertex.
+/// A side of a triangle, stored in the row of its smaller vertex.
 struct HalfEdge {
-  Index larger;  // the other vertex
+  Index larger;  // the larger vertex of the side
   Index triangle;
   Index opposite;  // as in EdgeSides
 };
 
-/// The half-edges of all triangles in rows by their smaller vertex, each row ordered by the larger
-/// vertex and then by triangle.
+/// The half-edges of all triangles without a repeated corner, in rows by their smaller vertex. Each
+/// row is ordered by the larger vertex and then by triangle.
 struct HalfEdges {
   std::vector<std::int64_t> first;  // #V + 1
-  std::vector<HalfEdge> value;      // 3 #F
+  std::vector<HalfEdge> value;      // three for each of these triangles
 
-  /// Whether half-edge i of row v is the first one of its edge.
+  /// Whether half-edge i of row v is the first half-edge of its edge.
   bool starts_edge(Index v, std::int64_t i) const {
     return i == first[v] || value[i].larger != value[i - 1].larger;
   }
@@ -67,13 +68,13 @@ RowPlaces places_by_smaller_vertex(const Topology& topology) {
   return places;
 }
 
-/// Goes through the larger vertices in increasing order, so that every row comes out sorted.
+/// Visits the larger vertices in increasing order, so that every row comes out sorted.
 HalfEdges find_half_edges(const Topology& topology) {
   RowPlaces places = places_by_smaller_vertex(topology);
   HalfEdges half_edges;
   half_edges.value.resize(static_cast<std::size_t>(places.total()));
   const auto put = [&](Index smaller, const HalfEdge& half_edge) {
-    if (smaller < half_edge.larger) {  // else it comes at its other end
+    if (smaller < half_edge.larger) {  // otherwise stored from its other end
       half_edges.value[places.take(smaller)] = half_edge;
     }
   };
@@ -88,7 +89,7 @@ HalfEdges find_half_edges(const Topology& topology) {
   return half_edges;
 }
 
-/// The number of the first edge of each row of half-edges, and the number of edges.
+/// The number of the first edge of each row of half-edges, followed by the total number of edges.
 std::vector<Index> number_edges(const HalfEdges& half_edges, Index vertex_count) {
   std::vector<Index> first_edge(static_cast<std::size_t>(vertex_count) + 1, 0);
   parallel_for(vertex_count, [&](std::int64_t v) {

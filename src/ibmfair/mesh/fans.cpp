@@ -12,23 +12,24 @@
 namespace ibmfair {
 namespace {
 
-/// Walks around v from its first triangle in both directions, as far as edges lead.
+/// Walks around v from its first triangle, in both directions, and tells whether every triangle at
+/// v is reached. For stars of at most most_in_short_star triangles.
 bool is_one_short_fan(const Topology& topology, Index v) {
   const auto star = topology.stars[v];
-  auto [back, front] = other_corners(topology.F, star[0], v);  // where the walk ends
-  std::array<std::array<Index, 2>, most_in_short_star> ahead;  // the triangles still to be met
+  auto [back, front] = other_corners(topology.F, star[0], v);  // the two ends of the walk
+  std::array<std::array<Index, 2>, most_in_short_star> ahead;  // the triangles not reached yet
   std::size_t left = star.size() - 1;
   for (std::size_t i = 0; i < left; ++i) {
     ahead[i] = other_corners(topology.F, star[i + 1], v);
   }
-  // No branches within a sweep: whether a triangle comes next is a toss-up to the processor.
+  // The sweep has no branches, because the processor cannot predict which triangle comes next.
   for (std::size_t before = left + 1; left > 0 && left < before;) {
     before = std::exchange(left, 0);
     for (std::size_t i = 0; i < before; ++i) {
       const auto [p, q] = ahead[i];
       const bool at_front = (p == front) | (q == front);
       const bool at_back = (!at_front) & ((p == back) | (q == back));
-      front = at_front ? p ^ q ^ front : front;  // on to its other end
+      front = at_front ? p ^ q ^ front : front;  // proceed to the other corner of the triangle
       back = at_back ? p ^ q ^ back : back;
       ahead[left] = {p, q};
       left += (at_front | at_back) ? 0 : 1;
@@ -37,9 +38,10 @@ bool is_one_short_fan(const Topology& topology, Index v) {
   return left == 0;
 }
 
-/// For each triangle around v the place in the star of the first one of its fan.
+/// For each triangle at v, the place in the star of the first triangle in the same fan.
 std::vector<Index> first_in_fan(const Topology& topology, Index v) {
-  struct Side {  // the side from v to vertex `end` of the triangle at this place in the star
+  // The side from v to the vertex `end`, in the triangle at this place in the star.
+  struct Side {
     Index end, place;
   };
   const auto star = topology.stars[v];
@@ -80,7 +82,7 @@ void walk_around(const Topology& topology, Index v, Index* ring) {
   for (std::size_t step = 0; step < star.size(); ++step) {
     ring[step] = at;
     Index next = at;
-    for (std::size_t i = 0; i < star.size(); ++i) {  // without branches, as above
+    for (std::size_t i = 0; i < star.size(); ++i) {  // without branches, as in is_one_short_fan()
       next = side[i][0] == at ? side[i][1] : next;
     }
     at = next;

@@ -24,7 +24,7 @@ double area(const Corners& corners) {
   return double_area_vector(corners.a, corners.b, corners.c).norm() / 2;
 }
 
-/// Sine and cosine of the smallest angle, times the lengths of the two edges there.
+/// Sine and cosine of an angle, both multiplied by the lengths of the two edges at the angle.
 struct Angle {
   double sine, cosine;
 };
@@ -36,7 +36,8 @@ double radians(const Angle& angle) {
 Angle smallest_angle(const Corners& corners) {
   const auto& [a, b, c] = corners;
   const Vec3 u = b - a, v = c - b, w = a - c;
-  // Times lengths, the sine is the same for all three, and the cosines are as they are sized.
+  // The product of the sine and the two lengths is the same for all three angles, twice the area;
+  // so the smallest angle is the one with the largest product of cosine and lengths.
   return {u.cross(v).norm(), std::max({-u.dot(w), -v.dot(u), -w.dot(v)})};
 }
 
@@ -85,7 +86,8 @@ double enclosed_volume(const Points& X, const Triangles& F) {
   if (X.rows() == 0) {
     return 0;
   }
-  // Far from the origin the cones of the plain formula cancel; around the centroid they do not.
+  // If the mesh is far from the origin, the plain formula with cones from the origin suffers from
+  // cancellation; with cones from the centroid it does not.
   const Vec3 centre = X.colwise().mean();
   const double six_volumes = parallel_sum(F.rows(), [&](std::int64_t t) {
     const auto [a, b, c] = corners(X, F, t);

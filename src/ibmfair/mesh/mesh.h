@@ -1,4 +1,4 @@
-// A polygon mesh as it stands in a file: positions and faces, nothing merged, nothing reordered.
+// A polygon mesh as a file stores it: positions and faces, with nothing merged or reordered.
 #pragma once
 
 #include <cstdint>
@@ -10,11 +10,12 @@
 
 namespace ibmfair {
 
-/// Vertices, faces and triangles that a mesh may have at most, so that Index can number all that
-/// belongs to it: triangles have three edges each where they share none, edges two ends each.
+/// The largest number of vertices, faces or triangles that a mesh may have, so that Index can
+/// number everything derived from the mesh: each triangle has up to three edges of its own, and
+/// each edge has two ends.
 inline constexpr std::int64_t most_elements = std::numeric_limits<Index>::max() / 6;
 
-/// Faces of any number of corners, stored one after the other.
+/// Faces with any number of corners, stored one after the other.
 struct Polygons {
   std::vector<std::int64_t> first{0};  ///< face f has corners first[f] .. first[f + 1] - 1
   std::vector<Index> corner;           ///< vertex numbers
@@ -37,19 +38,20 @@ struct Mesh {
   Polygons faces;
 };
 
-/// The triangles that the solver sees, and the polygon that each came from.
+/// The triangles that the solver works on, and the polygon that each triangle came from.
 struct Triangulation {
   Triangles F;              ///< #F x 3, in the order of the faces, each with its face's orientation
   std::vector<Index> face;  ///< #F, the polygon of each triangle
 };
 
-/// Splits every face into triangles: a triangle stays as it is, a quadrilateral is cut along the
-/// diagonal that leaves the larger smallest angle, larger polygons are cut ear by ear in their
-/// best-fit plane, so that concave faces do not fold over. Faces with a repeated corner are kept
-/// (as triangles that may repeat a corner too): leaving them out is the topology's decision.
+/// Splits every face into triangles. A triangle stays as it is; a quadrilateral is cut along the
+/// diagonal that gives the larger smallest angle; a larger polygon is cut ear by ear in its
+/// best-fit plane, so that concave faces do not fold over. Faces with a repeated corner are kept,
+/// and their triangles may repeat a corner as well: build_topology() decides which triangles to
+/// leave out.
 Triangulation triangulate(const Mesh& mesh);
 
-/// A mesh of these triangles, as shapes and tests make it.
+/// A mesh with these positions and triangles, for generated shapes and tests.
 Mesh mesh_from_triangles(Points X, const Triangles& F);
 
 }  // namespace ibmfair

@@ -12,14 +12,14 @@
 namespace ibmfair {
 namespace {
 
-/// Whether two triangles meet at edge e that run through it in the same direction.
+/// Whether edge e has exactly two triangles and both run along the edge in the same direction.
 bool disagree_at(const Topology& topology, const EdgeSides& sides, Index e) {
   const std::int64_t i = topology.edge_triangles.first[e];
   return topology.edge_triangles.first[e + 1] == i + 2 && sides.runs_up(i) == sides.runs_up(i + 1);
 }
 
-/// The edges of each triangle that it shares with exactly one other, in increasing order; -1 where
-/// there are fewer than three.
+/// For each triangle, the edges that it shares with exactly one other triangle, in increasing
+/// order; -1 if there are fewer than three.
 std::vector<std::array<Index, 3>> shared_edges(const Topology& topology) {
   std::vector<std::array<Index, 3>> edges(static_cast<std::size_t>(topology.F.rows()),
                                           {-1, -1, -1});
@@ -42,7 +42,8 @@ class Orienter {
         edges_of_(shared_edges(topology)),
         turn_(static_cast<std::size_t>(topology.F.rows()), unseen) {}
 
-  /// Whether to turn each triangle, #F. Marks what cannot agree in the topology.
+  /// For each triangle, whether to reverse it, #F. If triangles cannot be made to agree at an edge,
+  /// marks its vertices as twisted in the topology.
   std::vector<signed char> run() && {
     for (Index seed = 0; seed < static_cast<Index>(turn_.size()); ++seed) {
       if (turn_[seed] == unseen) {
@@ -56,7 +57,8 @@ class Orienter {
  private:
   static constexpr signed char unseen = -1;
 
-  /// Lets all triangles that are joined to the seed agree with it.
+  /// Decides for all triangles connected to `seed` whether to reverse them so that they agree with
+  /// it.
   void walk_patch(Index seed) {
     patch_.assign(1, seed);
     turn_[seed] = 0;
@@ -93,7 +95,7 @@ class Orienter {
   Topology& topology_;
   const EdgeSides& sides_;
   std::vector<std::array<Index, 3>> edges_of_;
-  std::vector<signed char> turn_;  // #F: whether to turn it to agree with its patch, or unseen
+  std::vector<signed char> turn_;  // #F: whether to reverse the triangle, or unseen
   std::vector<Index> patch_;
 };
 
@@ -117,7 +119,7 @@ void turn_triangles(const std::vector<signed char>& turn, Topology& topology, Ed
 void orient_coherently(Topology& topology, EdgeSides& sides) {
   topology.twisted.assign(static_cast<std::size_t>(topology.vertex_count), 0);
   const auto disagree = [&](Index e) { return disagree_at(topology, sides, e); };
-  if (!indices_where(topology.E.rows(), disagree).empty()) {  // nearly every mesh agrees as it is
+  if (!indices_where(topology.E.rows(), disagree).empty()) {  // nearly every mesh is coherent
     turn_triangles(Orienter(topology, sides).run(), topology, sides);
   }
 }

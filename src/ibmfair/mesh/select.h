@@ -1,4 +1,4 @@
-// Choosing elements by a test that runs on all threads.
+// Selects elements by a test that runs on all threads.
 #pragma once
 
 #include <algorithm>
@@ -11,15 +11,16 @@
 
 namespace ibmfair {
 
-/// The i in 0 .. count - 1 for which holds(i), in increasing order. Tests run in parallel: they may
-/// not write where another reads.
+/// The numbers i in 0 .. count - 1 for which holds(i) is true, in increasing order. The calls run
+/// in parallel, so holds() must not write to memory that another call reads.
 template <class Test>
 std::vector<Index> indices_where(Eigen::Index count, Test&& holds) {
   constexpr std::int64_t block = 8192;
   const std::int64_t blocks = (count + block - 1) / block;
   const bool share = count >= worth_sharing;
   std::vector<std::uint8_t> chosen(static_cast<std::size_t>(count));
-  std::vector<std::int64_t> first(static_cast<std::size_t>(blocks) + 1, 0);  // in the list
+  // The start of each block in the list of results.
+  std::vector<std::int64_t> first(static_cast<std::size_t>(blocks) + 1, 0);
   run_tasks(blocks, share, [&](std::int64_t b) {
     const std::int64_t end = std::min<std::int64_t>(count, (b + 1) * block);
     std::int64_t found = 0;

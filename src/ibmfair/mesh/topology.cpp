@@ -21,7 +21,8 @@
 namespace ibmfair {
 namespace {
 
-/// Triangles over the same vertices meet at all their edges, opposite the same vertex.
+/// Two triangles with the same three vertices share all their edges, and their vertices opposite
+/// each edge are the same.
 std::vector<Index> find_duplicates(const Topology& topology, const EdgeSides& sides) {
   const Rows& triangles = topology.edge_triangles;
   const auto suspicious = [&](Index e) {
@@ -78,7 +79,7 @@ void find_hinges(Topology& topology, const EdgeSides& sides) {
     if (!sides.runs_up(side0)) {
       if (sides.runs_up(side1)) {
         std::swap(side0, side1);
-      } else {  // the two disagree: the edge of a non-orientable cut
+      } else {  // the two triangles disagree: the edge lies on a non-orientable cut
         std::swap(a, b);
       }
     }
@@ -88,7 +89,7 @@ void find_hinges(Topology& topology, const EdgeSides& sides) {
   });
 }
 
-/// Numbers the components by their smallest vertices, which stand for their sets.
+/// Numbers the components in the order of their smallest vertices, which represent their sets.
 void find_components(Topology& topology) {
   UnionFind sets(topology.vertex_count);
   for (const auto edge : topology.E.rowwise()) {
@@ -104,7 +105,8 @@ void find_components(Topology& topology) {
   }
 }
 
-/// Vertices are isolated or interior unless an edge of one triangle or of several says otherwise.
+/// Classifies vertices as isolated, interior, boundary or irregular by the number of triangles at
+/// their edges. Bow-ties are found later.
 void classify_by_edges(Topology& topology) {
   topology.kind.assign(static_cast<std::size_t>(topology.vertex_count), VertexKind::interior);
   parallel_for(topology.vertex_count, [&](std::int64_t v) {
@@ -220,7 +222,7 @@ Rows vertex_rings(const Topology& topology) {
       return;
     }
     for (Index* place = ring; place != rings.value.data() + rings.first[v + 1]; ++place) {
-      *place = ends[*place ^ 1];  // the other end of the edge
+      *place = ends[*place ^ 1];  // the vertex at the other end of the edge
     }
   });
   return rings;

@@ -1,5 +1,5 @@
-// Cuts polygons into triangles. Whatever the polygon, it becomes as many triangles as it has
-// corners minus two: where geometry gives no answer (no area, crossing edges), any cut will do.
+// Cuts polygons into triangles. Every polygon gives as many triangles as it has corners, minus two;
+// if geometry does not determine how to cut (no area, crossing edges), any cut is accepted.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -12,7 +12,8 @@ namespace {
 
 using Vec2 = Eigen::Vector2d;
 
-/// Beyond this many corners the search for ears, quadratic in them, gives way to a fan.
+/// Polygons with more corners than this are cut as a fan, because the search for ears takes time
+/// quadratic in the number of corners.
 constexpr std::size_t most_ear_corners = 4096;
 
 /// How often a polygon that has run out of ears may be searched again from scratch.
@@ -27,8 +28,8 @@ double double_area(const Vec2& a, const Vec2& b, const Vec2& c) {
   return cross(b - a, c - a);
 }
 
-/// The smallest angle in radians, with the sign of the area. A nan never reaches a comparison as
-/// the better choice.
+/// The smallest angle in radians, with the sign of the area. The result is never NaN, because
+/// std::min skips angles that are NaN.
 double signed_smallest_angle(const Vec2& a, const Vec2& b, const Vec2& c) {
   const double area = double_area(a, b, c);
   const std::array<double, 3> dots{(b - a).dot(c - a), (c - b).dot(a - b), (a - c).dot(b - c)};
@@ -38,8 +39,8 @@ double signed_smallest_angle(const Vec2& a, const Vec2& b, const Vec2& c) {
   return area < 0.0 ? -smallest : smallest;
 }
 
-/// The corners in their best-fit plane, the polygon's area positive. The normal of that plane is
-/// the area vector ([Newell]); without area any plane through the corners is as good.
+/// Projects the corners to their best-fit plane, in which the polygon has positive area. The normal
+/// of the plane is the area vector ([Newell]); if that is zero, any plane is as good.
 std::vector<Vec2> project(const Points& X, std::span<const Index> polygon) {
   const Vec3 origin = X.row(polygon[0]);
   Vec3 normal = Vec3::Zero();
@@ -50,7 +51,7 @@ std::vector<Vec2> project(const Points& X, std::span<const Index> polygon) {
     points.emplace_back(X.row(v).transpose() - origin);
     scale = std::max(scale, points.back().cwiseAbs().maxCoeff());
   }
-  // Of size one, so that products neither overflow nor vanish.
+  // Scale to size one, so that products neither overflow nor underflow.
   if (scale > 0.0) {
     for (Vec3& p : points)
       p /= scale;
@@ -82,7 +83,7 @@ class EarCutter {
     search_all();
   }
 
-  /// Calls add(a, b, c) for each triangle, in corner numbers.
+  /// Calls add(a, b, c) with the corner numbers of each triangle.
   template <class Add>
   void run(Add&& add) {
     std::size_t left = points_.size();
@@ -109,8 +110,9 @@ class EarCutter {
     } while (i != start_);
   }
 
-  /// The smallest angle of the triangle at corner i: positive for an ear. Blocked ones, over which
-  /// another part of the polygon reaches, come after those without area, reflex ones last.
+  /// Rates cutting off corner i. For an ear, the rating is positive: the smallest angle of its
+  /// triangle. Then come corners without area, then ears blocked by another part of the polygon,
+  /// then reflex corners.
   double rate(std::size_t i) const {
     const Vec2& a = points_[previous_[i]];
     const Vec2& b = points_[i];
@@ -128,7 +130,7 @@ class EarCutter {
     const Vec2& c = points_[last];
     for (std::size_t k = next_[last]; k != first; k = next_[k]) {
       const Vec2& p = points_[k];
-      // A corner in the same place, as bridges to holes make them, only touches.
+      // A corner at the same position only touches the ear; bridges to holes produce such corners.
       if (p == a || p == b || p == c) continue;
       if (double_area(a, b, p) >= 0.0 && double_area(b, c, p) >= 0.0 &&
           double_area(c, a, p) >= 0.0) {
@@ -140,7 +142,7 @@ class EarCutter {
 
   std::size_t best_ear() {
     std::size_t best = best_rated();
-    // Where edges cross, cutting one ear may free another that is not its neighbour.
+    // If edges cross, cutting one ear can unblock another that is not its neighbour.
     if (!(quality_[best] > 0.0) && fresh_searches_ < most_fresh_searches) {
       ++fresh_searches_;
       search_all();
@@ -163,11 +165,11 @@ class EarCutter {
   std::vector<std::size_t> next_;
   std::vector<std::size_t> previous_;
   std::vector<double> quality_;
-  std::size_t start_ = 0;  // a corner that is still there
+  std::size_t start_ = 0;  // a corner that is not cut off yet
   int fresh_searches_ = 0;
 };
 
-/// Whether the diagonal from corner 1 to corner 3 is the better one.
+/// Whether the diagonal from corner 1 to corner 3 gives the larger smallest angle.
 bool prefers_second_diagonal(const std::vector<Vec2>& p) {
   const double first =
       std::min(signed_smallest_angle(p[0], p[1], p[2]), signed_smallest_angle(p[0], p[2], p[3]));
@@ -176,7 +178,7 @@ bool prefers_second_diagonal(const std::vector<Vec2>& p) {
   return second > first;
 }
 
-/// Calls add(a, b, c) in corner numbers for each triangle of a polygon.
+/// Calls add(a, b, c) with the corner numbers of each triangle of a polygon.
 template <class Add>
 void cut(const Points& X, std::span<const Index> polygon, Add&& add) {
   const std::size_t n = polygon.size();

@@ -1,4 +1,4 @@
-// Disjoint sets, for components and fans.
+// Disjoint sets (union-find), for components and fans.
 #pragma once
 
 #include <algorithm>
