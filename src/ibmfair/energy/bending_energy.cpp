@@ -5,8 +5,9 @@
 namespace ibmfair {
 namespace {
 
-/// 1/2 w |sum c_i x_i|^2 of stencil s over its number of vertices. The coefficients sum to zero:
-/// seen from one of the vertices no digits are lost far from the origin.
+/// The energy 1/2 w |sum c_i x_i|^2 of stencil s, divided by its number of vertices. Because the
+/// coefficients sum to zero, positions can be taken relative to one of the vertices, so that no
+/// digits are lost far from the origin.
 double share_of_stencil(const Points& X, const Rows& stencils, const StencilWeights& weights,
                         Index s) {
   const auto vertices = stencils[s];

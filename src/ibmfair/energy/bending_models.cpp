@@ -18,7 +18,7 @@ namespace {
 
 using Bound = std::unique_ptr<BendingEnergy>;
 
-/// The two members with kernels of their own know one mass, or none.
+/// The two members with kernels of their own support one mass matrix, or none.
 template <class Member>
 Bound fast_member(const Topology& topology, EnergyOptions options, const MassMatrix& mass) {
   options.mass = mass.kind != MassMatrix::Kind::identity;
@@ -56,7 +56,7 @@ Bound lagrange(const Topology& topology, const EnergyOptions& options) {
   return std::make_unique<VertexEnergy>(topology, options, cotangent_laplacian, mass);
 }
 
-/// A row of a vertex-based Laplacian.
+/// The functions of a vertex-based Laplacian's row in the table.
 template <const VertexLaplacian& laplacian, const std::string_view& name>
 struct VertexModel {
   static Bound make(const Topology& topology, const EnergyOptions& options) {
@@ -119,7 +119,7 @@ constexpr BendingModel models[]{
      .knows_parts = true},
 };
 
-/// The names of the members that have a property, for messages.
+/// The names of the members that have a property, for error messages.
 std::string names_with(bool BendingModel::*property) {
   std::string names;
   for (const BendingModel& model : models) {

@@ -11,7 +11,7 @@
 
 namespace ibmfair {
 
-/// Where a thread keeps what it has of one block.
+/// Memory in which a thread keeps the data of the block that it computes.
 struct BlockScratch {
   BlockVertices vertices;
   std::vector<Row4> triangles;
@@ -20,8 +20,8 @@ struct BlockScratch {
 
 class BlockLoop {
  public:
-  /// Calls body(block, scratch) for every block, in parallel, and adds up in their order what it
-  /// returns.
+  /// Calls body(block, scratch) for every block, in parallel, and adds up the returned values in
+  /// the order of the blocks.
   template <class Body>
   double sum(const MeshBlocks& blocks, const Body& body) {
     scratch_.resize(std::max<std::size_t>(scratch_.size(), worker_count()));
@@ -38,7 +38,7 @@ class BlockLoop {
   }
 
  private:
-  std::vector<BlockScratch> scratch_;  // one a thread, kept: they take long to allocate
+  std::vector<BlockScratch> scratch_;  // one per thread, reused because allocation is slow
   std::vector<double> partial_;
 };
 

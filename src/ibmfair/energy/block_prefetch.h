@@ -1,7 +1,8 @@
-// Memory that is on its way while a block is computed. Positions are read, and gradients written,
-// in the order of the mesh's vertices, which need not be that of the block: they come from memory
-// one cache line at a time. Where they were asked for all at once, before they are used, a fourth
-// of the time of a gradient went into waiting; and of a hundred asked for at once some are dropped.
+// Prefetches memory while a block is computed. Positions are read and gradients are written in the
+// order of the mesh's vertices, which need not be the order of the block, so they are loaded one
+// cache line at a time. Prefetching all lines at once just before use left a quarter of the time of
+// a gradient evaluation waiting for memory, and of a hundred prefetches issued at once the
+// processor drops some. The prefetches are therefore spread over a pass.
 #pragma once
 
 #include <algorithm>
@@ -13,11 +14,11 @@
 
 namespace ibmfair {
 
-/// Numbers in a line of a cache.
+/// Number of doubles in a cache line.
 inline constexpr Index numbers_per_line = 64 / sizeof(double);
 
-/// Asks for lines of rows, an equal part of them in each of some steps. Each had better have a pass
-/// over a block of its own.
+/// Prefetches the given cache lines of `rows`, an equal share of them in each of `steps` calls of
+/// step(). Each object should be used in a pass over a block of its own.
 class BlockPrefetch {
  public:
   BlockPrefetch() = default;
@@ -27,7 +28,7 @@ class BlockPrefetch {
   void step() {
     const std::size_t part = std::min(part_, lines_.size());
     for (const Index line : lines_.first(part)) {
-      // To the second cache: the first is small.
+      // Into the second-level cache: the first level is too small.
       __builtin_prefetch(rows_ + numbers_per_line * std::ptrdiff_t{line}, 0, 2);
     }
     lines_ = lines_.subspan(part);

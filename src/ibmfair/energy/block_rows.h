@@ -1,5 +1,5 @@
-// The rows of a mesh's vertices as a block holds them: one loop over both ways is a tenth of a
-// gradient.
+// Copies rows between the mesh's arrays and the vertices of a block. The loops for both directions
+// together take about a tenth of a gradient evaluation.
 #pragma once
 
 #include <span>
@@ -8,10 +8,10 @@
 
 namespace ibmfair {
 
-/// x out of rows v of X (#V x 3), with 0 as fourth number, and sums of 0.
+/// Loads x from rows v of X (#V x 3), sets its fourth number to 0, and sets the sums to 0.
 void load_rows(std::span<const Index> v, const Points& X, BlockVertex* to);
 
-/// The sums to rows v of G (#V x 3).
+/// Stores the sums to rows v of G (#V x 3).
 void store_sums(std::span<const Index> v, const BlockVertex* from, Points& G);
 
 }  // namespace ibmfair

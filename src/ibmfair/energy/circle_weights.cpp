@@ -29,7 +29,8 @@ const PerVertex& CircleWeights::at(const Points& X) {
 }
 
 void CircleWeights::pull_back(const Points& X, const PerVertex& by_weight, Points& G) const {
-  // By the length of an edge, as one triangle counts it for one of its ends.
+  // The derivative with respect to the length of an edge at v, for one of the triangles at the
+  // edge.
   const auto by_length = [&](Index v) {
     return 2 * radius_[v] * by_weight[v] / (4 * static_cast<double>(stars_[v].size()));
   };

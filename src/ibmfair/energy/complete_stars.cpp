@@ -26,8 +26,8 @@ Rows complete_stars(const Topology& topology, const std::vector<std::uint8_t>& a
   Rows stars;
   stars.first.reserve(static_cast<std::size_t>(topology.vertex_count) + 1);
   stars.value.reserve(topology.stars.value.size() + stars.first.capacity());
-  // At each neighbour the next and the previous one as one number, a ^ b: from either of them it
-  // leads to the other, however the triangles are oriented.
+  // For each vertex of the ring, the exclusive or a ^ b of the ring vertices before and after it.
+  // Given either of them it yields the other, whatever the orientation of the triangles.
   std::vector<Index> link(static_cast<std::size_t>(topology.vertex_count), 0);
   for (Index v = 0; v < topology.vertex_count; ++v) {
     if (!is_complete(topology, v)) {

@@ -8,10 +8,10 @@
 
 namespace ibmfair {
 
-/// For every interior vertex all of whose triangles may carry a stencil: the vertex, then its
-/// neighbours in the order in which its triangles follow each other around it, so that triangle k
-/// has neighbours k and k + 1, the last one the last and the first. With `active` (#V, or empty for
-/// all) only stars that have a true vertex.
+/// For every interior vertex whose triangles may all carry a stencil: the vertex, then its
+/// neighbours in the cyclic order of the triangles around it. Triangle k lies between neighbours k
+/// and k + 1, and the last triangle between the last and the first neighbour. With `active` (#V, or
+/// empty for all), only the stars that contain a vertex marked true.
 Rows complete_stars(const Topology& topology, const std::vector<std::uint8_t>& active);
 
 }  // namespace ibmfair

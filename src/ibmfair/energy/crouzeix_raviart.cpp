@@ -18,7 +18,7 @@ bool touches(const std::vector<std::uint8_t>& active, std::span<const Index> ver
          std::any_of(vertices.begin(), vertices.end(), [&](Index v) { return active[v] != 0; });
 }
 
-/// The hinges that are summed over.
+/// The hinges that contain an active vertex.
 std::vector<Index> active_hinges(const Topology& topology,
                                  const std::vector<std::uint8_t>& active) {
   return indices_where(topology.H.rows(), [&](Index h) {
@@ -38,7 +38,7 @@ Rows rows_of_four(const Hinges& H, const std::vector<Index>& hinges) {
   return rows;
 }
 
-/// The triangles of the hinges, each with the others.
+/// Blocks of the triangles of the hinges, with the adjacency of triangles across hinges.
 MeshBlocks hinge_blocks(const Topology& topology, const std::vector<Index>& hinges,
                         const std::vector<std::uint8_t>& counted) {
   const auto triangles = static_cast<std::size_t>(topology.F.rows());
@@ -59,7 +59,8 @@ MeshBlocks hinge_blocks(const Topology& topology, const std::vector<Index>& hing
   return mesh_blocks(topology, kept, {.neighbours = std::move(neighbours)}, counted);
 }
 
-/// Of the energy 3 |e|^2 / A (1 + cos theta) of a hinge of equilateral triangles; 0 for no bound.
+/// 1 / the bound u0: the energy 3 |e|^2 / A (1 + cos theta) of a hinge of equilateral triangles
+/// that turns by the angle. 0 for no bound.
 double inverse_bound(double sharp_angle) {
   const double equilateral = 2 * std::sqrt(3.0);  // 3 |e|^2 / A
   return sharp_angle > 0 ? 1 / (equilateral * (1 - std::cos(sharp_angle))) : 0;
@@ -81,7 +82,7 @@ double CrouzeixRaviart::block_energy(const MeshBlock& b, const Points& X, const 
   const FanGroup& last = b.fans.back();
   const auto triangles =
       static_cast<std::size_t>(fans_per_group * (last.first_row + last.triangles)) +
-      1;  // gather() reads behind the last
+      1;  // gather() reads beyond the last
   if (scratch.triangles.size() < triangles) {
     scratch.triangles.resize(triangles);
   }
@@ -100,7 +101,8 @@ double CrouzeixRaviart::largest_turn() const {
   return turns_.empty() ? 0 : *std::max_element(turns_.begin(), turns_.end());
 }
 
-/// A hinge is looked at in every block that owns one of its vertices.
+/// Each hinge is evaluated in every block that owns one of its vertices, so flagging the owned
+/// vertices of a block suffices.
 std::vector<std::uint8_t> CrouzeixRaviart::near_turns(double turn) const {
   std::vector<std::uint8_t> near(blocks_.owned.size() + blocks_.untouched.size(), 0);
   for (std::size_t b = 0; b < turns_.size(); ++b) {
@@ -137,7 +139,7 @@ void CrouzeixRaviart::linearise(const Points& X, StencilWeights& weights) {
     const Vec3 e0 = x1 - x0;
     const Vec3 N0 = double_area_vector(x0, x1, x2), N1 = double_area_vector(x1, x0, x3);
     const double double_area0 = N0.norm(), double_area1 = N1.norm();
-    // Cotangents of the angles between e0 and the four others, at x0 and at x1: [W07] Figure 10.
+    // Cotangents of the angles between e0 and the other edges at x0 and at x1: [W07] Figure 10.
     const double a01 = e0.dot(x2 - x0) / double_area0, a02 = e0.dot(x3 - x0) / double_area1;
     const double a03 = e0.dot(x1 - x2) / double_area0, a04 = e0.dot(x1 - x3) / double_area1;
     double* c = &weights.c[4 * h];  // [W07] Theorem 3

@@ -1,17 +1,20 @@
-// The edge-based member of the family, [W07] Theorem 3 and appendix: one stencil per hinge.
+// The edge-based member of the family, [W07] Theorem 3 and appendix: one stencil per hinge (an
+// interior edge with its two triangles).
 //
 // On the hinge x0, x1 (edge), x2, x3 (opposite vertices), with A the area of its two triangles and
 // theta the dihedral angle (pi when flat):
 //
 //   E_hinge = 3/(2A) |c0 x0 + c1 x1 + c2 x2 + c3 x3|^2 = 3 |e0|^2 / A (1 + cos theta)
 //
-// Its limit under refinement depends on the triangulation (equilateral triangles: 3/4 of the
-// integral of H^2 minus the integral of K), and it has force left to undo folded triangles.
+// The limit of the energy under refinement depends on the triangulation (equilateral triangles: 3/4
+// of the integral of H^2 minus the integral of K). Its force does not vanish at folded triangles
+// and so unfolds them.
 //
-// With EnergyOptions::sharp_angle, u = E_hinge gives way to u / (1 + u / u0), where u0 is the
-// energy of a hinge of two equilateral triangles that turns by this angle: gentler hinges bend as
-// ever, the force on sharper ones falls off as 1 / u^2, and with it their part of the Hessian. To
-// bound u, not 1 + cos theta alone, leaves sharp hinges no force within the surface either.
+// With EnergyOptions::sharp_angle, u = E_hinge is replaced by u / (1 + u / u0), where u0 is the
+// energy of a hinge of two equilateral triangles that turns by this angle. Hinges with u much below
+// u0 bend as before; on sharper hinges the force and the contribution to the Hessian decrease as
+// 1/u^2. Bounding u, and not only 1 + cos theta, also removes the force within the surface at
+// sharp hinges.
 #pragma once
 
 #include <vector>
@@ -35,14 +38,15 @@ class CrouzeixRaviart final : public BendingEnergy {
   void linearise(const Points& X, StencilWeights& weights) override;
 
  private:
-  /// Leaves the sums of the gradient in `scratch`, if it is to go to a G.
+  /// If `G` is not null, leaves the gradient of the block's energy in the sums of
+  /// `scratch.vertices`.
   double block_energy(const MeshBlock& b, const Points& X, const Points* G, BlockScratch& scratch);
 
   HingeTerms terms_;
   Rows stencils_;      // #H rows of four
-  MeshBlocks blocks_;  // of the triangles at the hinges
+  MeshBlocks blocks_;  // the triangles at the hinges
   BlockLoop loop_;
-  std::vector<double> turns_;  // the largest of each block in the last evaluation
+  std::vector<double> turns_;  // largest 1 + cos(theta) per block, last evaluation
 };
 
 }  // namespace ibmfair

@@ -5,7 +5,7 @@
 namespace ibmfair {
 namespace {
 
-/// From the double area vector N and |N|^2.
+/// Stores the frame of a triangle, from its double area vector N.xyz and N.w = |N|^2.
 IBMFAIR_INLINE void store_frame(const Lanes4& N, Row4* row) {
   const Lanes length = sqrt(N.w);
   const Lanes3 n = half_unit(N.xyz, length, half_inverse(N.w, length));
@@ -21,7 +21,7 @@ struct FrameKernel {
       const Lanes3 q = gather(X, fans.rim(i + 1)).xyz - centre;
       const Lanes3 next = cross(p, q);
       if (i > 0) {
-        store_frame(N, row);  // while the next are under way
+        store_frame(N, row);  // overlaps with the computation of the next N
         row += fans_per_group;
       }
       N = {next, dot(next, next)};
@@ -41,21 +41,22 @@ struct FrameKernel {
   }
 };
 
-// E_hinge = k |e|^2 s with k = 3 / A (1 without mass) and s = 1 + cos(theta) = |n - n'|^2 / 2: by
-// this difference it keeps its digits near flat hinges, where the sum loses them. Its derivatives
-// by the normals and the areas of the triangles and by the edge are summed over a triangle's hinges
-// and then carried to its corners: together [W07] (15), f^B by the normal, f^P by area and edge.
-// A bounded hinge has u / (1 + u / bound) in place of u = k |e|^2 s.
+// E_hinge = k |e|^2 s with k = 3 / A (1 without mass) and s = 1 + cos(theta) = |n - n'|^2 / 2. This
+// difference keeps its digits near flat hinges, where the sum 1 + cos(theta) loses them. The
+// derivatives with respect to the normals and areas of the triangles and to the edges are summed
+// over a triangle's hinges and then converted to forces on its corners. Together they are [W07]
+// (15): f^B from the normals, f^P from areas and edges. For a bounded hinge, u = k |e|^2 s is
+// replaced by u / (1 + u / bound).
 //
-// Of a fan's hinges the spokes between two of its triangles are taken once. Those at its rim and
-// its two ends are another fan's, too, and each takes half of them.
+// The hinges at the spokes between two triangles of a fan are evaluated once. The hinges at the rim
+// and the two ends of the fan also belong to another fan, and each fan adds half of them.
 template <bool mass, bool gradient, bool bounded>
 struct HingeKernel {
   struct Hinge {
     Lanes energy, turn;  // |n - n'|^2 / 4
-    Lanes edge;          // the derivative by the edge e, over 2 e
-    Lanes3 normal;       // by n, but for what is along it, and by n' with the other sign
-    Lanes area;          // by the area of either triangle, times -6
+    Lanes edge;          // the derivative with respect to the edge e, divided by 2 e
+    Lanes3 normal;       // with respect to n, up to a multiple of n; the opposite sign for n'
+    Lanes area;          // with respect to the area of either triangle, times -6
   };
 
   IBMFAIR_INLINE static Hinge hinge(const Lanes3& e, const Lanes4& t, const Lanes4& other,
@@ -63,7 +64,7 @@ struct HingeKernel {
     const Lanes double_k = mass ? 1.0 / (t.w + other.w) : Lanes{} + 2.0;
     const Lanes3 d = t.xyz - other.xyz;  // (n - n') / 2
     const Lanes turn = dot(d, d), squared = dot(e, e);
-    Lanes slope = double_k;  // as the energy is bounded
+    Lanes slope = double_k;  // multiplied by d(bounded energy) / d(energy) if bounded
     Lanes energy = squared * (double_k * turn);
     if (bounded) {
       const Lanes share = 1.0 / (1.0 + inverse_bound * energy);
@@ -74,8 +75,9 @@ struct HingeKernel {
     return {energy, turn, edge, slope * squared * d, squared * edge * double_k};
   }
 
-  /// Of the fans of a group: the vertices of the rim, from the centre, and the derivatives of
-  /// the energy by these and by the edges of the rim, over these themselves, and by the double area
+  /// For the fans of a group: `p`, the vertices of the rim relative to the centre; `spoke` and
+  /// `rim`, the derivatives of the energy with respect to the vectors p and to the edges of the
+  /// rim, each divided by the vector itself; `N`, the derivatives with respect to the double area
   /// vectors N = 2 area n.
   struct Slopes {
     Lanes3 p[longest_fan + 1];
@@ -87,7 +89,7 @@ struct HingeKernel {
     Lanes energy = {}, turn = {};
   };
 
-  /// `row` is that of the first triangle.
+  /// `row` is the row of the first triangle.
   IBMFAIR_INLINE static Sums find(const FanPlaces& fans, const Index* neighbours,
                                   double inverse_bound, const double* X, const Row4* frames,
                                   const Row4* row, Slopes& slopes) {

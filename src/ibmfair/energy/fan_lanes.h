@@ -1,4 +1,4 @@
-// What the kernels that go through fans have in common. For .cpp files of kernels only.
+// Code shared by the kernels that loop over fans. For .cpp files of kernels only.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,7 @@ namespace ibmfair {
 
 static_assert(fans_per_group == lane_count);
 
-/// Where the vertices of the fans of a group are listed.
+/// Where the vertices of the fans of a group are listed in the block.
 struct FanPlaces {
   const Index* centre;
   Index triangles;
@@ -20,9 +20,10 @@ struct FanPlaces {
   }
 };
 
-/// Calls begin(i), finish(i) and put(i) for each of `count` triangles, but begins the next one
-/// before it puts this one. The processor looks ahead less far than from one triangle to the next:
-/// where all that it sees waits for the first of a chain of operations, it stands still.
+/// Calls begin(i), finish(i) and put(i) for each of `count` triangles, but begins the next triangle
+/// before it puts this one. The out-of-order window of the processor does not reach from one
+/// triangle to the next: without the overlap, the processor stalls when all the instructions that
+/// it sees wait for the first one of a dependency chain.
 template <class Begin, class Finish, class Put>
 IBMFAIR_INLINE void overlapping(Index count, const Begin& begin, const Finish& finish,
                                 const Put& put) {
@@ -36,13 +37,14 @@ IBMFAIR_INLINE void overlapping(Index count, const Begin& begin, const Finish& f
   put(count - 1);
 }
 
-/// 1 / (2 |N|), from |N|^2 and |N|: a division by the first need not wait for the square root.
+/// 1 / (2 |N|), from |N|^2 and |N|: the division by |N|^2 need not wait for the square root.
 IBMFAIR_INLINE Lanes half_inverse(const Lanes& squared, const Lanes& length) {
   return 0.5 / squared * length;
 }
 
-/// N / (2 |N|), from |N| and `inverse`, half_inverse(), to the last digit where N has one
-/// coordinate only: in a plane z = 0 it is 1/2, and there is no curvature, not a little.
+/// N / (2 |N|), from |N| and `inverse` = half_inverse(). The result is exact to the last digit if N
+/// has only one nonzero coordinate: in the plane z = 0 the coordinate is exactly 1/2, so the
+/// curvature is exactly zero.
 IBMFAIR_INLINE Lanes3 half_unit(const Lanes3& N, const Lanes& length, const Lanes& inverse) {
   const Lanes3 n = inverse * N;
   return n + (1.0 - 2.0 * inverse * length) * n;
@@ -57,7 +59,7 @@ IBMFAIR_INLINE void store(FanVectors& to, const Lanes3& a) {
   store(to.z, a.z);
 }
 
-/// Adds lane i of a vector and of a number to what is summed at the vertex at[i].
+/// Adds lane i of the vector and of the number to the sum of the vertex at[i].
 IBMFAIR_INLINE void add_to_vertices(const Lanes3& a, const Lanes& w, const Index* at,
                                     BlockVertex* vertices) {
   Lanes row[lane_count];

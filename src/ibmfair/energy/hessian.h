@@ -1,5 +1,6 @@
 // The Hessian of a bending energy under isometry, S = sum_s w_s c_s c_s^T ([W07] section 2.3),
-// restricted to the unknown vertices: pattern built once, values refilled in place.
+// restricted to the unknown vertices. Its pattern is built once, and its values are refilled in
+// place.
 #pragma once
 
 #include <cstdint>
@@ -12,8 +13,9 @@
 
 namespace ibmfair {
 
-/// The lower triangle of a symmetric n x n matrix, compressed by columns, rows sorted, every
-/// diagonal entry present and first in its column. Indices are 64 bits wide throughout.
+/// The lower triangle of a symmetric n x n matrix in compressed column format. The rows of a column
+/// are sorted; every diagonal entry is present and is the first in its column. All indices have 64
+/// bits.
 struct SymmetricMatrix {
   std::vector<std::int64_t> column_first{0};  ///< n + 1
   std::vector<std::int64_t> row;
@@ -28,14 +30,14 @@ Points multiply(const SymmetricMatrix& J, const Points& X);
 /// Assembles S for one set of stencils and unknowns.
 class HessianAssembler {
  public:
-  /// Refers to the terms.
+  /// Keeps a reference to `terms`.
   HessianAssembler(const StencilTerms& terms, const Unknowns& unknowns);
 
-  /// S with values of zero.
+  /// The pattern of S, with all values zero.
   SymmetricMatrix pattern() const;
 
-  /// Refills the values of `S`, which pattern() made: positive semi-definite, and zero on
-  /// constants where no vertex is fixed.
+  /// Refills the values of `S`, a matrix returned by pattern(). The result is positive
+  /// semi-definite; if no vertex is fixed, constants are in its kernel.
   void assemble(const StencilWeights& weights, SymmetricMatrix& S) const;
 
  private:

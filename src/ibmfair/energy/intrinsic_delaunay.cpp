@@ -10,10 +10,11 @@
 namespace ibmfair {
 namespace {
 
-/// Of the cotangents: sums nearer to zero are rounding; cocircular points would flip for ever.
+/// Relative to the cotangents: smaller sums of two cotangents are rounding errors. Without this
+/// tolerance, cocircular points would flip for ever.
 constexpr double cocircular = 1e-12;
 
-constexpr std::size_t most_flips_per_edge = 100;  // rounding must not make it endless
+constexpr std::size_t most_flips_per_edge = 100;  // rounding errors must not make the loop endless
 
 }  // namespace
 
@@ -68,14 +69,14 @@ void IntrinsicDelaunay::triangulate(const Points& X) {
 
 bool IntrinsicDelaunay::is_delaunay(Index e) const {
   const auto [s, o] = places_[e];
-  if (s < 0 || s / 3 == o / 3) {  // an edge within one triangle always is
+  if (s < 0 || s / 3 == o / 3) {  // an edge whose two sides belong to one triangle is Delaunay
     return true;
   }
   const double a = shapes_[s / 3].cot[s % 3], b = shapes_[o / 3].cot[o % 3];
   return !(a + b < -cocircular * (std::abs(a) + std::abs(b)));
 }
 
-/// Of an edge that never flips it is a place that nobody reads.
+/// For an edge that never flips, returns a place that is never read.
 Index& IntrinsicDelaunay::side_at(Index e, Index place) {
   return places_[e][0] == place ? places_[e][0] : places_[e][1];
 }
@@ -97,18 +98,18 @@ void IntrinsicDelaunay::flip(Index e, std::vector<Index>& waiting) {
   if (twisted_[e]) {
     reverse(places_[e][1] / 3);
   }
-  // Triangles p a b and q b a become p a q and q b p. The quadrilateral is laid into the plane, the
-  // old diagonal from a along the first axis, p above it and q below.
+  // Triangles p a b and q b a become p a q and q b p. The quadrilateral is laid out in the plane:
+  // the old diagonal starts at a and runs along the first axis, p lies above it and q below.
   const Index t = places_[e][0] / 3, u = places_[e][1] / 3;
   const int p = places_[e][0] % 3, a = next(p), b = previous(p);
   const int q = places_[e][1] % 3, b_u = next(q), a_u = previous(q);
   const TriangleShape<double> above = shapes_[t], below = shapes_[u];
   const double diagonal = std::sqrt(above.squared[p]);
   const double h_p = 2 * above.area / diagonal, h_q = 2 * below.area / diagonal;
-  const double x_p = above.cot[a] * h_p, x_q = below.cot[a_u] * h_q;  // from a
-  const double z_p = above.cot[b] * h_p, z_q = below.cot[b_u] * h_q;  // from b, backwards
+  const double x_p = above.cot[a] * h_p, x_q = below.cot[a_u] * h_q;  // measured from a
+  const double z_p = above.cot[b] * h_p, z_q = below.cot[b_u] * h_q;  // measured backwards from b
   const double area_a = (x_p * h_q + x_q * h_p) / 2, area_b = (z_p * h_q + z_q * h_p) / 2;
-  if (!(area_a > 0 && area_b > 0)) {  // convex but for rounding
+  if (!(area_a > 0 && area_b > 0)) {  // the quadrilateral is convex except for rounding errors
     return;
   }
   const double along = x_p - x_q, across = h_p + h_q;
@@ -117,8 +118,9 @@ void IntrinsicDelaunay::flip(Index e, std::vector<Index>& waiting) {
   const Index pa = sides_(t, b), pb = sides_(t, a), qa = sides_(u, b_u), qb = sides_(u, a_u);
   const double to_p = area_b / above.area, to_q = area_b / below.area;
   const double from_p = area_a / above.area, from_q = area_a / below.area;
-  // The squared lengths between four points of a plane vary so that sum of s_ij d l_ij^2 = 0, with
-  // s_ij = c_i c_j and c the affine dependency of the points: the signed areas opposite to them.
+  // The squared distances between four points of a plane satisfy sum of s_ij d l_ij^2 = 0 for any
+  // motion of the points, where s_ij = c_i c_j and c is the affine dependency of the points: the
+  // signed areas of the triangles opposite to them.
   flips_.push_back({{e, pa, pb, qa, qb}, {-to_p * from_q, to_p, from_p, to_q, from_q}});
 
   const auto cot = [](double dot, double area) { return dot / (2 * area); };

@@ -1,7 +1,7 @@
-// The intrinsic Delaunay triangulation of a mesh: the Delaunay triangulation of its vertices in its
-// own metric, found by flipping edges within the surface. A. Bobenko, B. Springborn, "A discrete
-// Laplace-Beltrami operator for simplicial surfaces" (2007): it depends on nothing but the metric,
-// and no edge of it has a negative cotangent weight.
+// The intrinsic Delaunay triangulation of a mesh: the Delaunay triangulation of its vertices in the
+// intrinsic metric of the mesh, found by flipping edges within the surface. A. Bobenko, B.
+// Springborn, "A discrete Laplace-Beltrami operator for simplicial surfaces" (2007): the
+// triangulation depends only on the metric, and none of its edges has a negative cotangent weight.
 #pragma once
 
 #include <array>
@@ -13,14 +13,15 @@
 
 namespace ibmfair {
 
-/// Edges flip where two usable triangles meet; all others stay. Triangles of the result can have a
-/// vertex twice, and two vertices more than one edge.
+/// An edge can flip if exactly two triangles meet at it and both are usable; no other edge flips. A
+/// triangle of the result can contain the same vertex twice, and two vertices can share more than
+/// one edge.
 class IntrinsicDelaunay {
  public:
   explicit IntrinsicDelaunay(const Topology& topology);
 
-  /// Flips from the mesh's own triangles at X until no edge has opposite angles that add up to more
-  /// than pi. Precondition: usable triangles have areas.
+  /// Starts from the mesh's own triangles at X and flips edges until no edge has opposite angles
+  /// that add up to more than pi. Precondition: usable triangles have positive area.
   void triangulate(const Points& X);
 
   /// The corners of the triangles, one for each usable triangle of the mesh.
@@ -30,17 +31,18 @@ class IntrinsicDelaunay {
   const Triangles& sides() const { return sides_; }
   std::int64_t flips() const { return static_cast<std::int64_t>(flips_.size()); }
 
-  /// Takes the derivatives of a function by the squared lengths of the edges (#E) to those by the
-  /// squared lengths of the mesh's own edges: back over the flips.
+  /// Converts the derivatives of a function with respect to the squared edge lengths of the
+  /// triangulation (#E) to those with respect to the squared edge lengths of the mesh, in place.
+  /// The flips are differentiated in reverse order.
   void pull_back(std::vector<double>& by_squared) const;
 
  private:
-  /// The length of a diagonal of a plane quadrilateral as a function of the other five.
+  /// A flip, with the squared length of the new diagonal as a function of the other five.
   struct Flip {
-    std::array<Index, 5> edge;    // the diagonal, before and after, then the four sides
-    std::array<double, 5> slope;  // of the new squared length by the old ones
+    std::array<Index, 5> edge;  // the diagonal (same number before and after), then the four sides
+    std::array<double, 5> slope;  // derivatives of the new squared length by the old ones
   };
-  using Sides = std::array<Index, 2>;  // places 3 t + i of an edge, or -1
+  using Sides = std::array<Index, 2>;  // the two places 3 t + i of an edge, or -1
 
   bool is_delaunay(Index e) const;
   void flip(Index e, std::vector<Index>& waiting);
@@ -53,7 +55,7 @@ class IntrinsicDelaunay {
 
   Triangles corners_, sides_;
   std::vector<Sides> places_;
-  std::vector<std::uint8_t> twisted_;  // the edge's triangles run along it in the same direction
+  std::vector<std::uint8_t> twisted_;  // both triangles traverse the edge in the same direction
   std::vector<TriangleShape<double>> shapes_;
   std::vector<Flip> flips_;
 };

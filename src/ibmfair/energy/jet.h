@@ -1,11 +1,11 @@
-// Numbers that carry their derivatives along: forward differentiation.
+// Numbers with derivatives, for forward automatic differentiation.
 #pragma once
 
 #include <array>
 
 namespace ibmfair {
 
-/// A value and its derivatives by n variables. Arithmetic is that of the chain rule.
+/// A value and its derivatives with respect to n variables. Arithmetic applies the chain rule.
 template <int n>
 struct Jet {
   double value = 0;
@@ -22,7 +22,7 @@ struct Jet {
   }
 };
 
-/// The jet of a function of a and b, from its value and its derivatives by both.
+/// The jet of a function of a and b, from its value and its derivatives with respect to a and b.
 template <int n>
 Jet<n> chained(double value, double by_a, const Jet<n>& a, double by_b, const Jet<n>& b) {
   Jet<n> result(value);

@@ -36,7 +36,7 @@ FanFrame* frames_for(const MeshBlock& b, std::vector<FanFrame>& frames) {
   return frames.data();
 }
 
-/// Of one block; `centre` and `own` are #V, the latter or empty for all.
+/// The roles of one block's vertices; `centre` and `own` are #V, and `own` may be empty for all.
 VertexRoles roles_in(const MeshBlocks& blocks, const MeshBlock& b,
                      const std::vector<std::uint8_t>& centre,
                      const std::vector<std::uint8_t>& own) {

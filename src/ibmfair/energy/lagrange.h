@@ -4,15 +4,17 @@
 //   h_v = (L X)_v = gradient of the total area with respect to x_v,    m_v = area around v / 3
 //   E_b = 1/2 sum over v in U of |h_v|^2 / m_v,           U: vertices with a complete one-ring
 //
-// With spontaneous curvature ([W07] section 4) 1/2 * integral of (H - H0)^2, as
+// With spontaneous curvature ([W07] section 4), the energy 1/2 * integral of (H - H0)^2 is
+// discretized as
 //
 //   E_b = 1/2 sum over v in U of |h_v - H0_v a_v|^2 / m_v,    a_v = gradient of the volume by x_v
 //
-// where a_v tends to m_v times the normal: never negative, and H > 0 on a sphere whose triangles
-// look outward. Its Hessian is approximated by that of the first term, which is positive.
+// where a_v tends to m_v times the normal. This energy is never negative, and H > 0 on a sphere
+// whose triangles are oriented outward. Its Hessian is approximated by the Hessian of the energy
+// without H0, which is positive semi-definite.
 //
-// Consistent with 1/2 * integral of H^2 on any regular triangulation, and with a stationary limit;
-// at a fully folded hinge its force vanishes.
+// The energy is consistent with 1/2 * integral of H^2 on any regular triangulation, and its flow
+// has a stationary limit. At a fully folded hinge its force vanishes.
 #pragma once
 
 #include <cstdint>
@@ -43,9 +45,9 @@ class Lagrange final : public BendingEnergy {
 
   bool mass_;
   PerVertex spontaneous_;           // H0, or empty for none
-  Rows stencils_;                   // #U: the centre, then its ring in the order it is walked
-  MeshBlocks blocks_;               // of the triangles around U
-  std::vector<VertexRoles> roles_;  // one a block
+  Rows stencils_;                   // #U rows: the centre, then its ring in cyclic order
+  MeshBlocks blocks_;               // the triangles around U
+  std::vector<VertexRoles> roles_;  // one per block
   BlockLoop loop_;
 };
 

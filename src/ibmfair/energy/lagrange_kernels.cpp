@@ -23,12 +23,14 @@ IBMFAIR_INLINE void add_all(const BlockPass& pass, bool keep, BlockVertex* verti
   }
 }
 
-// With spontaneous curvature H0_v, h_v - H0_v a_v takes the place of h_v, where a_v is the gradient
-// of the enclosed volume: a sixth of N, the double area vector, from every triangle at v.
+// With spontaneous curvature H0_v, h_v is replaced by h_v - H0_v a_v, where a_v is the gradient of
+// the enclosed volume: a sixth of the double area vector N of every triangle at v.
 template <bool spontaneous>
 struct Curvature {
-  /// All but the normals, with the double area vectors N in their place, and |N|. What waits for a
-  /// root and a quotient is left to the next loop, and these to when the next N is under way.
+  /// Computes the frames except for the normals, for which the double area vectors N are stored,
+  /// and the lengths |N|. Operations that depend on a square root or a division are left to the
+  /// next loop. The root and the division themselves are started once the next N is being computed,
+  /// so that they overlap with it.
   IBMFAIR_INLINE static void start_frames(const Fans& fans, const double* X, Lanes* lengths) {
     const Lanes3 centre = gather(X, fans.centre).xyz;
     Lanes3 p = gather(X, fans.rim(0)).xyz - centre;
@@ -117,16 +119,16 @@ struct Energy {
 };
 
 // dE = sum_v <y_v, d h_v> - 1/2 |y_v|^2 d m_v: the Hessian of the area applied to y, and the
-// derivative of the mass; with spontaneous curvature less H0_v <y_v, d a_v>.
+// derivative of the mass. With spontaneous curvature, H0_v <y_v, d a_v> is subtracted.
 template <bool spontaneous>
 struct Forces {
   IBMFAIR_INLINE static void add(const Fans& fans, BlockVertex* vertices) {
     const double* Y = &vertices->x.x;
-    const double* H = &vertices->sum.x;  // whose fourth numbers nothing is added to
+    const double* H = &vertices->sum.x;  // nothing is added to the fourth numbers, H0
     const Lanes H0 = spontaneous ? gather(H, fans.centre).w : Lanes{};
     const Lanes4 y0 = gather(Y, fans.centre);
     Lanes4 y1 = {}, y2 = gather(Y, fans.rim(0));
-    Lanes3 f = {}, g = y2.xyz - y0.xyz;  // the changes of p and q along y
+    Lanes3 f = {}, g = y2.xyz - y0.xyz;  // the changes of p and q when the vertices move by y
     const Lanes3 first = load(fans.frames[0].p);
     Lanes qq = dot(first, first);
     Lanes rise_p = {}, rise_q = {}, by_mass = {};
@@ -137,9 +139,9 @@ struct Forces {
       y2 = gather(Y, fans.rim(i + 1));
       f = g;
       g = y2.xyz - y0.xyz;
-      // The change of the normal is that of a plane over which the triangle's corners rise by
-      // 2 <n, y>, and the gradient of the area changes along the normal by its slope, which is
-      // 4 inverse (<n, g> p - <n, f> q).
+      // The normal changes like that of a plane with the heights 2 <n, y> over the triangle's
+      // corners. The gradient of the area changes along the normal by the slope of this plane,
+      // which is 4 inverse (<n, g> p - <n, f> q).
       const Lanes3 along_n = 4.0 * load<Lanes>(fans.frames[i].inverse) * load(fans.frames[i].n);
       const Lanes by_p = dot(along_n, g), by_q = dot(along_n, f);
       const Lanes pp = qq, pq = dot(p, q);

@@ -8,7 +8,7 @@
 namespace ibmfair {
 namespace {
 
-/// A symmetric matrix as the sum of what triangles add to it.
+/// A symmetric matrix, assembled from the contributions of triangles.
 class TriangleSum {
  public:
   explicit TriangleSum(Index size) : size_(size) {
@@ -21,7 +21,7 @@ class TriangleSum {
     entries_.emplace_back(std::max(i, j), std::min(i, j), value);
   }
 
-  /// The term weight (u_i - u_j)^2 of the quadratic form.
+  /// Adds the term weight (u_i - u_j)^2 of the quadratic form.
   void add_difference(Index i, Index j, double weight) {
     add(i, i, weight);
     add(j, j, weight);
@@ -41,7 +41,8 @@ class TriangleSum {
   std::vector<Eigen::Triplet<double, std::int64_t>> entries_;
 };
 
-/// The numbers that occur in the table, and where each of 0 .. count - 1 stands among them, or -1.
+/// The numbers that occur in the table, increasing. `place` gets the position of each of 0 .. count
+/// - 1 among them, or -1.
 std::vector<Index> occurring(const Triangles& table, Index count, std::vector<Index>& place) {
   place.assign(static_cast<std::size_t>(count), -1);
   for (const Index i : table.reshaped()) {

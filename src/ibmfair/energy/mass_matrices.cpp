@@ -12,7 +12,7 @@
 namespace ibmfair {
 namespace {
 
-/// A third of the area each: the row sums of the mass of linear elements.
+/// A third of the area for each corner: the row sums of the mass matrix of linear elements.
 struct ThirdsOfArea {
   template <class Number>
   static ByCorner<Number> at(const TriangleShape<Number>& t) {
@@ -22,8 +22,8 @@ struct ThirdsOfArea {
 };
 
 /// M. Meyer, M. Desbrun, P. Schroeder, A. Barr, "Discrete differential-geometry operators for
-/// triangulated 2-manifolds" (2003): Voronoi parts, and in an obtuse triangle half the area for the
-/// obtuse corner, a quarter for the others; at a right angle both are the same.
+/// triangulated 2-manifolds" (2003): Voronoi areas; in an obtuse triangle, half the area for the
+/// obtuse corner and a quarter for each of the others. At a right angle both rules agree.
 struct MixedVoronoiShares {
   template <class Number>
   static ByCorner<Number> at(const TriangleShape<Number>& t) {

@@ -15,38 +15,39 @@ struct EnergyOptions;
 /// A row of the table of masses.
 struct MassMatrix {
   enum class Kind : std::uint8_t {
-    edges,       ///< diagonal, one number an edge
-    lumped,      ///< diagonal, one number a vertex: the sum of what its triangles give it
-    consistent,  ///< of linear elements, whose row sums are what the triangles give
-    counted,     ///< diagonal, a number a vertex that counts its triangles: no areas
+    edges,       ///< diagonal, one number per edge
+    lumped,      ///< diagonal, one number per vertex: the sum of its triangles' shares
+    consistent,  ///< of linear elements; its row sums are the sums of the shares
+    counted,     ///< diagonal, per vertex a multiple of its number of triangles: no areas
     identity
   };
 
-  std::string_view name;     ///< as the command line takes it
+  std::string_view name;     ///< the name used on the command line
   std::string_view summary;  ///< one line
   Kind kind;
-  TriangleFormula shares;  ///< of the corners in a triangle, length^2 or a count; unused for edges
+  TriangleFormula shares;  ///< of a triangle's corners, length^2 or a count; unused for edges
 
-  /// (M2) and (M3); without, the energy depends on the sampling.
+  /// Whether (M2) and (M3) hold. If not, the energy depends on the sampling.
   bool measures_area() const { return kind != Kind::counted && kind != Kind::identity; }
 };
 
 /// All masses.
 std::span<const MassMatrix> mass_matrices();
 
-/// Triangles at a vertex that valence counts as 1: those of a regular one.
+/// The number of triangles at a regular vertex, for which the mass `valence` is 1.
 inline constexpr double regular_valence = 6;
 
-/// The mass that the options ask for: `none` where `mass` is false, the model's default where no
-/// name is given. Throws BadOption for a name that does not go with the model, naming those that
-/// do.
+/// The mass matrix selected by the options: `none` if `mass` is false, the model's default if no
+/// name is given. Throws BadOption for a name that cannot be combined with the model; the message
+/// lists the valid names.
 const MassMatrix& mass_matrix(const BendingModel& model, const EnergyOptions& options);
 
 /// The first of the model's masses that measures areas.
 const MassMatrix& area_mass(const BendingModel& model);
 
-/// Signed areas of the parts of a triangle that are nearest to its corners: on a Delaunay
-/// triangulation they add up to the Voronoi cells, and do not jump where an edge flips.
+/// For each corner of a triangle, the signed area of the points nearest to that corner. On a
+/// Delaunay triangulation these areas add up to the Voronoi cells, and they do not jump when an
+/// edge flips.
 struct CircumcentricShares {
   template <class Number>
   static ByCorner<Number> at(const TriangleShape<Number>& t) {

@@ -15,7 +15,7 @@ MaterialDirection laid_onto(const Vec3& x0, const Vec3& x1, const Vec3& x2, cons
   const Vec3 N = double_area_vector(x0, x1, x2);
   const Vec3 n = N.normalized();
   const Vec3 within = direction - direction.dot(n) * n;
-  // Where nothing lies within, the factor is 1 and any direction does.
+  // If the projection is zero, the factor is 1, and any direction can be used.
   const Vec3 v = (within.squaredNorm() > 0 ? within : opposite[0]).normalized();
   MaterialDirection result{{}, 1 + (factor - 1) * within.squaredNorm()};
   for (int i = 0; i < 3; ++i) {  // the gradient of a basis function is N x e / |N|^2

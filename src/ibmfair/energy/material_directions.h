@@ -1,4 +1,4 @@
-// Directions in the material, along which a surface bends more or less easily: [W07] (14).
+// Directions in the material along which a surface bends more or less easily: [W07] (14).
 #pragma once
 
 #include <vector>
@@ -8,23 +8,25 @@
 
 namespace ibmfair {
 
-/// A direction in a triangle, its corners in the order of Topology::F: the density of the energy is
-/// 1/2 (c kappa_1 + kappa_2)^2, with the curvatures along it and across it. The direction is part
-/// of the material: when the triangle deforms, so does it. What is across it is perpendicular at
-/// any time, so that with c = 1 the energy is the isotropic one however the triangle deforms; under
-/// isometry that direction is one in the material, too.
+/// A direction in a triangle whose corners are in the order of Topology::F. The energy density is
+/// 1/2 (c kappa_1 + kappa_2)^2, where kappa_1 is the curvature along the direction and kappa_2 the
+/// curvature across it. The direction is part of the material and deforms with the triangle, but
+/// the direction across is perpendicular to it in every state. With c = 1 the energy is therefore
+/// isotropic however the triangle deforms. Under isometry, the direction across is fixed in the
+/// material, too.
 struct MaterialDirection {
-  /// How fast the linear basis functions of the corners grow along it in the reference, 1/length;
-  /// they sum to 0, and sum_i rate_i x_i is the unit direction carried to the positions x.
+  /// The derivatives of the corners' linear basis functions along the direction in the reference
+  /// state, 1/length. They sum to 0, and sum_i rate_i x_i is the unit direction mapped to the
+  /// positions x.
   ByCorner<double> rate{};
   double factor = 1;  ///< c, dimensionless; positive
 };
 
-/// For each triangle (#F) that of `direction` (any length but 0), laid onto the triangle at the
-/// positions X (#V x 3), with `factor` (positive). Where it leaves the surface at an angle a, the
-/// factor is 1 + (factor - 1) cos(a)^2, so that it tends to 1 where the direction is normal and has
-/// no part in the surface. Throws BadOption for a direction of no length and factors that are not
-/// positive.
+/// For each triangle (#F), the vector `direction` (any length but 0) projected onto the triangle at
+/// the positions X (#V x 3), with `factor` (positive). If the direction makes an angle a with the
+/// triangle's plane, the factor is 1 + (factor - 1) cos(a)^2; it tends to 1 when the direction
+/// becomes normal to the triangle and its projection vanishes. Throws BadOption for a direction of
+/// length 0 and for a factor that is not positive.
 std::vector<MaterialDirection> material_directions(const Points& X, const Topology& topology,
                                                    const Vec3& direction, double factor);
 

@@ -13,7 +13,7 @@
 namespace ibmfair {
 namespace {
 
-/// What all blocks are cut from.
+/// The mesh data from which all blocks are built.
 struct WholeMesh {
   const Topology& topology;
   const std::vector<std::uint8_t>& kept;
@@ -23,8 +23,8 @@ struct WholeMesh {
   std::vector<Index> position;  // #V, in `owned`, or -1
 };
 
-/// Numbers for a few vertices or triangles among many: a hash table, which stays in the cache. A
-/// list of all, one for each thread, would not.
+/// Local numbers for a few of many vertices or triangles: a hash table, which stays in the cache.
+/// An array over all vertices or triangles, one for each thread, would not.
 class LocalNumbers {
  public:
   void clear() {
@@ -32,7 +32,7 @@ class LocalNumbers {
     count_ = 0;
   }
 
-  /// The number of `key`, -1 at first. The reference holds until the next call.
+  /// The number of `key`, initially -1. The reference is valid until the next call.
   Index& operator[](Index key) {
     if (2 * count_ >= entries_.size()) {
       grow();
@@ -45,7 +45,7 @@ class LocalNumbers {
     return entry.number;
   }
 
-  /// Gives the key a number if it has none, and tells whether that is so.
+  /// Inserts the key if it is new, and returns whether it is.
   bool insert(Index key) {
     Index& number = (*this)[key];
     if (number >= 0) {
@@ -57,7 +57,7 @@ class LocalNumbers {
 
  private:
   struct Entry {
-    Index stamp = -1;  // what stands there is of the block with this one
+    Index stamp = -1;  // the entry is valid if this equals stamp_, the current block's stamp
     Index key = 0, number = 0;
   };
 
@@ -88,7 +88,7 @@ class LocalNumbers {
   Index stamp_ = 0;
 };
 
-/// Makes one block after the other.
+/// Builds one block after another.
 class Builder {
  public:
   explicit Builder(const WholeMesh& mesh) : mesh_(mesh) {}
@@ -160,10 +160,10 @@ class Builder {
 
   std::int64_t group_count() const { return static_cast<std::int64_t>(block_.fans.size()); }
 
-  /// Fans of the triangles from this number on.
+  /// Appends fans of the triangles from number `first` on.
   void append_fans(std::size_t first) { append_fans(first, triangles_.size()); }
 
-  /// Of those from the first to before the last.
+  /// Appends fans of the triangles first .. last - 1.
   void append_fans(std::size_t first, std::size_t last) {
     triples_.clear();
     joined_.clear();
@@ -189,7 +189,7 @@ class Builder {
     }
   }
 
-  /// Those that the block does not have yet are appended to its triangles.
+  /// Appends the neighbours that the block does not have yet to its triangles.
   void find_neighbours() {
     if (mesh_.surroundings.neighbours.empty()) {
       return;
@@ -205,8 +205,8 @@ class Builder {
     }
   }
 
-  /// In the block; -1 for no triangle. One that looks to the other side gets a number of its own,
-  /// turned over.
+  /// The number of a triangle in the block; -1 for no triangle. A triangle of opposite orientation
+  /// (~t) gets a new number of its own and is reversed.
   Index number_of_triangle(Index t) {
     if (t == no_triangle) {
       return -1;
@@ -227,13 +227,13 @@ class Builder {
   /// A triangle, or filler, in a group.
   struct Listed {
     const FanGroup& group;
-    std::int64_t i;     // in the fan
-    Index lane, place;  // the latter as FanCover lists it
+    std::int64_t i;     // index in the fan
+    Index lane, place;  // `place` as in FanCover::listed()
 
     Index row() const { return static_cast<Index>(fans_per_group * (group.first_row + i) + lane); }
   };
 
-  /// Calls act(listed) for all in the first groups.
+  /// Calls act(listed) for all triangles in the first `groups` groups.
   template <class Act>
   void for_each_listed(std::int64_t groups, const Act& act) {
     const Index* place = listed_.data();
@@ -247,7 +247,7 @@ class Builder {
     }
   }
 
-  /// By their rows, once all are in groups.
+  /// Writes the rows of the neighbours, once all triangles are in groups.
   void write_neighbours() {
     if (beside_.empty()) {
       return;
@@ -304,7 +304,7 @@ class Builder {
     }
   }
 
-  /// In the block.
+  /// The number of a vertex in the block.
   Index number_of(Index v) {
     if (is_own(v)) {
       return filler_vertices + static_cast<Index>(mesh_.position[v] - block_.first_owned);
@@ -318,16 +318,16 @@ class Builder {
   }
 
   const WholeMesh& mesh_;
-  LocalNumbers vertex_;  // those it does not own
+  LocalNumbers vertex_;  // vertices that the block does not own
   LocalNumbers triangle_, line_;
-  std::vector<Index> triangles_;  // the block's: first those that are its own and count
-  std::size_t own_ = 0;           // of these
+  std::vector<Index> triangles_;  // the block's triangles; first those that only this block counts
+  std::size_t own_ = 0;           // the number of these
   std::vector<Index> shared_;
-  CornerTriples beside_;  // the numbers of the triangles behind the edges of these, or -1
+  CornerTriples beside_;  // the triangles across the edges of triangles_, or -1
   CornerTriples triples_, joined_;
   FanCover cover_;
-  std::vector<Index> listed_;  // for each place in the groups, as FanCover lists it
-  std::vector<Index> row_;     // of each triangle
+  std::vector<Index> listed_;  // for each place in the groups, as in FanCover::listed()
+  std::vector<Index> row_;     // the row of each triangle
   MeshBlock block_;
 };
 

@@ -1,8 +1,8 @@
-// The triangles of a mesh as the kernels of the energies take them: block by block, in groups of
-// four fans. A sum over the triangles around a vertex is added up in the block that
-// owns the vertex, which computes every triangle there, also those that other blocks compute for
-// their vertices. So no two threads write the same place, the order of every sum is fixed, and
-// nothing per triangle is kept from one pass to the next.
+// The triangles of a mesh as the kernels of the energies process them: block by block, in groups of
+// four fans. Each vertex is owned by one block, which computes all triangles at the vertex, even if
+// another block computes the same triangle for another vertex. The block therefore forms the whole
+// sum over the triangles around the vertex: no two threads write to the same place, the order of
+// every sum is fixed, and no data per triangle is kept from one pass to the next.
 #pragma once
 
 #include <cstdint>
@@ -19,97 +19,101 @@
 
 namespace ibmfair {
 
-/// What a block holds of a vertex: what is gathered from it, first of all its position, and what is
-/// added to it. They share a cache line, in which the block has few enough to keep them at hand. In
-/// arrays of their own the last 12 bits of their addresses would agree, and the processor take a
-/// load of one for one that must wait for a store to the other.
+/// The data of a vertex in a block: `x` is read (at first the position), `sum` is added to. Both
+/// share a cache line, and a block has few enough of these lines to keep them in the cache. In two
+/// separate arrays, the addresses of x and sum of a vertex would agree in their last 12 bits; the
+/// processor then would delay a load from one for a store to the other (4K aliasing).
 struct alignas(64) BlockVertex {
   Row4 x, sum;
 };
 using BlockVertices = std::vector<BlockVertex>;
 
-/// For each corner of each triangle (3 #F) the triangle behind the opposite edge: t, or ~t where
-/// the orientations of the two disagree, or `no_triangle`.
+/// For each corner of each triangle (3 #F), the triangle across the opposite edge: t, or ~t if the
+/// orientations of the two triangles disagree, or `no_triangle`.
 using Neighbours = std::vector<Index>;
 inline constexpr Index no_triangle = std::numeric_limits<Index>::max();
 
-/// The first vertices of every block are those of a flat fan, which fills up groups.
+/// The first vertices of every block are those of a flat dummy fan, which fills incomplete groups.
 inline constexpr Index filler_vertices = longest_fan + 2;
 
-/// One block. Its vertices are the filler's, then those it owns, then the other corners of its
-/// triangles.
+/// One block. Its vertices are the filler's, then the vertices that it owns, then the other corners
+/// of its triangles.
 struct MeshBlock {
-  std::int64_t first_owned = 0;   ///< in MeshBlocks::owned
-  Index owned = 0;                ///< vertices
-  std::vector<Index> halo;        ///< the others, as the mesh numbers them
-  Index rim = 0;                  ///< the first of these are corners of the first `groups`
-  std::vector<FanGroup> fans;     ///< the groups
-  std::vector<Index> corners;     ///< their places: `vertex_size` times the vertex
-  std::vector<Index> neighbours;  ///< listed like these, for the first `groups`: the triangle
-                                  ///< before the first of a fan, those behind its rim, and that
-                                  ///< after the last, by `row_size` times their row. Triangle i of
-                                  ///< a fan has row 4 (FanGroup::first_row + i) + the fan's place
-                                  ///< in the group, and is itself where it has no neighbour
-  std::int64_t own_groups = 0;    ///< those of the triangles that count, each in one block's
-  std::int64_t groups = 0;        ///< and of all others at its own vertices
-  std::int64_t outer_groups = 0;  ///< and of what is wanted around both
-  std::vector<Index> lines;  ///< where Points keep the vertices' rows: cache lines, counted from
-                             ///< the first row on, those of its own vertices first
-  std::size_t own_line_count = 0;  ///< of these
+  std::int64_t first_owned = 0;  ///< index into MeshBlocks::owned
+  Index owned = 0;               ///< number of owned vertices
+  std::vector<Index> halo;       ///< the vertices that it does not own, as numbered in the mesh
+  Index rim = 0;                 ///< the first `rim` of `halo` are corners of the first `groups`
+  std::vector<FanGroup> fans;    ///< the groups of fans
+  std::vector<Index> corners;    ///< places of the fans' vertices: `vertex_size` times the vertex
+  /// Laid out as `corners`, for the first `groups`: the triangle before the first triangle of a
+  /// fan, the triangles across its rim, and the triangle after the last, each as `row_size` times
+  /// its row. Triangle i of a fan has row 4 (FanGroup::first_row + i) + the fan's place in the
+  /// group. A triangle without a neighbour is listed as its own neighbour.
+  std::vector<Index> neighbours;
+  std::int64_t own_groups = 0;  ///< the first groups: triangles that count, each in only one block
+  std::int64_t groups = 0;  ///< these, and the groups of all other triangles at its own vertices
+  std::int64_t outer_groups = 0;  ///< these, and the groups of the surroundings (BlockSurroundings)
+  std::vector<Index> lines;  ///< the cache lines of Points that hold the vertices' rows, counted
+                             ///< from the first row; the lines of its own vertices come first
+  std::size_t own_line_count = 0;  ///< number of lines of its own vertices
 
   std::span<const Index> own_lines() const { return {lines.data(), own_line_count}; }
 };
 
-/// A loop over the first groups of a block, with a step of `fetch` after each.
+/// A loop over the first `groups` groups of a block, with one step of `fetch` after each group.
 struct BlockPass {
   const MeshBlock& block;
   std::int64_t groups = 0;
   BlockPrefetch fetch = {};
 };
 
-/// Numbers in what there is of a vertex.
+/// Number of doubles in a BlockVertex.
 inline constexpr Index vertex_size = sizeof(BlockVertex) / sizeof(double);
 
 struct MeshBlocks {
   std::vector<MeshBlock> block;
-  std::vector<Index> owned;      ///< the vertices of all blocks, as the mesh numbers them
-  std::vector<Index> untouched;  ///< the vertices that have no triangle
+  std::vector<Index> owned;      ///< the vertices of all blocks in turn, as numbered in the mesh
+  std::vector<Index> untouched;  ///< the vertices that belong to no triangle of a block
 
-  /// A block's own vertices, as the mesh numbers them.
+  /// A block's own vertices, as numbered in the mesh.
   std::span<const Index> owned_of(const MeshBlock& b) const {
     return {owned.data() + b.first_owned, static_cast<std::size_t>(b.owned)};
   }
 
-  /// Whether a loop over the blocks pays on all threads. Triangles are twice as many.
+  /// Whether it pays to run a loop over the blocks on all threads. There are about twice as many
+  /// triangles as vertices.
   bool are_worth_sharing() const {
     return 2 * static_cast<std::int64_t>(owned.size()) >= worth_sharing;
   }
 
-  /// The positions of a block's vertices, x out of X (#V x 3), and sums of zero. The list may grow,
-  /// but never shrinks, and has room for fans_per_group more.
+  /// Loads the positions of a block's vertices from X (#V x 3) into x and sets the sums to zero.
+  /// `vertices` grows if necessary but never shrinks, and has room for fans_per_group more
+  /// vertices.
   void load(const MeshBlock& b, const Points& X, BlockVertices& vertices) const;
-  /// The fourth number of their x out of w (#V).
+  /// Loads the fourth number of x from w (#V).
   void load(const MeshBlock& b, const PerVertex& w, BlockVertices& vertices) const;
-  /// A block's sums to its own vertices in G (#V x 3).
+  /// Stores the sums of a block's own vertices in G (#V x 3).
   void store(const MeshBlock& b, const BlockVertices& vertices, Points& G) const;
-  /// A loop that fetches the rows of G that the block will store.
+  /// A loop that prefetches the rows of G that the block will store.
   BlockPass fetching_sums(const MeshBlock& b, std::int64_t groups, const Points& G) const;
-  /// A loop that fetches the rows of X of the next block, which most likely is the next one of this
-  /// thread, too.
+  /// A loop that prefetches the rows of X of the next block, which is most likely also the next
+  /// block of this thread.
   BlockPass fetching_next(const MeshBlock& b, std::int64_t groups, const Points& X) const;
   /// Makes G #V x 3, zero where no block stores anything.
   void prepare(Points& G) const;
 };
 
-/// What blocks have besides the triangles at their own vertices.
+/// The triangles of a block besides those at its own vertices.
 struct BlockSurroundings {
-  Neighbours neighbours = {};  ///< where given, the triangles next to those; these must be kept.
-                               ///< Fans go on from one to the other only
-  bool whole_stars = false;    ///< all that are kept around the corners of those
+  /// If given, the triangles adjacent to those at the block's own vertices; all of them must be
+  /// `kept`. A fan continues from a triangle only to its neighbour in this table.
+  Neighbours neighbours = {};
+  /// All `kept` triangles around the corners of the triangles at the block's own vertices.
+  bool whole_stars = false;
 };
 
-/// Blocks of the triangles that are `kept` (#F). Those that are not `counted` (#F, or empty for
-/// all) are in no block's `own_groups`; with whole stars none is.
+/// Blocks of the triangles that are `kept` (#F). Triangles that are not `counted` (#F, or empty for
+/// all) are in no block's `own_groups`; with whole stars, no triangle is.
 MeshBlocks mesh_blocks(const Topology& topology, const std::vector<std::uint8_t>& kept,
                        const BlockSurroundings& surroundings = {},
                        const std::vector<std::uint8_t>& counted = {});

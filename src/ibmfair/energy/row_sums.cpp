@@ -29,8 +29,8 @@ RowSums::RowSums(const StencilTerms& terms, const Unknowns& unknowns, Others oth
   }
 }
 
-/// Appends the columns of row u and the places of its terms to those of its block. Of `place_of`,
-/// one number for each unknown, all are zero before and afterwards.
+/// Appends the columns of row u, and the places of its terms, to those of its block. `place_of` has
+/// one number for each unknown; all are zero before and after the call.
 void RowSums::find_row(const Unknowns& unknowns, Index u, Others others,
                        std::vector<Index>& place_of, std::vector<Index>& columns,
                        Places& places) const {

@@ -1,5 +1,6 @@
-// The rows of S = sum_s w_s c_s c_s^T ([W07] section 2.3) that belong to the unknowns, summed up
-// again and again while the weights change: where each term of a row is added to is found once.
+// The rows of S = sum_s w_s c_s c_s^T ([W07] section 2.3) that belong to the unknowns. They are
+// summed again each time the weights change, but the position in its row that each term is added to
+// is determined only once.
 #pragma once
 
 #include <algorithm>
@@ -13,8 +14,8 @@
 
 namespace ibmfair {
 
-/// The columns of some rows that follow each other: of row i of the block those from first[i] to
-/// first[i + 1].
+/// The columns of some consecutive rows: those of row i of the block are column[first[i]] to
+/// column[first[i + 1] - 1].
 struct RowBlock {
   std::vector<std::int64_t> first{0};
   std::vector<Index> column;
@@ -22,24 +23,26 @@ struct RowBlock {
 
 class RowSums {
  public:
-  /// Which of the other unknowns in its stencils a row lists: the later ones, in increasing order,
-  /// or all. In pairs: where they are odd in number its own unknown once more, its entry zero.
+  /// Which of the other unknowns in its stencils a row lists: `later` only the later ones, in
+  /// increasing order; `all_in_pairs` all of them. If their number is odd, `all_in_pairs` appends
+  /// the row's own unknown once more with the entry zero.
   enum class Others : std::uint8_t { later, all_in_pairs };
 
-  /// Refers to the terms.
+  /// Keeps a reference to `terms`.
   RowSums(const StencilTerms& terms, const Unknowns& unknowns, Others others);
 
   std::int64_t size() const { return static_cast<std::int64_t>(vertex_.size()); }
 
-  /// Rows in a block; only the last one may have fewer. No range of parallel_block_sum is in two.
+  /// Rows in a block; only the last block may have fewer. No range of parallel_block_sum spans two
+  /// blocks.
   static constexpr std::int64_t block_size = 4 * sum_block;
 
-  /// The columns of all rows, those of unknown u in block u / block_size: u itself and then the
-  /// others.
+  /// The columns of all rows. The row of unknown u is in block u / block_size and lists u itself,
+  /// then the others.
   const std::vector<RowBlock>& blocks() const { return blocks_; }
 
   /// Calls take(u, entries, rest) for every unknown u, on all threads: entries[k] is S_uv for the
-  /// k-th column v of its row, `rest` the sum of S_uv over the v that the row does not list.
+  /// k-th column v of the row, and `rest` is the sum of S_uv over all v that the row does not list.
   template <class Take>
   void for_rows(const StencilWeights& weights, const Take& take) const {
     const auto sum_up = [&](std::int64_t begin, std::int64_t end, std::vector<double>& sum) {
@@ -65,8 +68,9 @@ class RowSums {
  private:
   static constexpr std::int64_t widest_narrow = 255;
 
-  /// Of all terms of the rows of a block, in order: 0 for what the row does not list, k + 1 for its
-  /// k-th column. Only rows with many columns need more than a byte.
+  /// The place of every term of the rows of a block, in order: k + 1 for the k-th column of the
+  /// row, 0 for a vertex that the row does not list. Only rows with many columns need more than one
+  /// byte.
   struct Places {
     std::vector<std::uint8_t> narrow;
     std::vector<Index> wide;
@@ -83,9 +87,9 @@ class RowSums {
   }
 
   const StencilTerms& terms_;
-  std::vector<Index> vertex_;  // of each unknown
+  std::vector<Index> vertex_;  // the vertex of each unknown
   std::vector<RowBlock> blocks_;
-  std::vector<Places> places_;  // one a block
+  std::vector<Places> places_;  // one per block
   std::size_t widest_ = 0;
 };
 

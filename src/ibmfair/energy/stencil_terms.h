@@ -1,5 +1,5 @@
-// The terms of S = sum_s w_s c_s c_s^T ([W07] section 2.3) by rows: each row is gathered from the
-// stencils at its vertex, so that nothing is stored per term, and threads that gather different
+// The terms of S = sum_s w_s c_s c_s^T ([W07] section 2.3), row by row. Each row is gathered from
+// the stencils at its vertex, so no memory is needed per term, and threads that gather different
 // rows write to different places.
 #pragma once
 
@@ -14,13 +14,13 @@ namespace ibmfair {
 
 class StencilTerms {
  public:
-  /// Refers to the stencils, which are of `vertex_count` vertices.
+  /// Keeps a reference to `stencils`, whose vertices are below `vertex_count`.
   StencilTerms(const Rows& stencils, Index vertex_count);
 
-  /// Of all stencils together: a vertex counts in each.
+  /// The total number of vertices in all stencils; a vertex counts once for each of its stencils.
   std::size_t vertices_in_stencils() const { return stencils_.value.size(); }
 
-  /// How often for_vertices(v) calls.
+  /// The number of calls that for_vertices(v) makes.
   std::size_t terms_at(Index v) const {
     std::int64_t count = 0;
     for_stencils(v, [&](Index /*place*/, Index /*s*/, std::int64_t /*first*/, auto width) {
@@ -29,8 +29,8 @@ class StencilTerms {
     return static_cast<std::size_t>(count);
   }
 
-  /// Calls take(w) for every vertex w of every stencil at vertex v, v among them: S_vw may be other
-  /// than zero. A vertex comes as often as it shares a stencil with v.
+  /// Calls take(w) for every vertex w, including v itself, of every stencil at vertex v; S_vw can
+  /// be nonzero for these w only. A vertex is visited as often as it shares a stencil with v.
   template <class Take>
   void for_vertices(Index v, const Take& take) const {
     for_stencils(v, [&](Index /*place*/, Index /*s*/, std::int64_t first, auto width) {
@@ -40,8 +40,8 @@ class StencilTerms {
     });
   }
 
-  /// Visits the same vertices in the same order with the terms whose sums are the entries of the
-  /// row: take(w, w_s c_sv c_sw).
+  /// Visits the same vertices in the same order as for_vertices(v), with the terms that add up to
+  /// the row's entries: take(w, w_s c_sv c_sw).
   template <class Take>
   void for_terms(Index v, const StencilWeights& weights, const Take& take) const {
     for_stencils(v, [&](Index place, Index s, std::int64_t first, auto width) {
@@ -64,8 +64,8 @@ class StencilTerms {
  private:
   static constexpr Index hinge_width = 4;
 
-  /// Calls visit(place, s, first, width) for each stencil s at v, whose vertices, `width` of them,
-  /// stand from `first` on, v at `place`.
+  /// Calls visit(place, s, first, width) for each stencil s at v. Its `width` vertices begin at
+  /// position `first` of stencils_.value, and v is at position `place`.
   template <class Visit>
   void for_stencils(Index v, const Visit& visit) const {
     if (all_are_hinges_) {
@@ -83,9 +83,9 @@ class StencilTerms {
   }
 
   const Rows& stencils_;
-  Rows places_;                          // of each vertex, positions in stencils_.value
-  bool all_are_hinges_;                  // four vertices each, for which nothing is looked up
-  std::vector<Index> stencil_of_place_;  // as stencils_.value; empty for hinges
+  Rows places_;                          // for each vertex, its positions in stencils_.value
+  bool all_are_hinges_;                  // four vertices in every stencil: no table is needed
+  std::vector<Index> stencil_of_place_;  // one per entry of stencils_.value; empty for hinges
 };
 
 }  // namespace ibmfair

@@ -7,7 +7,7 @@
 namespace ibmfair {
 namespace {
 
-/// Numbers that are kept of a fan: L + 2 vertices and L triangles.
+/// The number of values stored for a fan: L + 2 vertices and L triangles.
 std::size_t size_of_fan(Index length) {
   return 2 * static_cast<std::size_t>(length) + 2;
 }
@@ -38,8 +38,9 @@ void FanCover::append(const CornerTriples& triangles, const CornerTriples& besid
   }
 }
 
-/// With the other corners at hand, and in memory that is kept: by positions_by_value the energy of
-/// a large mesh would take a third longer to set up.
+/// Sorts the triangles' corners by vertex. Each corner is stored together with the two others, in
+/// memory that is reused: with positions_by_value, setting up the energy of a large mesh would take
+/// a third longer.
 void FanCover::find_stars(const CornerTriples& triangles, Index vertex_count) {
   const auto vertices = static_cast<std::size_t>(vertex_count);
   left_.assign(vertices, 0);
@@ -66,16 +67,17 @@ void FanCover::find_stars(const CornerTriples& triangles, Index vertex_count) {
   }
   after_.resize(corners_.size());
   entered_.resize(corners_.size());
-  for (std::size_t v = vertices; v > 0; --v) {  // each has come to where the next one began
+  for (std::size_t v = vertices; v > 0; --v) {  // each entry is now the start of the next vertex
     first_[v] = first_[v - 1];
   }
   first_[0] = 0;
 }
 
-/// Stars with no triangle in common. The one after a star is sought across the edges of its rim:
-/// where six triangles meet at every vertex, such stars leave no gaps, and others would.
+/// Takes stars that have no triangle in common. The next star is sought across the edges of a
+/// star's rim: if six triangles meet at every vertex, the stars found in this way leave no gaps,
+/// whereas others would.
 void FanCover::take_whole_stars() {
-  constexpr Index worth_taking = 5;  // a fan of the rest is hardly shorter than a smaller star
+  constexpr Index worth_taking = 5;  // fans of the rest are hardly shorter than smaller stars
   for (Index seed = 0; seed < static_cast<Index>(left_.size()); ++seed) {
     if (met_[seed] != 0) {
       continue;
@@ -109,7 +111,8 @@ void FanCover::take_what_is_left() {
   }
 }
 
-/// Whether a fan may. The edge between the two is opposite the corner that is next in `from`.
+/// Whether a fan may continue from `from` to `to`. The edge between the two triangles is opposite
+/// the corner `next` of `from`.
 bool FanCover::goes_on(const Corner& from, const Corner& to) const {
   if (beside_->empty()) {
     return true;
@@ -118,7 +121,7 @@ bool FanCover::goes_on(const Corner& from, const Corner& to) const {
   return (*beside_)[from.triangle()][next] == to.triangle();
 }
 
-/// Makes fans of all triangles at the centre that are in none yet.
+/// Makes fans of all triangles at the centre that are in no fan yet.
 void FanCover::take(Index centre) {
   const Index first = first_[centre], last = first_[centre + 1];
   for (Index c = first; c < last; ++c) {
@@ -139,7 +142,7 @@ void FanCover::take(Index centre) {
       take_from(c, centre);
     }
   }
-  for (Index c = first; left_[centre] > 0 && c < last; ++c) {  // what goes round, or is cut
+  for (Index c = first; left_[centre] > 0 && c < last; ++c) {  // closed fans, and cut ones
     take_from(c, centre);
   }
   for (Index c = first; c < last; ++c) {
@@ -147,7 +150,7 @@ void FanCover::take(Index centre) {
   }
 }
 
-/// Makes a fan that begins with this corner, if none has it yet.
+/// Makes a fan that begins with this corner, unless its triangle is already in a fan.
 void FanCover::take_from(Index corner, Index centre) {
   Fan fan;
   fan.centre = centre;
@@ -167,7 +170,7 @@ void FanCover::take_from(Index corner, Index centre) {
   }
 }
 
-/// The last triangles of the fan, as one of so many.
+/// Lists the last `length` triangles of the fan as a fan of this length.
 void FanCover::list_end(const Fan& fan, Index length) {
   std::vector<Index>& fans = fans_[length];
   const auto rim = fan.rim.begin() + (fan.length - length);
@@ -177,8 +180,8 @@ void FanCover::list_end(const Fan& fan, Index length) {
   fans.insert(fans.end(), places, places + length);
 }
 
-/// A group that lacks fans takes as long as a full one. So what is left over of all lengths is cut
-/// into pieces that fill groups, or nearly.
+/// An incomplete group takes as long as a full one. The fans of all lengths that fill no group are
+/// therefore cut into pieces that fill groups, or nearly.
 void FanCover::cut_what_fills_no_group() {
   for (Index length = 1; length <= longest_fan; ++length) {
     std::vector<Index>& fans = fans_[length];
@@ -200,9 +203,9 @@ void FanCover::cut_what_fills_no_group() {
   }
 }
 
-/// That at which the next group takes the least time for a triangle.
+/// The length of pieces for which the next group takes the least time per triangle.
 Index FanCover::best_length_of_pieces() const {
-  constexpr double besides = 1.5;  // what a fan takes besides its triangles, over what one takes
+  constexpr double besides = 1.5;  // overhead of a fan, relative to the time for one triangle
   Index best = 1;
   double most = 0;
   for (Index length = 1; length <= longest_fan; ++length) {
@@ -219,7 +222,7 @@ Index FanCover::best_length_of_pieces() const {
   return best;
 }
 
-/// A group of them, if there are as many.
+/// Cuts up to one group of pieces of this length.
 void FanCover::cut_pieces(Index length) {
   Index wanted = fans_per_group;
   for (Fan& rest : rest_) {
@@ -230,15 +233,15 @@ void FanCover::cut_pieces(Index length) {
   }
 }
 
-/// How many the fans of this length fill.
+/// The number of groups that the fans of this length fill.
 std::size_t FanCover::groups_of(Index length) const {
   const std::size_t fans = fans_[length].size() / size_of_fan(length);
   return (fans + fans_per_group - 1) / fans_per_group;
 }
 
-/// Neighbours, which follow each other in the list, go to different groups: what is added to a
-/// vertex in one group can then be in memory before the next one adds to it. But to groups near
-/// each other: then it is still in the cache.
+/// Adjacent fans follow each other in the list. They are put into different groups, so that a sum
+/// stored by one group has reached memory before the next group adds to it; but into groups close
+/// to each other, so that the sum is still in the cache.
 void FanCover::append_groups(Index length, Index place_of_vertex, std::vector<Index>& places,
                              std::vector<FanGroup>& groups) {
   constexpr std::size_t near = 8;

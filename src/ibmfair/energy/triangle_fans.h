@@ -1,7 +1,7 @@
-// Triangles in fans around a vertex, four fans of the same length side by side: the kernels take a
-// triangle of each at a time. From one triangle of a fan to the next a single corner is new, and
-// what is added to the corners that they share is added up before it goes to memory. Eight
-// triangles with nothing in common took half as long again.
+// Triangles in fans around a vertex. The kernels process four fans of equal length at a time, one
+// triangle of each in every step. From one triangle of a fan to the next, only one corner is new,
+// and contributions to the corners that the two triangles share are added in registers before they
+// are stored. Processing eight unrelated triangles in this way took half as long again.
 #pragma once
 
 #include <array>
@@ -13,54 +13,59 @@
 
 namespace ibmfair {
 
-/// Triangles of a fan, at most: longer ones are cut.
+/// The most triangles in a fan; longer fans are cut.
 inline constexpr Index longest_fan = 8;
 
-/// Fans in a group: as many as a kernel takes at a time (base/lanes.h).
+/// Fans in a group: as many as a kernel processes at a time (base/lanes.h).
 inline constexpr Index fans_per_group = 4;
 
-/// Four fans. Their places are listed in rows of four, one for each fan: the centres, and then
-/// the rims, each `triangles` + 1 vertices. Triangle i has the centre and the vertices i and i + 1
-/// of the rim as its corners, in that order.
+/// Four fans. The places of their vertices are listed in rows of four, one for each fan: first the
+/// centres, then the rims of `triangles` + 1 vertices. The corners of triangle i are the centre and
+/// the vertices i and i + 1 of the rim, in this order.
 struct FanGroup {
   Index triangles = 0;           ///< in each of the fans
   std::int64_t first_place = 0;  ///< in the block's list
-  std::int64_t first_row = 0;    ///< counts, over the groups before it, the vertices of a rim
+  std::int64_t first_row = 0;    ///< the sum of (triangles + 1) over all previous groups
 };
 
-/// A vector of space for each of the fans.
+/// A vector in space for each of the four fans.
 struct alignas(32) FanVectors {
   double x[fans_per_group], y[fans_per_group], z[fans_per_group];
 };
 
-/// What one loop over the triangles keeps for the next, of the triangle x0, x1, x2 with x0 at the
-/// centre of each fan.
+/// The data of a triangle x0, x1, x2, with x0 at the centre of its fan, that one loop over the
+/// triangles keeps for the next loop.
 struct alignas(32) FanFrame {
-  FanVectors p;  ///< x1 - x0, and x2 - x0 of the triangle before; behind the last one only this
+  FanVectors p;  ///< x1 - x0, which is x2 - x0 of the previous triangle; the frame behind the last
+                 ///< triangle has only this
   FanVectors n;  ///< half the unit normal
   double inverse[fans_per_group];  ///< 1 / (4 area)
 };
 
-/// Triangles as the numbers of their corners, or of those behind the edges opposite these.
+/// Triangles as triples of numbers: either their corners, or the triangles across the edges
+/// opposite the corners.
 using CornerTriples = std::vector<std::array<Index, 3>>;
 
-/// Covers triangles with fans, block after block: what it keeps is only its memory.
+/// Covers triangles with fans, block after block. The object keeps memory between the calls, but no
+/// results besides listed().
 class FanCover {
  public:
-  /// Lists groups of fans in which each of the triangles is once, corners in the same circular
-  /// order. Their vertices are less than `vertex_count`, and `place_of_vertex` times the vertex is
-  /// its place. Where `beside` is not empty, a fan goes on only to the triangle that this names
-  /// behind the edge. Fans that a group lacks are of the vertices 0, 1, 2, ...
-  /// Linear in the number of triangles where few meet at a vertex.
+  /// Appends groups of fans that contain each triangle exactly once, its corners in the same cyclic
+  /// order. Vertices are below `vertex_count`; the place of a vertex is `place_of_vertex` times its
+  /// number. If `beside` is not empty, a fan continues across an edge only to the triangle that
+  /// `beside` has for this edge. An incomplete group is filled with fans of the vertices 0, 1, 2,
+  /// ... Linear in the number of triangles if few of them meet at each vertex.
   void append(const CornerTriples& triangles, const CornerTriples& beside, Index vertex_count,
               Index place_of_vertex, std::vector<Index>& places, std::vector<FanGroup>& groups);
 
-  /// What the groups of the last append() hold, rows of four for the triangles of each: 3 times
-  /// the triangle, and which of its corners is the centre, or -1 where the group lacks a fan.
+  /// The triangles in the groups of the last append(), in rows of four, one for each fan: 3 times
+  /// the triangle plus the number (0 .. 2) of the corner at the centre, or -1 for a fan that fills
+  /// up a group.
   const std::vector<Index>& listed() const { return listed_; }
 
  private:
-  /// A triangle as one of its corners sees it. `place` is 3 times the triangle and which of them.
+  /// A triangle as seen from one of its corners. `place` is 3 times the triangle plus the number of
+  /// the corner.
   struct Corner {
     Index next, previous, place;
 
@@ -68,9 +73,9 @@ class FanCover {
   };
 
   struct Fan {
-    Index centre = 0, length = 0;  // the latter in triangles
+    Index centre = 0, length = 0;  // `length` in triangles
     std::array<Index, longest_fan + 1> rim;
-    std::array<Index, longest_fan> places;  // of the triangles' corners
+    std::array<Index, longest_fan> places;  // Corner::place of each triangle
   };
 
   void find_stars(const CornerTriples& triangles, Index vertex_count);
@@ -91,20 +96,21 @@ class FanCover {
     return {corners_.data() + first_[v], corners_.data() + first_[v + 1]};
   }
 
-  std::vector<Index> first_;         // #V + 1, in corners_
-  std::vector<Corner> corners_;      // by vertex
+  std::vector<Index> first_;         // #V + 1, indices into corners_
+  std::vector<Corner> corners_;      // sorted by vertex
   std::vector<Index> left_;          // #V, triangles at the vertex that are in no fan yet
   std::vector<std::uint8_t> taken_;  // #F
-  std::vector<std::uint8_t> met_;    // #V, for the walk from star to star
-  std::vector<Index> queue_;         // of the same
-  std::vector<Index> leaving_;       // #V, the corner of the current centre whose next it is, or -1
-  std::vector<Index> after_;         // by corner: where a fan goes on from there, or -1
-  std::vector<std::uint8_t> entered_;                     // by corner, whether a fan goes on there
-  std::array<std::vector<Index>, longest_fan + 1> fans_;  // by length: the centre, the rim, and the
-                                                          // places of the triangles' corners
-  std::vector<Fan> rest_;  // what is left of those that fill no group
+  std::vector<std::uint8_t> met_;    // #V, visited by the walk from star to star
+  std::vector<Index> queue_;         // the queue of this walk
+  // #V, the corner at the current centre with `next` equal to the vertex, or -1.
+  std::vector<Index> leaving_;
+  std::vector<Index> after_;           // by corner: the corner to which a fan continues, or -1
+  std::vector<std::uint8_t> entered_;  // by corner: whether a fan continues to it
+  // By length, for each fan: the centre, the rim, and the places of the triangles' corners.
+  std::array<std::vector<Index>, longest_fan + 1> fans_;
+  std::vector<Fan> rest_;  // fans left over because they fill no group
   std::vector<Index> listed_;
-  const CornerTriples* beside_ = nullptr;  // in append()
+  const CornerTriples* beside_ = nullptr;  // valid during append() only
 };
 
 }  // namespace ibmfair

@@ -1,4 +1,4 @@
-// What the formulas of vertex-based Laplacians and masses see of a triangle: its metric.
+// The metric of a triangle, on which the formulas of vertex-based Laplacians and masses depend.
 #pragma once
 
 #include <array>
@@ -11,7 +11,8 @@ namespace ibmfair {
 
 struct MaterialDirection;
 
-/// Three numbers of a triangle: one per corner, or one per edge by the corner opposite.
+/// Three numbers of a triangle: one per corner, or one per edge in the order of the opposite
+/// corners.
 template <class Number>
 using ByCorner = std::array<Number, 3>;
 
@@ -20,11 +21,12 @@ struct TriangleShape {
   ByCorner<Number> squared;  ///< lengths of the edges opposite the corners, squared
   ByCorner<Number> cot;      ///< cotangents of the angles
   Number area;
-  ByCorner<Number> weight;  ///< of the vertices at the corners, length^2 (energy/weighted.h)
-  const MaterialDirection* direction = nullptr;  ///< where the formula sees any
+  ByCorner<Number> weight;  ///< of the vertices, length^2 (energy/circle_weights.h)
+  const MaterialDirection* direction = nullptr;  ///< null if the formula uses no direction
 };
 
-/// Derivatives by the squared lengths (0 .. 2) and the weights of the vertices (3 .. 5).
+/// Derivatives with respect to the squared lengths (0 .. 2) and the weights of the vertices (3 ..
+/// 5).
 using MetricJet = Jet<6>;
 
 inline TriangleShape<double> triangle_shape(const Vec3& x0, const Vec3& x1, const Vec3& x2) {
@@ -37,9 +39,9 @@ inline TriangleShape<double> triangle_shape(const Vec3& x0, const Vec3& x1, cons
           nullptr};
 }
 
-/// The shape as a function of its squared lengths l_j^2. From 4 A cot_i = l_j^2 + l_k^2 - l_i^2 and
-/// Heron's formula: dA / d l_j^2 = cot_j / 4, d cot_i / d l_j^2 = (+-1 - cot_i cot_j) / (4 A),
-/// minus where i = j.
+/// The shape with its derivatives with respect to the squared lengths l_j^2. With 4 A cot_i = l_j^2
+/// + l_k^2 - l_i^2 and Heron's formula, dA / d l_j^2 = cot_j / 4 and d cot_i / d l_j^2 = (+-1 -
+/// cot_i cot_j) / (4 A), with the minus sign if i = j.
 inline TriangleShape<MetricJet> differentiated(const TriangleShape<double>& shape) {
   TriangleShape<MetricJet> result;
   result.area = shape.area;
@@ -57,18 +59,19 @@ inline TriangleShape<MetricJet> differentiated(const TriangleShape<double>& shap
   return result;
 }
 
-/// A formula for three numbers of a triangle, with and without derivatives.
+/// A formula for three numbers of a triangle, without and with derivatives.
 struct TriangleFormula {
   ByCorner<double> (*value)(const TriangleShape<double>& shape);
   ByCorner<MetricJet> (*jet)(const TriangleShape<MetricJet>& shape);
 };
 
-/// From a type whose static template `at` is the formula for any kind of number.
+/// A TriangleFormula made from a type whose static template `at` is the formula for any number
+/// type.
 template <class Formula>
 constexpr TriangleFormula triangle_formula{Formula::template at<double>,
                                            Formula::template at<MetricJet>};
 
-/// Places 0, 1, 2 of a triangle in a circle.
+/// The next and the previous corner in the cyclic order 0, 1, 2.
 constexpr int next(int corner) {
   return corner == 2 ? 0 : corner + 1;
 }

@@ -8,13 +8,14 @@
 namespace ibmfair {
 namespace {
 
-/// Vertices in a block. What is kept of them takes some 350 kB, and what is on its way from and to
-/// memory 100: all of it fits into a second cache of 512 kB. There a third more cost as much time,
-/// and a third less, for triangles that lie in two blocks, one or two percent more.
+/// Vertices in a block. The data kept for them takes about 350 kB, and data on its way from and to
+/// memory another 100 kB; both fit into a second-level cache of 512 kB. With such a cache, a third
+/// more vertices took the same time; a third fewer took one or two percent more, because more
+/// triangles lie in two blocks.
 constexpr std::size_t block_size = 1536;
 
-/// A triangle is computed in each block that has a corner of it. Runs of the input's order are
-/// taken if that happens this often at most; grown blocks come to 1.1.
+/// A triangle is computed in each block that owns one of its corners. Runs of the input's order are
+/// used if the average number of these blocks is at most this; for grown blocks it is about 1.1.
 constexpr double acceptable_repetition = 1.2;
 
 std::vector<Index> corners_of(const Topology& topology, const std::vector<std::uint8_t>& kept) {
@@ -24,7 +25,7 @@ std::vector<Index> corners_of(const Topology& topology, const std::vector<std::u
   });
 }
 
-/// Blocks of nearly equal length, and no vertices in them yet.
+/// Blocks of nearly equal length, without their vertices.
 Rows empty_blocks(std::size_t vertices) {
   Rows blocks;
   const std::size_t count = (vertices + block_size - 1) / block_size;
@@ -41,7 +42,7 @@ Rows runs(std::vector<Index> vertices) {
   return blocks;
 }
 
-/// In how many blocks the average triangle has a corner.
+/// The average number of blocks that own a corner of a triangle.
 double repetition(const Topology& topology, const std::vector<std::uint8_t>& kept,
                   const Rows& blocks) {
   std::vector<Index> block_of(static_cast<std::size_t>(topology.vertex_count), -1);
@@ -63,15 +64,16 @@ double repetition(const Topology& topology, const std::vector<std::uint8_t>& kep
   return triangles_and_places[1] / std::max(triangles_and_places[0], 1.0);
 }
 
-/// Each block grows from where an earlier one stopped, so that no gaps are left between them. They
-/// are the runs of their vertices: a mesh that is numbered by its blocks has the same ones.
+/// Each block grows from a vertex where an earlier block stopped, so that no gaps are left between
+/// blocks. Blocks list vertices in the order in which they grow: if a mesh is numbered in this
+/// order, runs of it are the same blocks.
 Rows grown(const Topology& topology, const std::vector<std::uint8_t>& kept,
            const std::vector<Index>& vertices) {
   enum State : std::uint8_t { free, waiting, taken };
   std::vector<std::uint8_t> state(static_cast<std::size_t>(topology.vertex_count), free);
   Rows blocks = empty_blocks(vertices.size());
   blocks.value.reserve(vertices.size());
-  std::vector<Index> seeds = vertices;  // last resort: the first vertex left, in the input's order
+  std::vector<Index> seeds = vertices;  // last resort: the first free vertex in the input order
   std::size_t next_seed = 0;
   std::vector<Index> front;  // reached by earlier blocks, but not taken
   std::size_t next_front = 0;

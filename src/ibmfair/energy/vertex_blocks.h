@@ -1,5 +1,5 @@
-// A mesh's vertices in blocks of neighbours, small enough for all that the energies keep of one
-// block to stay in a core's cache.
+// The vertices of a mesh in blocks of neighbours. A block is small enough that the data which the
+// energies keep for it stays in a core's cache.
 #pragma once
 
 #include <cstdint>
@@ -9,9 +9,9 @@
 
 namespace ibmfair {
 
-/// The corners of the triangles that are `kept` (#F), each vertex in one block. Where the order of
-/// the input has neighbours close together, blocks are runs of it; elsewhere they grow ring by
-/// ring. Linear in the size of the mesh.
+/// The corners of the triangles that are `kept` (#F), each vertex in one block. If neighbours are
+/// close together in the order of the input, the blocks are runs of this order; otherwise they grow
+/// ring by ring. Linear in the size of the mesh.
 Rows vertex_blocks(const Topology& topology, const std::vector<std::uint8_t>& kept);
 
 }  // namespace ibmfair

@@ -29,7 +29,7 @@ std::vector<std::uint8_t> usable_triangles_at(const Topology& topology,
   return at;
 }
 
-/// Whether each vertex has a term of the energy of its own, which depends on its ring alone.
+/// Whether each vertex has its own term of the energy, which depends only on the vertex's ring.
 bool summed_separately(const VertexLaplacian& laplacian, const MassMatrix& mass) {
   return !laplacian.flips && mass.kind != MassMatrix::Kind::consistent;
 }
@@ -77,7 +77,7 @@ double VertexEnergy::energy(const Points& X) {
   });
 }
 
-/// The derivatives of E by what triangle t adds to L and to M.
+/// The derivatives of E with respect to the contributions of triangle t to L and to M.
 TriangleTerms VertexEnergy::by_terms(Index t, const Points& X) const {
   TriangleTerms by{};
   const auto x = triangles_.corners().row(t);

@@ -1,10 +1,10 @@
-// The vertex-based members of the family, for any Laplacian and mass that are sums over triangles:
-// [W07] section 2.2 and Theorem 1.
+// The vertex-based members of the family, for any Laplacian and any mass matrix that are sums over
+// triangles: [W07] section 2.2 and Theorem 1.
 //
 //   h = L X,    E_b = 1/2 tr(h_U^T M_UU^-1 h_U),          U: vertices with a complete one-ring
 //
-// The gradient is exact: with y = M_UU^-1 h_U, dE = sum_U <y, dh> - 1/2 <y, dM y>, where L and M
-// vary with the squared lengths of the edges.
+// The gradient is exact. With y = M_UU^-1 h_U, dE = sum_U <y, dh> - 1/2 <y, dM y>, where L and M
+// depend on the squared lengths of the edges.
 #pragma once
 
 #include <vector>
@@ -14,15 +14,18 @@
 
 namespace ibmfair {
 
-/// The Hessian of `linearise` is that under isometry, L^T M^-1 L, but for two members that have
-/// none with fixed sparse stencils. A Jacobian is inexact by design ([W07] section 3.2); these err
-/// toward too stiff ones, which shorten steps and do not overshoot:
+/// The Hessian from `linearise` is the Hessian under isometry, L^T M^-1 L, except for two members
+/// for which it has no fixed sparse stencils. A Jacobian is inexact by design ([W07] section 3.2);
+/// the approximations for these two members are too stiff rather than too soft, so that steps
+/// become shorter and do not overshoot:
 ///
-/// - Intrinsic Delaunay: the cotangent Laplacian of the mesh's own triangles, with their mixed
-///   Voronoi mass. It is the same on a Delaunay mesh; elsewhere its Dirichlet energy is the larger
-///   one (S. Rippa, "Minimal roughness property of the Delaunay triangulation", 1990).
-/// - Consistent mass, whose inverse is dense: its diagonal in its place, half the lumped mass. M^-1
-///   lies between half and twice its inverse, so that no full step goes beyond the mirror image.
+/// - Intrinsic Delaunay: the cotangent Laplacian of the mesh's own triangles with their mixed
+///   Voronoi mass is used. It agrees with the exact one on a Delaunay mesh; on other meshes its
+///   Dirichlet energy is larger (S. Rippa, "Minimal roughness property of the Delaunay
+///   triangulation", 1990).
+/// - Consistent mass, whose inverse is dense: its diagonal is used instead, which is half the
+///   lumped mass. M^-1 lies between half and twice the inverse of this diagonal, so that no full
+///   step goes beyond the mirror image.
 class VertexEnergy final : public BendingEnergy {
  public:
   VertexEnergy(const Topology& topology, const EnergyOptions& options,
@@ -39,8 +42,8 @@ class VertexEnergy final : public BendingEnergy {
   TriangleTerms by_terms(Index t, const Points& X) const;
 
   MassMatrix::Kind mass_;
-  Rows stencils_;             // #U: the vertex, then its ring in the order it is walked
-  std::vector<Index> nodes_;  // U
+  Rows stencils_;                           // #U rows: the vertex, then its ring in cyclic order
+  std::vector<Index> nodes_;                // U
   std::vector<std::uint8_t> own_vertices_;  // EnergyOptions
   VertexTriangles triangles_;
   Points h_, y_;  // #V x 3, zero outside U

@@ -103,7 +103,7 @@ void VertexTriangles::measure(const Points& X) {
   parallel_for(corners().rows(), [&](std::int64_t t) { terms_[t] = terms_at(shapes()[t]); });
 }
 
-/// That of the triangle with these vertices, in their order.
+/// The material direction of the triangle with these vertices, with the rates in their order.
 MaterialDirection VertexTriangles::direction_of(Index v0, Index v1, Index v2) const {
   MaterialDirection result{};
   around(v0, [&](Index t, int i) {

@@ -1,4 +1,5 @@
-// What a vertex-based Laplacian and its mass are made of, triangle by triangle, at one state.
+// The contributions of the triangles to a vertex-based Laplacian and its mass matrix at one state
+// of the mesh.
 #pragma once
 
 #include <memory>
@@ -14,32 +15,35 @@
 
 namespace ibmfair {
 
-/// The triangles that may carry a stencil, in their order.
+/// The triangles that may carry a stencil (Topology::usable), in the order of Topology::F.
 Triangles usable_triangles(const Topology& topology);
 
-/// Their sides: the edges opposite their corners, rows of Topology::E.
+/// The sides of the usable triangles: the edges opposite the corners, as rows of Topology::E.
 Triangles usable_sides(const Topology& topology);
 
-/// What a triangle adds to L, by the edges opposite its corners, and to M, by its corners.
+/// The contributions of a triangle to L, by the edges opposite its corners, and to M, by its
+/// corners.
 struct TriangleTerms {
   ByCorner<double> edge, corner;
 };
 
-/// Derivatives of a function by the squared lengths of a triangle's edges and by its vertices'
-/// weights.
+/// Derivatives of a function with respect to the squared lengths of a triangle's edges and to the
+/// weights of its vertices.
 struct TriangleSlopes {
   ByCorner<double> by_squared, by_weight;
 };
 
 class VertexTriangles {
  public:
-  /// Of the triangles that are `kept` (#F); all usable ones where edges flip. Throws BadOption
-  /// where the options have not one finite weight for every vertex.
+  /// For the triangles that are `kept` (#F), or for all usable ones if the Laplacian flips edges.
+  /// Throws BadOption unless the options' vertex weights are empty or one finite weight for every
+  /// vertex.
   VertexTriangles(const Topology& topology, const VertexLaplacian& laplacian,
                   const MassMatrix& mass, const EnergyOptions& options,
                   const std::vector<std::uint8_t>& kept);
 
-  /// Goes to the state X. All below belongs to that state.
+  /// Computes the contributions at the state X. The functions below refer to the X of the last
+  /// call.
   void measure(const Points& X);
 
   const Triangles& corners() const { return delaunay_ ? delaunay_->corners() : corners_; }
@@ -56,15 +60,16 @@ class VertexTriangles {
     }
   }
 
-  /// What a triangle of the mesh itself, with these vertices, adds to L and M: the same unless
-  /// edges flip.
+  /// The contributions to L and M of the triangle of the mesh itself with these vertices. They
+  /// differ from terms() only if edges flip.
   TriangleTerms terms_of(const Points& X, Index v0, Index v1, Index v2) const;
 
-  /// The derivatives of a function of the terms of triangle t, from those by the terms.
+  /// The derivatives of a function of the terms of triangle t with respect to the metric, given its
+  /// derivatives with respect to the terms.
   TriangleSlopes slopes(Index t, const TriangleTerms& by_terms) const;
 
-  /// Adds to G, #V x 3, the gradient of a function of the triangles' metric from its slopes, which
-  /// are used up.
+  /// Adds to G, #V x 3, the gradient of a function of the triangles' metric, given its slopes. May
+  /// overwrite `slopes`.
   void pull_back(const Points& X, std::vector<TriangleSlopes>& slopes, Points& G) const;
 
  private:
@@ -76,12 +81,12 @@ class VertexTriangles {
   std::vector<TriangleShape<double>> shapes_;
   std::vector<TriangleTerms> terms_;
   Rows places_;  // #V rows of 3 t + i
-  std::vector<MaterialDirection>
-      directions_;     // like corners_, or empty where the formula sees none
-  PerVertex weights_;  // #V, or empty where the formula sees none
+  // One per row of corners_, or empty if the formula uses no directions.
+  std::vector<MaterialDirection> directions_;
+  PerVertex weights_;  // #V, or empty if the formula uses no weights
   std::unique_ptr<CircleWeights> circles_;
   std::unique_ptr<IntrinsicDelaunay> delaunay_;
-  Edges edges_;     // #E x 2, where edges flip
+  Edges edges_;     // #E x 2, only if edges flip
   Rows edge_ends_;  // #V rows of 2 e + end
 };
 

@@ -40,7 +40,7 @@ Kernel::Point_3 to_cgal(const Vec3& x) {
 
 struct ClosestPoint::Tree {
   std::vector<Triangle> triangles;
-  std::vector<Index> number;  // of each in the input
+  std::vector<Index> number;  // the number of each triangle in the input
   BoxTree boxes;
 };
 

@@ -6,12 +6,12 @@
 
 namespace ibmfair {
 
-/// X minus `before` along the normals at X (measure/mean_curvature.h), #V, length: positive where a
-/// vertex moved out. `before` may have fewer rows than X: the vertices behind them are new, and
-/// have NaN.
+/// The component of X - `before` along the normals at X (measure/mean_curvature.h), #V, length:
+/// positive if a vertex moved outward. `before` may have fewer rows than X; the remaining vertices
+/// are new and get NaN.
 PerVertex normal_displacement(const Points& before, const Points& X, const Topology& topology);
 
-/// The distance of X to `before`, #V, length; NaN for new vertices.
+/// The length of X - `before`, #V, length; NaN for new vertices.
 PerVertex displacement_length(const Points& before, const Points& X);
 
 }  // namespace ibmfair

@@ -1,4 +1,4 @@
-// Where on a mesh its bending energy sits.
+// The distribution of the bending energy over a mesh.
 #pragma once
 
 #include <string_view>
@@ -8,9 +8,9 @@
 
 namespace ibmfair {
 
-/// #V, 1/length^2: what of E_b belongs to a vertex (BendingEnergy::energy_by_vertex, with mass),
-/// over its lumped mass. The sum of density times lumped mass is E_b. NaN at a vertex without mass,
-/// to which nothing is given. Throws BadOption for an unknown model.
+/// #V, 1/length^2: the part of E_b that belongs to a vertex (BendingEnergy::energy_by_vertex, with
+/// mass matrix), divided by the vertex's lumped mass. The sum of density times lumped mass is E_b.
+/// NaN at vertices without mass, to which no energy belongs. Throws BadOption for an unknown model.
 PerVertex energy_density(const Points& X, const Topology& topology, std::string_view model);
 
 }  // namespace ibmfair

@@ -1,4 +1,4 @@
-// Surfaces that are known exactly, to measure meshes against.
+// Surfaces that are known exactly and with which meshes can be compared.
 #pragma once
 
 #include "ibmfair/base/types.h"
@@ -13,14 +13,15 @@ class ExactSurface {
   ExactSurface& operator=(const ExactSurface&) = delete;
   virtual ~ExactSurface() = default;
 
-  /// The distance of x, negative inside.
+  /// The distance from x to the surface, negative inside.
   virtual double signed_distance(const Vec3& x) const = 0;
 
-  /// The outward unit normal at the surface point closest to x; of several closest points any.
+  /// The outward unit normal at the surface point closest to x; if there are several closest
+  /// points, at any one of them.
   virtual Vec3 normal(const Vec3& x) const = 0;
 };
 
-/// Throws BadOption for a radius that is not positive.
+/// A sphere. Throws BadOption for a radius that is not positive.
 class ExactSphere : public ExactSurface {
  public:
   ExactSphere(Vec3 center, double radius);
@@ -32,9 +33,9 @@ class ExactSphere : public ExactSurface {
   double radius_;
 };
 
-/// The torus about the axis through `center` parallel to z: `axis_radius` from the axis to the
-/// middle of the tube, `tube_radius` from there to the surface. Throws BadOption unless
-/// axis_radius > tube_radius > 0.
+/// The torus about the axis through `center` parallel to z. `axis_radius` is the distance from the
+/// axis to the middle of the tube, and `tube_radius` is the radius of the tube. Throws BadOption
+/// unless axis_radius > tube_radius > 0.
 class ExactTorus : public ExactSurface {
  public:
   ExactTorus(Vec3 center, double axis_radius, double tube_radius);

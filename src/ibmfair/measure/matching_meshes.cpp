@@ -6,7 +6,8 @@ namespace ibmfair {
 
 namespace {
 
-// Twice the area vector (Newell) in units of the polygon's size, so that nothing underflows.
+// Twice the area vector (Newell's formula) in units of the polygon's size, so that nothing
+// underflows.
 Vec3 polygon_normal(const Points& X, std::span<const Index> corners) {
   const auto from_first = [&](std::size_t i) -> Vec3 {
     return X.row(corners[i]) - X.row(corners[0]);

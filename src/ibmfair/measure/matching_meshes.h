@@ -7,14 +7,16 @@
 
 namespace ibmfair {
 
-/// Whether two meshes have as many vertices and the same faces, corner by corner.
+/// Whether two meshes have the same number of vertices and the same faces, corner by corner.
 bool same_connectivity(const Mesh& a, const Mesh& b);
 
-/// Distances between vertices of the same number, length. Precondition: as many in both.
+/// Distances between vertices with the same number, length. Precondition: equal numbers of
+/// vertices.
 Statistics vertex_differences(const Points& A, const Points& B);
 
-/// Between the normals of polygons of the same number. Every one counts the same, so that the mean
-/// is the "normal error" of the literature on mesh denoising. Precondition: same_connectivity.
+/// Angles between the normals of polygons with the same number. Every polygon has equal weight, so
+/// that the mean is the "normal error" of the literature on mesh denoising. Precondition:
+/// same_connectivity.
 NormalAngles face_normal_angles(const Mesh& a, const Mesh& b);
 
 }  // namespace ibmfair

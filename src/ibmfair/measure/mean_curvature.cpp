@@ -10,16 +10,16 @@
 namespace ibmfair {
 namespace {
 
-/// What a triangle gives to its corner v: twice its area vector, twice the area's gradient, and its
-/// share of the mixed Voronoi area.
+/// The contributions of a triangle to its corner v: twice its area vector, twice the gradient of
+/// its area, and its share of the mixed Voronoi area.
 struct CornerShare {
   Vec3 double_area = Vec3::Zero();
   Vec3 double_gradient = Vec3::Zero();
   double voronoi_area = 0;
 };
 
-/// For a triangle that is obtuse somewhere the circumcentre lies outside; half of its area goes to
-/// that corner then.
+/// The mixed Voronoi area of a corner. In an obtuse triangle the circumcentre lies outside; half of
+/// the area then belongs to the obtuse corner, and a quarter to each of the others.
 double voronoi_share(const Vec3& va, const Vec3& vb, double double_area) {
   const Vec3 ab = vb - va;
   const double at_v = va.dot(vb), at_a = -va.dot(ab), at_b = vb.dot(ab);

@@ -6,17 +6,17 @@
 
 namespace ibmfair {
 
-/// #V x 3 unit normals: the mean of the normals of the triangles around each vertex weighted by
-/// area, with the orientation of Topology::F; zero where there is none.
+/// #V x 3 unit normals: the area-weighted mean of the normals of the triangles around each vertex,
+/// with the orientation of Topology::F; zero if there is no such mean.
 Points star_normals(const Points& X, const Topology& topology);
 
-/// H = kappa1 + kappa2, #V, 1/length: the gradient of the area with respect to the vertex (the
-/// cotangent Laplacian of its position) along its normal, over its mixed Voronoi area (Meyer,
-/// Desbrun, Schroeder, Barr, "Discrete Differential-Geometry Operators for Triangulated
-/// 2-Manifolds", 2003). Positive where a surface that is oriented outward bulges, 2/r on a sphere;
-/// on a cut where no orientation agrees the sign means nothing. NaN where the mesh does not tell:
-/// at vertices without a complete ring of triangles that have area (isolated ones, on the boundary,
-/// beside defects).
+/// H = kappa1 + kappa2, #V, 1/length: the gradient of the area with respect to the vertex position
+/// (the cotangent Laplacian of the positions) along the vertex normal, divided by the mixed Voronoi
+/// area (Meyer, Desbrun, Schroeder, Barr, "Discrete Differential-Geometry Operators for
+/// Triangulated 2-Manifolds", 2003). On a surface that is oriented outward, H is positive where the
+/// surface is convex, and 2/r on a sphere. On a cut of a non-orientable surface, where orientations
+/// disagree, the sign has no meaning. NaN where H is undefined: at vertices without a complete ring
+/// of triangles with area (isolated vertices, boundary vertices, vertices beside defects).
 PerVertex mean_curvature(const Points& X, const Topology& topology);
 
 }  // namespace ibmfair

@@ -26,8 +26,9 @@ double variance(const Points& X, const Vec3& center) {
   return (distance.array() - distance.mean()).square().mean();
 }
 
-// With the radius eliminated (it is the mean distance), residual i is |x_i - c| less the mean, and
-// its derivative with respect to c is minus the unit direction to x_i less the mean direction.
+// With the radius eliminated (it is the mean distance), residual i is |x_i - c| minus the mean
+// distance, and its derivative with respect to c is the mean unit direction minus the unit
+// direction to x_i.
 Vec3 gauss_newton_step(const Points& X, const Vec3& center) {
   Points direction = X.rowwise() - center.transpose();
   Eigen::VectorXd residual = direction.rowwise().norm();
@@ -44,7 +45,8 @@ SphereFit fit_sphere(const Points& X) {
   if (X.rows() < 4) {
     throw BadMesh("no sphere can be fitted: that needs four vertices at least");
   }
-  // In units of the cloud's size, about its mean: the squares above lose no digits then.
+  // Scaled by the size of the cloud and relative to its mean, so that the squares above lose no
+  // digits.
   const Eigen::RowVector3d origin = X.colwise().mean();
   Points Y = X.rowwise() - origin;
   const double size = Y.rowwise().norm().maxCoeff();

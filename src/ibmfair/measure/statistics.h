@@ -1,11 +1,11 @@
-// What a list of magnitudes comes down to.
+// Statistics of a list of magnitudes.
 #pragma once
 
 #include "ibmfair/base/types.h"
 
 namespace ibmfair {
 
-/// Mean, root of the mean square, and largest of non-negative values, and where the largest is.
+/// Mean, root mean square and maximum of non-negative values, and the index of the maximum.
 struct Statistics {
   double mean = 0.0;
   double rms = 0.0;

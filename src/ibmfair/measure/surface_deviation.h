@@ -1,4 +1,4 @@
-// How far a mesh is from a surface that is known exactly.
+// The deviation of a mesh from a surface that is known exactly.
 #pragma once
 
 #include "ibmfair/base/types.h"
@@ -9,12 +9,15 @@
 namespace ibmfair {
 
 struct SurfaceDeviation {
-  Statistics distance;  ///< of the vertices that belong to a triangle, length; `where` is a vertex
-  NormalAngles angles;  ///< of the triangles, to the surface's normal at the point closest to their
-                        ///< centroid; `flipped` ones face against the surface
+  Statistics distance;  ///< distances of the vertices that belong to a triangle, length; `where` is
+                        ///< a vertex
+  /// Between the triangles' normals and the surface's normals at the points closest to their
+  /// centroids; `flipped` triangles face against the surface.
+  NormalAngles angles;
 };
 
-/// X is #V x 3, F #F x 3 with the orientation that is to be judged.
+/// The deviation of the mesh with vertices X (#V x 3) and triangles F (#F x 3) from `surface`. The
+/// orientation of F determines the triangles' normals.
 SurfaceDeviation deviation_from(const ExactSurface& surface, const Points& X, const Triangles& F);
 
 }  // namespace ibmfair

@@ -16,14 +16,15 @@
 namespace ibmfair {
 namespace {
 
-/// Of a value on a mesh of size 1; what is closer together is rounding.
+/// The smallest meaningful difference of values on a mesh of size 1; smaller differences are
+/// rounding errors.
 constexpr double least_difference = 1e-6;
 
 struct WeightedValue {
   double value, weight;
 };
 
-/// The first of the values, in order, up to which this share of all weight lies.
+/// The smallest value such that the values up to it have at least this share of the total weight.
 double quantile(const std::vector<WeightedValue>& sorted, double share) {
   double all = 0;
   for (const WeightedValue& entry : sorted) {
@@ -39,7 +40,8 @@ double quantile(const std::vector<WeightedValue>& sorted, double share) {
   return sorted.empty() ? 0 : sorted.back().value;
 }
 
-/// The finite values with the area that has them, by size; absolute ones for a signed field.
+/// The finite values weighted by area, in increasing order; for a diverging field, their absolute
+/// values.
 std::vector<WeightedValue> values_by_area(const SurfaceField& field, const Eigen::VectorXd& values,
                                           const FieldState& state) {
   const Eigen::VectorXd area = field.place == SurfaceField::Place::vertex

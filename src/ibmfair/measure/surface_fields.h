@@ -1,4 +1,4 @@
-// Scalar fields of a mesh for people to look at. A new one is one function and one row.
+// Scalar fields on a mesh, for visualization. A new field is one function and one row of the table.
 #pragma once
 
 #include <cstdint>
@@ -11,15 +11,15 @@
 
 namespace ibmfair {
 
-/// 4 sqrt(3) area / sum of the squared edge lengths, #F: 1 for an equilateral triangle, 0 for one
-/// without area, and for one whose corners are a single point.
+/// The quality of each triangle, #F: 4 sqrt(3) area / sum of the squared edge lengths. It is 1 for
+/// an equilateral triangle and 0 for a triangle without area, even if its corners coincide.
 Eigen::VectorXd triangle_qualities(const Points& X, const Triangles& F);
 
-/// A state of a mesh that fields are computed of.
+/// A state of a mesh for which fields are computed.
 struct FieldState {
   const Points& X;
   const Topology& topology;
-  const Points* before = nullptr;                   ///< of the first of its vertices; null: none
+  const Points* before = nullptr;  ///< earlier positions of the first vertices; null: none
   std::string_view laplacian = "crouzeix-raviart";  ///< of the bending energy
 };
 
@@ -27,30 +27,32 @@ struct FieldState {
 struct SurfaceField {
   enum class Place : std::uint8_t { vertex, triangle };
 
-  std::string_view name;   ///< as files call it
-  std::string_view title;  ///< for people
+  std::string_view name;   ///< name used in files
+  std::string_view title;  ///< title shown to users
   std::string_view unit;   ///< empty: a pure number
   int dimension;           ///< the power of length in the unit
-  bool diverging;          ///< signed: 0 is the middle
+  bool diverging;          ///< signed: 0 is the middle of the colour scale
   Place place;
   bool needs_before;
-  Eigen::VectorXd (*values)(const FieldState& state);  ///< NaN where there is none
+  Eigen::VectorXd (*values)(const FieldState& state);  ///< NaN if undefined
 };
 
 /// All fields.
 std::span<const SurfaceField> surface_fields();
 
-/// The field of that name; throws BadOption, naming those there are.
+/// The field with this name. Throws BadOption for an unknown name; the message lists the known
+/// names.
 const SurfaceField& surface_field(std::string_view name);
 
-/// From where to where values are worth telling apart.
+/// The range of values that a colour scale resolves.
 struct ValueRange {
   double low = 0, high = 0;
 };
 
-/// From the value that lies above 1 % of the surface of `state` to the one above 99 % of it, so
-/// that a few wild vertices do not take all colours; for a diverging field symmetric about 0.
-/// `values` are the field's. What differs by rounding only is not spread over all colours.
+/// The range from the 1 % to the 99 % quantile of `values` (the values of `field`), weighted by the
+/// surface area of `state`, so that a few outliers do not take up most of the colours. For a
+/// diverging field the range is symmetric about 0. Values that differ by rounding errors only are
+/// not spread over all colours.
 ValueRange robust_range(const SurfaceField& field, const Eigen::VectorXd& values,
                         const FieldState& state);
 

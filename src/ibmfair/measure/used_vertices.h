@@ -1,4 +1,4 @@
-// The vertices that take part in a surface.
+// The vertices that are used by the triangles of a surface.
 #pragma once
 
 #include <vector>
@@ -7,10 +7,10 @@
 
 namespace ibmfair {
 
-/// The vertices that occur in F (#F x 3), each once, in rising order.
+/// The vertices that occur in F (#F x 3), each once, in increasing order.
 std::vector<Index> used_vertices(const Triangles& F);
 
-/// Their positions, one a row.
+/// The positions of these vertices, one per row.
 Points used_positions(const Points& X, const Triangles& F);
 
 }  // namespace ibmfair

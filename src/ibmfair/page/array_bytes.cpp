@@ -16,7 +16,7 @@ float with_fewer_bits(double value) {
   if (std::isnan(value)) {
     return std::numeric_limits<float>::quiet_NaN();
   }
-  constexpr std::uint32_t dropped = 23 - 11;  // of the bits of the mantissa
+  constexpr std::uint32_t dropped = 23 - 11;  // bits of the mantissa
   const auto bits =
       std::bit_cast<std::uint32_t>(static_cast<float>(std::clamp(value, -most, most)));
   return std::bit_cast<float>(((bits >> (dropped - 1)) + 1) >> 1U << dropped);

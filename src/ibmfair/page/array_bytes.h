@@ -1,4 +1,4 @@
-// Arrays of numbers one after the other, as a page reads them back.
+// Arrays of numbers, stored one after another in the form in which a web page reads them.
 #pragma once
 
 #include <cstdint>
@@ -10,11 +10,11 @@
 
 namespace ibmfair {
 
-/// Where an array stands.
+/// The location of an array in the bytes.
 struct ArrayPlace {
   std::string_view type;    ///< `float32`, `uint32` or `uint8`, little-endian
   std::int64_t offset = 0;  ///< bytes, a multiple of 4
-  std::int64_t length = 0;  ///< numbers
+  std::int64_t length = 0;  ///< number of elements
 };
 
 class ArrayBytes {
@@ -23,8 +23,9 @@ class ArrayBytes {
   ArrayPlace add(std::span<const std::uint32_t> numbers);
   ArrayPlace add(std::span<const std::uint8_t> numbers);
 
-  /// Values of a field, rounded to 12 bits: more than any colour shows, and half the bytes once
-  /// they are compressed. What does not fit into a float becomes the largest one; NaN stays.
+  /// Adds the values of a field, with mantissas rounded to 12 bits. This precision exceeds that of
+  /// any colour scale and halves the size of the compressed bytes. Values beyond half the largest
+  /// float32 are clamped to it; NaN stays NaN.
   ArrayPlace add_rounded(const Eigen::VectorXd& values);
 
   const std::string& bytes() const { return bytes_; }

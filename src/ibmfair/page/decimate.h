@@ -1,15 +1,15 @@
-// Fewer triangles for a mesh that is too large to be turned about on a screen.
+// Reduces the triangles of a mesh that is too large for interactive viewing.
 #pragma once
 
 #include "ibmfair/base/types.h"
 
 namespace ibmfair {
 
-/// About `most` triangles over some of the vertices that F has, which stay where they are; F where
-/// it has no more. Edges of a single triangle stay, so that parts which are decimated one by one
-/// still meet, unless the mesh has so many of them that hardly anything could go. For viewing only:
-/// distances are measured in single precision about the centre of the bounding box (by
-/// meshoptimizer).
+/// About `most` triangles on a subset of the vertices of F, which are not moved; F itself if it has
+/// no more than `most` triangles. Boundary edges are kept, so that parts which are decimated
+/// separately still meet, unless there are so many boundary edges that hardly any triangle could be
+/// removed. For viewing only: meshoptimizer measures distances in single precision about the centre
+/// of the bounding box.
 Triangles decimate(const Points& X, const Triangles& F, Index most);
 
 }  // namespace ibmfair

@@ -25,7 +25,7 @@ class Deflater {
   Deflater(const Deflater&) = delete;
   Deflater& operator=(const Deflater&) = delete;
 
-  /// Appends what comes out for `part`, and the end of the stream behind the last one.
+  /// Appends the compressed `part` to `out`, and the end of the stream if it is the last part.
   void add(std::string_view part, bool last, std::string& out) {
     // NOLINTNEXTLINE(cppcoreguidelines-pro-type-const-cast): zlib does not write there
     stream_.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(part.data()));

@@ -1,4 +1,4 @@
-// Bytes in the fewest characters that a page can hold.
+// Compresses bytes and encodes them as text for a web page.
 #pragma once
 
 #include <string>
@@ -6,11 +6,11 @@
 
 namespace ibmfair {
 
-/// As `gzip -n` makes them: without name and time, so that equal bytes give equal ones. Throws
-/// std::bad_alloc where memory runs out.
+/// The output of `gzip -n`: without name and time, so that equal input gives equal output. Throws
+/// std::bad_alloc if memory runs out.
 std::string gzip(std::string_view bytes);
 
-/// RFC 4648, with padding, in one line.
+/// Base64 of RFC 4648, with padding, in one line.
 std::string base64(std::string_view bytes);
 
 }  // namespace ibmfair

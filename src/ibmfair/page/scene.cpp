@@ -10,7 +10,7 @@
 namespace ibmfair {
 namespace {
 
-/// Points of a line that are drawn at most; loops of more are thinned out.
+/// The most points of a line that are drawn; longer lines are thinned out.
 constexpr Eigen::Index most_line_points = 4000;
 
 struct SceneBox {
@@ -63,7 +63,7 @@ void add_triangles(const ShownTriangles& shown, Scene& scene) {
   }
 }
 
-/// The edges of polygons and of patches, where that is not simply every edge.
+/// Adds the edges of polygons and of patches, unless every triangle edge is one of these.
 void add_edges(const SceneSource& source, const ShownTriangles& shown, Scene& scene) {
   const auto all_triangles = [](const Polygons& faces) {
     return static_cast<std::size_t>(faces.size()) * 3 == faces.corner.size();
@@ -94,8 +94,8 @@ void add_edges(const SceneSource& source, const ShownTriangles& shown, Scene& sc
       edges.empty() ? nullptr : edges.front().data(), 2 * edges.size()));
 }
 
-/// What the shown vertices or triangles have of values that the mesh's have. Triangles that
-/// decimation has made get the mean of those around their corners.
+/// The values at the shown vertices or triangles, from those of the mesh. A triangle made by
+/// decimation gets the mean over the mesh's triangles around its corners.
 Eigen::VectorXd shown_values(const Eigen::VectorXd& values, SurfaceField::Place place,
                              const Topology& topology, const ShownTriangles& shown,
                              const Scene::State& state) {
@@ -119,7 +119,7 @@ Eigen::VectorXd shown_values(const Eigen::VectorXd& values, SurfaceField::Place 
   return of_triangles;
 }
 
-/// The last state sets the scale, as in pictures (picture/field_picture.h).
+/// The last state determines the colour scale, as in pictures (picture/field_picture.h).
 void add_field(const SurfaceField& field, const SceneSource& source, const ShownTriangles& shown,
                Scene& scene) {
   SceneField added{&field, {}, {}};

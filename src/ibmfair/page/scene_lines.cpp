@@ -18,7 +18,7 @@ SceneLine strip(std::string_view kind, std::string title, const Points& X,
   return {kind, std::move(title), X(vertices, Eigen::all), closed, -1};
 }
 
-/// Edges that are walked one after the other, each once.
+/// Splits a set of edges into strips in which each edge occurs once.
 class EdgeWalk {
  public:
   explicit EdgeWalk(const std::vector<std::array<Index, 2>>& edges) {
@@ -28,7 +28,7 @@ class EdgeWalk {
     }
   }
 
-  /// Strips that together have every edge; those that end somewhere come first.
+  /// Strips that together contain every edge; open strips come first.
   std::vector<std::vector<Index>> strips() {
     std::vector<Index> starts;
     for (auto at = next_.begin(); at != next_.end(); at = next_.upper_bound(at->first)) {

@@ -1,4 +1,4 @@
-// The lines that tell a mesh's parts apart.
+// Lines that separate the parts of a mesh.
 #pragma once
 
 #include <cstdint>
@@ -9,18 +9,18 @@
 
 namespace ibmfair {
 
-/// The rim of every hole, and the outer borders.
+/// The boundary of every hole, and the outer boundaries.
 std::vector<SceneLine> hole_lines(const Points& X, const std::vector<Hole>& holes);
 
-/// The rim of a hole where a patch meets it.
+/// The boundary of a hole, along which the patch meets the mesh.
 SceneLine seam_line(const Points& X, const Hole& hole);
 
-/// Triangles that carry no energy, and edges of three or more triangles; of each kind of defect the
-/// first thousand.
+/// The outlines of defects: triangles that carry no energy, and edges with three or more triangles.
+/// Of each kind of defect only the first thousand are returned.
 std::vector<SceneLine> defect_outlines(const Points& X, const Topology& topology);
 
-/// The edges between held vertices (`held` is #V) that border on a triangle with a free one, joined
-/// to strips.
+/// The edges between two fixed vertices (flags `held`, #V) that bound a triangle with a free
+/// vertex, joined to strips.
 std::vector<SceneLine> held_lines(const Points& X, const Topology& topology,
                                   const std::vector<std::uint8_t>& held);
 

@@ -8,7 +8,7 @@
 namespace ibmfair {
 namespace {
 
-/// The patches of triangles that decimation has made, by that of one of their corners.
+/// The patches of the triangles made by decimation: the patch of a triangle at their first corner.
 std::vector<Index> patches_again(const Triangles& before, const std::vector<Index>& patch,
                                  const Triangles& after, Index vertices) {
   std::vector<Index> of_vertex(static_cast<std::size_t>(vertices), 0);

@@ -29,7 +29,7 @@ Camera::Camera(const View& view, int width, int height, const Points& points)
   view.validate();
   back_ = view.from.normalized();
   right_ = view.up.normalized().cross(back_);
-  if (!(right_.norm() > 1e-6)) {  // looking along `up`: any other direction will do
+  if (!(right_.norm() > 1e-6)) {  // the view is along `up`: any perpendicular direction will do
     right_ = back_.unitOrthogonal();
   }
   right_.normalize();
@@ -59,7 +59,7 @@ void Camera::centre_on(const Points& points) {
   if (points.rows() == 0) {
     return;
   }
-  // First near the points, so that the second centre is exact also far from the origin.
+  // A first centre near the points, so that the second one is accurate also far from the origin.
   centre_ = points.row(0);
   Eigen::AlignedBox3d box;
   for (const auto& x : points.rowwise()) {
@@ -82,9 +82,9 @@ void Camera::fit_orthographic(const Points& points) {
 }
 
 void Camera::fit_perspective(const Points& points) {
-  // A point (x, y, z) is between the margins where |x - centre| * slope <= distance - z, which is
-  // two linear conditions on centre and distance, and the same for y: the nearest place that
-  // satisfies all of them is known as soon as the largest z + slope * x and z - slope * x are.
+  // A point (x, y, z) is between the margins if |x - centre| * slope <= distance - z, which is two
+  // linear conditions on centre and distance, and likewise for y. The smallest feasible distance
+  // follows from the largest values of z + slope * x and z - slope * x.
   if (points.rows() == 0) {
     return;
   }
@@ -106,7 +106,7 @@ void Camera::fit_perspective(const Points& points) {
   }
   const Eigen::Array2d shift = 0.5 * (right_or_up - left_or_down) / slope;
   centre_ += in_scene({shift.x(), shift.y(), 0.0});
-  // The viewer stays in front of everything, also of a needle that points at him.
+  // The viewer stays in front of all points, also of a needle that points at the viewer.
   distance_ = std::max((0.5 * (right_or_up + left_or_down)).maxCoeff(), nearest + 0.1 * size);
 }
 

@@ -14,7 +14,8 @@ namespace {
 
 constexpr Rgb without_value{128, 128, 128};
 
-// Of viridis, evenly spaced: between them it is straight to within two units of 255.
+// Evenly spaced colours of viridis; linear interpolation between them is accurate to two units of
+// 255.
 constexpr std::array<Rgb, 10> viridis{{{0x44, 0x01, 0x54},
                                        {0x48, 0x28, 0x78},
                                        {0x3e, 0x49, 0x89},
@@ -33,7 +34,8 @@ struct Msh {
 
 constexpr Msh cool{80, 1.08, -1.1}, grey{88, 0, 0}, warm{80, 1.08, 0.5};
 
-/// The hue of an end where it fades into the grey: turned, so that steps look equally large.
+/// The hue of an end of the scale where it fades into grey, rotated so that colour steps look
+/// equally large.
 double faded_hue(const Msh& end) {
   const double room = grey.magnitude * grey.magnitude - end.magnitude * end.magnitude;
   const double turn = end.saturation * std::sqrt(room) / (end.magnitude * std::sin(end.saturation));

@@ -11,7 +11,7 @@
 namespace ibmfair {
 namespace {
 
-/// The mean over the corners that have a value; NaN where none has.
+/// The mean over the corners with a finite value; NaN if there is none.
 Eigen::VectorXd triangle_values(const SurfaceField& field, const Eigen::VectorXd& values,
                                 const Triangles& F) {
   if (field.place == SurfaceField::Place::triangle) {

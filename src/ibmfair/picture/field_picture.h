@@ -8,11 +8,11 @@
 
 namespace ibmfair {
 
-/// The states from left to right, coloured by `field`, and a legend below. The last one sets the
-/// scale for all (see robust_range): noise that is gone shall not take the colours of what is left.
-/// A triangle has the mean of its corners' values. A state that has no `before` stays plain where
-/// the field needs one.
-/// @throws BadOption as `render` does.
+/// The states from left to right, coloured by `field`, with a legend below. The last state
+/// determines the colour scale for all of them (see robust_range), so that noise which is removed
+/// in the last state does not use up the colours that are needed there. A triangle is coloured by
+/// the mean of its corners' values. If the field needs `before`, states without it are drawn in
+/// plain colour.
 Image render_field(const SurfaceField& field, std::span<const FieldState> states,
                    const RenderOptions& options = {});
 

@@ -1,4 +1,4 @@
-// A picture in memory, and pictures put beside each other.
+// Images in memory, and arrangements of several images.
 #pragma once
 
 #include <cstdint>
@@ -7,7 +7,7 @@
 
 namespace ibmfair {
 
-/// A colour as screens take it: sRGB, 8 bits a channel.
+/// A colour in sRGB, 8 bits per channel.
 struct Rgb {
   std::uint8_t red = 0;
   std::uint8_t green = 0;
@@ -35,15 +35,15 @@ struct Image {
   }
 };
 
-/// The images from left to right, `gap` pixels of `background` between them (gap >= 0), aligned at
-/// their top; what is below a shorter one is background too.
+/// The images from left to right, with `gap` pixels of `background` between them (gap >= 0),
+/// aligned at the top; the space below a shorter image is filled with `background`.
 Image side_by_side(std::span<const Image> images, int gap = 0, Rgb background = {255, 255, 255});
 
-/// The images one below the other, centred, on `background`.
+/// The images from top to bottom, centred on `background`.
 Image stacked(std::span<const Image> images, Rgb background = {255, 255, 255});
 
-/// The image without the rows of pure `background` at its top and bottom, but for `margin` of them
-/// at each; unchanged where there is nothing but background.
+/// The image without the rows of pure `background` at its top and bottom, except for `margin` rows
+/// at each. An image with nothing but background is returned unchanged.
 Image without_empty_rows(const Image& image, Rgb background, int margin);
 
 }  // namespace ibmfair

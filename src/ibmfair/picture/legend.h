@@ -1,4 +1,4 @@
-// What the colours of a picture mean.
+// The legend that explains the colours of a picture.
 #pragma once
 
 #include <string>
@@ -7,17 +7,17 @@
 
 namespace ibmfair {
 
-/// A scale of values that colours show.
+/// A mapping from values to colours.
 struct ColourScale {
   std::string title;  ///< with the unit
   double low = 0, high = 1;
   bool diverging = false;
 
-  /// Of a value; grey for NaN.
+  /// The colour of a value; grey for NaN.
   Rgb colour(double value) const;
 };
 
-/// A strip `width` pixels wide: the title, and a bar of all colours with numbers below it.
+/// The legend, `width` pixels wide: the title, and a bar of all colours with numbers below it.
 Image draw_legend(const ColourScale& scale, int width, Rgb background);
 
 }  // namespace ibmfair

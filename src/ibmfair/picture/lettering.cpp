@@ -13,8 +13,8 @@
 namespace ibmfair {
 namespace {
 
-/// The pen's way on a grid: two digits a point, across and up, and a blank between strokes. The
-/// baseline is at 2, small letters end at 6, high ones at 8.
+/// The path of the pen on a grid: two digits per point, across and up, and a blank between strokes.
+/// The baseline is at height 2; letters without ascenders end at 6, those with ascenders at 8.
 struct Glyph {
   char letter;
   std::string_view strokes;
@@ -67,8 +67,8 @@ constexpr std::array glyphs{
     Glyph{'z', "06460242"},
 };
 
-// In units of the grid.
-constexpr double letter_height = 6;  // of high letters above the baseline
+// Lengths in units of the grid.
+constexpr double letter_height = 6;  // height of tall letters above the baseline
 constexpr double gap = 1.7;
 constexpr double blank = 2.5;
 constexpr double pen_radius = 0.38;
@@ -80,7 +80,7 @@ std::string_view strokes_of(char letter) {
   return found == glyphs.end() ? std::string_view() : found->strokes;
 }
 
-/// In the grid, from the baseline's left end.
+/// A point of the grid relative to the left end of the baseline.
 Eigen::Vector2d point_at(std::string_view strokes, std::size_t place) {
   return {strokes[place] - '0', strokes[place + 1] - '2'};
 }

@@ -7,12 +7,12 @@
 
 namespace ibmfair {
 
-/// How wide `text` is in pixels, with letters `height` pixels high (those without a tail).
+/// The width of `text` in pixels, with letters `height` pixels high (without descenders).
 double text_width(std::string_view text, double height);
 
-/// Writes `text` (letters, shown as small ones, digits, `+-./^,()` and blanks; anything else is a
-/// gap) with its baseline's left end at (left, baseline), pixels from the top left corner. What is
-/// outside of the image is cut off.
+/// Writes `text` with the left end of its baseline at (left, baseline), in pixels from the top left
+/// corner. Supported characters are letters (drawn in lower case), digits, `+-./^,()` and blanks;
+/// any other character leaves a gap. Text outside the image is cut off.
 void write_text(Image& image, std::string_view text, double left, double baseline, double height,
                 Rgb colour);
 

@@ -12,8 +12,8 @@ std::string encode_png(const Image& image) {
   if (image.width <= 0 || image.height <= 0) {
     throw BadOption("a picture needs at least one pixel");
   }
-  // libpng's simplified interface: it reports failure in the struct, where the full one would jump
-  // over our destructors.
+  // libpng's simplified interface reports failures in the struct, whereas the full interface would
+  // jump over our destructors.
   png_image header{};
   header.version = PNG_IMAGE_VERSION;
   header.width = static_cast<png_uint_32>(image.width);

@@ -7,9 +7,8 @@
 
 namespace ibmfair {
 
-/// The bytes of a PNG file with the pixels of `image`, 8 bits a channel, marked as sRGB. The same
+/// The bytes of a PNG file with the pixels of `image`, 8 bits per channel, marked as sRGB. The same
 /// image always gives the same bytes.
-/// @throws BadOption for an image without pixels, OutOfMemory when libpng cannot encode it.
 std::string encode_png(const Image& image);
 
 }  // namespace ibmfair

@@ -12,9 +12,10 @@ namespace {
 
 constexpr Rgb line_colour{40, 40, 48};
 constexpr double line_width = 0.8;     // pixels
-constexpr double hiding_depth = 0.02;  // of the shorter side; a smaller jump in depth is relief
+constexpr double hiding_depth = 0.02;  // of the shorter side; smaller jumps are relief
 
-/// The corners of the triangles that can be drawn, one a row: what a picture has to hold.
+/// The corners of the triangles that can be drawn, one per row; the picture must contain all of
+/// them.
 Points drawn_corners(const Points& X, const Triangles& F) {
   Points corners(3 * F.rows(), 3);
   Eigen::Index count = 0;
@@ -28,8 +29,7 @@ Points drawn_corners(const Points& X, const Triangles& F) {
   return corners;
 }
 
-/// Finds the pixels of the frontmost surface beside which there is nothing, or something far
-/// behind.
+/// Finds the pixels of the frontmost surface next to background or to a surface far behind it.
 class Silhouette {
  public:
   Silhouette(const Visibility& seen, int samples)
@@ -46,7 +46,8 @@ class Silhouette {
     const double here = nearness(column, row);
     const double one = nearness(column - right, row - down);
     const double other = nearness(column + right, row + down);
-    // A slope falls on one side as it rises on the other; only what breaks off counts.
+    // On a slope, the nearness falls on one side as much as it rises on the other; only a jump
+    // counts.
     return 2.0 * here - one - other > jump_ && here > std::min(one, other) + jump_;
   }
 
@@ -61,7 +62,7 @@ class Silhouette {
   double jump_;
 };
 
-/// Means over blocks of samples x samples.
+/// Averages blocks of samples x samples.
 Image develop(const Visibility& seen, const std::vector<Light>& triangle_light,
               const RenderOptions& options) {
   const Silhouette silhouette(seen, options.samples);
@@ -90,7 +91,7 @@ Image develop(const Visibility& seen, const std::vector<Light>& triangle_light,
   return image;
 }
 
-/// `in_view`: the points that the picture has to hold.
+/// `in_view`: the points that the picture must contain.
 Image take(const PaintedMesh& mesh, const Points& in_view, const RenderOptions& options) {
   const int width = options.samples * options.width;
   const int height = options.samples * options.height;

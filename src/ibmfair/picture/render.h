@@ -1,5 +1,5 @@
-// Pictures of meshes without a display or a graphics card: flat shading, because facets show
-// ripples and noise that smooth shading would hide.
+// Pictures of meshes, rendered without a display or a graphics card. Shading is flat, because
+// facets show ripples and noise that smooth shading would hide.
 #pragma once
 
 #include <span>
@@ -17,29 +17,28 @@ struct RenderOptions {
   int samples = 3;   ///< per pixel and direction, 1 .. 4, averaged in linear light
   View view = {};
   Rgb background{255, 255, 255};
-  bool silhouettes = true;  ///< dark lines where the surface ends or one part hides another
+  bool silhouettes = true;  ///< dark lines where the surface ends or one part occludes another
 
   /// @throws BadOption for a value out of range.
   void validate() const;
 };
 
-/// What a picture shows: triangles `F` (#F x 3, any orientation) over `X` (#V x 3).
+/// The mesh that a picture shows: triangles `F` (#F x 3, any orientation) with vertices `X` (#V x
+/// 3).
 struct PaintedMesh {
   const Points& X;
   const Triangles& F;
   Paint paint = {};
 };
 
-/// A picture of `mesh`, seen from `options.view` and filling the picture. Triangles with a
-/// coordinate that is not finite are left out; no triangles give the plain background. The same
-/// input always gives the same pixels.
-/// @throws BadOption as RenderOptions::validate does, and when paint.triangle is of another size.
+/// A picture of `mesh`, seen from `options.view` and scaled to fill the picture. Triangles with a
+/// coordinate that is not finite are left out; without triangles, the picture is plain background.
+/// The same input always gives the same pixels.
 Image render(const PaintedMesh& mesh, const RenderOptions& options = {});
 
-/// Pictures from left to right, taken by one camera that sees all of them: what is larger in the
-/// picture is larger. `options.width` is the width of each, `options.height` the largest height:
-/// rows that stay empty in all are cut off down to the view's margin.
-/// @throws BadOption as `render` does.
+/// Pictures from left to right, rendered with one camera that sees all meshes, so that their sizes
+/// can be compared. `options.width` is the width of each picture, and `options.height` the largest
+/// height: rows that are empty in all pictures are cut off, except for the view's margin.
 Image render_side_by_side(std::span<const PaintedMesh> meshes, const RenderOptions& options = {});
 
 }  // namespace ibmfair

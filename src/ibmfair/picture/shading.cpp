@@ -13,8 +13,8 @@ constexpr float ambient = 0.06F;
 constexpr float key_light = 0.80F;
 constexpr float headlight = 0.14F;
 
-/// Along the picture's axes. Grazing enough that the two flanks of a ripple differ where the
-/// surface faces the viewer.
+/// The direction to the key light, in the axes of the picture. It is oblique enough that the two
+/// flanks of a ripple differ in brightness on a surface that faces the viewer.
 Vec3 key_direction() {
   return Vec3(-0.65, 0.6, 0.47).normalized();
 }

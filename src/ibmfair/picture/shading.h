@@ -1,4 +1,4 @@
-// The lights of a picture: what colour each visible triangle has.
+// The lighting of a picture: the colour of each visible triangle.
 #pragma once
 
 #include <vector>
@@ -10,23 +10,23 @@
 
 namespace ibmfair {
 
-/// Red, green and blue in proportion to the light that a screen sends out, so that means are right;
-/// the numbers of an Rgb are not. 1 is white.
+/// Red, green and blue in linear light: proportional to the light that a screen emits, so that
+/// means are correct. The numbers of an Rgb are not. 1 is white.
 using Light = Eigen::Array3f;
 
-/// From sRGB and back (IEC 61966-2-1); what is beyond white is clipped.
+/// Conversions from sRGB and back (IEC 61966-2-1); light beyond white is clipped.
 Light light_of(Rgb colour);
 Rgb colour_of(const Light& light);
 
-/// What triangles are painted with before light falls on them.
+/// The colours of triangles before lighting.
 struct Paint {
   Rgb front{214, 210, 200};        ///< the side that most of the visible triangles show
-  Rgb back{190, 120, 90};          ///< the other side: seen through holes, or turned over
-  std::vector<Rgb> triangle = {};  ///< #F, instead of front and back; or empty
+  Rgb back{190, 120, 90};          ///< the other side: seen through holes, or of flipped triangles
+  std::vector<Rgb> triangle = {};  ///< #F, instead of `front` and `back`, or empty
 };
 
-/// Flat shading, #F: a strong light from the upper left and a weak one from the viewer, both far
-/// away. Triangles that `seen` does not show stay dark.
+/// Flat shading, #F, with a strong light from the upper left and a weak light from the viewer, both
+/// far away. Triangles that are not visible in `seen` stay dark.
 std::vector<Light> shade_triangles(const Points& X, const Triangles& F, const Camera& camera,
                                    const Visibility& seen, const Paint& paint);
 

@@ -7,7 +7,7 @@
 namespace ibmfair {
 namespace {
 
-/// A quantity that is linear over the picture: value(column, row) = c + x * column + y * row.
+/// A function that is linear over the picture: value(column, row) = c + x * column + y * row.
 struct Linear {
   double c, x, y;
 

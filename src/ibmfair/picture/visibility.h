@@ -9,14 +9,14 @@
 
 namespace ibmfair {
 
-/// Per pixel, row by row from the top left, what is seen at the pixel's centre.
+/// For each pixel, row by row from the top left, the triangle that is visible at its centre.
 struct Visibility {
   static constexpr Index nothing = -1;
 
   int width = 0;
   int height = 0;
   std::vector<Index> triangle;  ///< the frontmost triangle, or `nothing`
-  std::vector<float> nearness;  ///< as in `Projected`; lowest() where there is nothing
+  std::vector<float> nearness;  ///< as in `Projected`; lowest() if there is no triangle
 
   std::size_t pixel(int column, int row) const {
     return static_cast<std::size_t>(row) * static_cast<std::size_t>(width) +
@@ -24,9 +24,9 @@ struct Visibility {
   }
 };
 
-/// Draws the triangles `F` over `X` with `camera`, both sides alike. Triangles with a coordinate
-/// that is not finite, and those without area in the picture, are not drawn. Of two triangles at
-/// the same place the earlier one is seen.
+/// Draws the triangles `F` with vertices `X` as seen by `camera`, both sides alike. Triangles with
+/// a coordinate that is not finite, and triangles without area in the picture, are not drawn. If
+/// two triangles are at the same place, the one listed first is visible.
 Visibility find_visible(const Points& X, const Triangles& F, const Camera& camera, int width,
                         int height);
 

@@ -22,11 +22,11 @@ struct Counts {
   Index columns;
 };
 
-/// What a shape asks of its grid.
+/// The requirements of a shape for its grid.
 struct Layout {
-  double length;        // of the whole of all rows' distances, in lengths of a row
+  double length;        // sum of the distances between rows, relative to the length of a row
   bool closed_rows;     // the last row is a neighbour of the first one
-  bool closed_columns;  // the same along a row
+  bool closed_columns;  // the last vertex of a row is a neighbour of the first one
   Index smallest_rows;
   Index smallest_columns;
 };
@@ -49,7 +49,7 @@ Counts complete(const GridSize& size, const Layout& layout) {
   const Index more_columns = layout.closed_columns ? 0 : 1;
   const bool even = layout.closed_rows && !size.straight;
 
-  // The number to start from: the one given, else that of the shorter direction.
+  // Start from the number that is given; if none is, from that of the shorter direction.
   const bool by_rows = size.rows && !size.columns;
   const bool by_default_rows = !size.rows && !size.columns && rows_per_column < 1.0;
   Counts counts{size.rows.value_or(default_size), size.columns.value_or(default_size)};
@@ -75,8 +75,8 @@ void require_ratio(double ratio, double smallest) {
   }
 }
 
-// The triangles between rows that close upon themselves; their normals point along
-// (direction along a row) x (direction to the next row).
+// The triangles between closed rows. Their normals point along (direction along a row) x (direction
+// to the next row).
 Triangles ring_triangles(const Counts& counts, bool closed, bool straight) {
   const Index strips = closed ? counts.rows : counts.rows - 1;
   Triangles F(2 * static_cast<Eigen::Index>(strips) * counts.columns, 3);
@@ -87,7 +87,8 @@ Triangles ring_triangles(const Counts& counts, bool closed, bool straight) {
     const bool lower_shifted = !straight && i % 2 == 1;
     for (Index j = 0; j < counts.columns; ++j) {
       const Index next = (j + 1) % counts.columns;
-      // Where the lower row is the shifted one, its vertex j lies between j and j + 1 of the upper.
+      // If the lower row is shifted, its vertex j lies between vertices j and j + 1 of the upper
+      // row.
       if (lower_shifted) {
         F.row(f++) << lower + j, upper + next, upper + j;
         F.row(f++) << lower + j, lower + next, upper + next;
@@ -104,8 +105,9 @@ double shift(Index row, bool straight) {
   return !straight && row % 2 == 1 ? 0.5 : 0.0;
 }
 
-/// Rows that close upon themselves; position(u, v) has u in turns along a row and v from 0 to 1
-/// over all of them, of which the first and the last stay where they are unless they meet.
+/// A mesh of closed rows. In position(u, v), u is the angle along a row, 0 .. 2 pi, and v runs from
+/// 0 to 1 across all rows. Jitter does not move the first and the last row in the direction of v
+/// unless they are neighbours.
 template <class Position>
 TriangleMesh rings(const Counts& counts, bool closed, const GridSize& size,
                    const Position& position) {
@@ -165,7 +167,7 @@ TriangleMesh make_plane(double height, const GridSize& size) {
   require_ratio(height, 0.0);
   const Counts counts = complete(size, {height, false, false, 2, 2});
 
-  // A shifted row has one vertex more than the others, and its first and last cells are half ones.
+  // A shifted row has one vertex more than the others; its first and its last cell are half cells.
   const auto shifted = [&](Index row) { return shift(row, size.straight) > 0.0; };
   std::vector<Index> first{0};
   for (Index i = 0; i < counts.rows; ++i) {
@@ -182,7 +184,7 @@ TriangleMesh make_plane(double height, const GridSize& size) {
       mesh.X.row(lower + j) << std::clamp(x, 0.0, 1.0), y, 0.0;
     }
     if (i + 1 < counts.rows) {
-      // Triangles stand on the edges of the lower row and hang from those of the upper one.
+      // Triangles have their base on an edge of the lower row or on an edge of the upper row.
       const Index apex = shifted(i + 1) ? 1 : 0;
       for (Index j = 0; lower + j + 1 < upper; ++j) {
         mesh.F.row(f++) << lower + j, lower + j + 1, upper + j + apex;

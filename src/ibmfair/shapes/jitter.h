@@ -1,5 +1,5 @@
-// Random triangulations of shapes: vertices that leave their places in a regular pattern, but not
-// the surface. The same for the same seed, on every platform.
+// Random triangulations of shapes: vertices are moved away from their places in a regular pattern,
+// but stay on the surface. The same seed gives the same result on every platform.
 #pragma once
 
 #include <cstdint>
@@ -9,8 +9,8 @@
 
 namespace ibmfair {
 
-/// How far vertices move. Up to about 0.3 cells no triangle of a regular pattern turns over, and
-/// most edges stay Delaunay.
+/// The size of the random displacements. Up to about 0.3 cells, no triangle of a regular pattern
+/// turns over, and most edges remain Delaunay.
 struct Jitter {
   double amount = 0;  ///< offsets are uniform in [-amount, amount]; in [0, 0.5)
   std::uint64_t seed = 1;
@@ -28,8 +28,8 @@ class RandomOffsets {
   RandomNumbers random_;
 };
 
-/// Moves each vertex of a mesh on the unit sphere by such offsets of its three coordinates, in mean
-/// edge lengths, and back onto the sphere.
+/// Adds random offsets, in mean edge lengths, to the three coordinates of each vertex of a mesh on
+/// the unit sphere, then projects the vertex back onto the sphere.
 void jitter_on_unit_sphere(Points& X, const Triangles& F, const Jitter& jitter);
 
 }  // namespace ibmfair

@@ -7,7 +7,7 @@
 
 namespace ibmfair {
 
-/// Adds an independent normal deviation of this standard deviation (length) to every coordinate.
+/// Adds independent Gaussian noise with the given standard deviation (length) to every coordinate.
 void add_noise(Points& X, double standard_deviation, std::uint64_t seed);
 
 }  // namespace ibmfair

@@ -20,7 +20,7 @@ void project_to_unit_sphere(Points& X, Eigen::Index first_new) {
   }
 }
 
-// `place` puts the vertices that a splitting added where they belong.
+// `place` moves the vertices that a subdivision has added to their positions.
 TriangleMesh subdivide(TriangleMesh mesh, const Subdivision& subdivision,
                        void (*place)(Points& X, Eigen::Index first_new)) {
   const auto polyhedron_faces = mesh.F.rows();
@@ -52,7 +52,8 @@ TriangleMesh subdivide(TriangleMesh mesh, const Subdivision& subdivision,
   return mesh;
 }
 
-// From plain lists, which read row by row and compile faster than Eigen's comma initialiser.
+// Makes a mesh from plain lists, which are read row by row and compile faster than Eigen's comma
+// initialiser.
 template <std::size_t VertexCount, std::size_t FaceCount>
 TriangleMesh from_lists(const double (&positions)[VertexCount][3],
                         const Index (&corners)[FaceCount][3]) {

@@ -11,7 +11,8 @@
 
 namespace ibmfair {
 
-/// What can be asked of a shape. Each shape takes some of these; the names are those of its row.
+/// The settings of shapes. Each shape takes some of these; Shape::settings lists them by the names
+/// given here.
 struct ShapeSettings {
   std::optional<int> subdivide = {};      ///< "subdivide"
   std::optional<Index> refine_face = {};  ///< "refine-face"
@@ -20,7 +21,7 @@ struct ShapeSettings {
   std::optional<Index> columns = {};      ///< "columns"
   bool straight = false;                  ///< "straight"
   std::optional<double> jitter = {};      ///< "jitter"
-  std::uint64_t seed = 1;                 ///< of the jitter
+  std::uint64_t seed = 1;                 ///< of the random jitter
 };
 
 /// A row of the table.

@@ -11,18 +11,19 @@
 namespace ibmfair {
 namespace {
 
-constexpr Index lattice_radius = 4;  // rings of control vertices: the piece's own and two around it
-constexpr double radius = 2;         // of the piece, in edges of the control mesh
-constexpr double steepness = 0.1;    // of the monkey saddle that the control vertices lie on
+constexpr Index lattice_radius = 4;  // rings of control vertices: two in the piece, two around it
+constexpr double radius = 2;         // radius of the piece, in edges of the control mesh
+constexpr double steepness = 0.1;    // of the monkey saddle on which the control vertices lie
 
-/// The side length of the regular hexagon through (x, y), corners on the x axis.
+/// The side length of the regular hexagon about the origin through (x, y) with corners on the x
+/// axis.
 double hexagon_distance(double x, double y) {
   const double height = std::numbers::sqrt3 / 2;
   return std::max({std::abs(y), std::abs(x * height + y / 2), std::abs(x * height - y / 2)}) /
          height;
 }
 
-/// A hexagon of a triangular lattice over z = steepness * Re (x + iy)^3.
+/// A hexagonal piece of the triangular lattice, with z = steepness * Re (x + iy)^3.
 TriangleMesh control_mesh() {
   constexpr Index n = 2 * lattice_radius + 1;
   std::array<std::array<Index, n>, n> number{};
@@ -68,7 +69,7 @@ TriangleMesh control_mesh() {
   return mesh;
 }
 
-/// The part of the mesh within the hexagon of the given side.
+/// The part of the mesh within the hexagon with the given side length.
 TriangleMesh cut_hexagon(const TriangleMesh& mesh, double side) {
   std::vector<Index> number(static_cast<std::size_t>(mesh.X.rows()), -1), kept;
   for (Index v = 0; v < mesh.X.rows(); ++v) {

@@ -6,11 +6,11 @@
 
 namespace ibmfair {
 
-/// A hexagonal piece of 24 * 4^subdivide triangles of a smooth Loop surface whose six corners stand
-/// up and down in turn. Its two outer rings of vertices lie on the surface and prescribe positions
-/// and normals; all others lie on six flat triangles between the corners and their mean: the
-/// trivial filling to start from. Throws BadOption for subdivide < 1 or results above
-/// `largest_shape` faces.
+/// A hexagonal piece, with 24 * 4^subdivide triangles, of a smooth Loop surface whose six corners
+/// are alternately high and low. The two outer rings of vertices lie on the surface and prescribe
+/// positions and normals. All other vertices lie on six flat triangles between the corners and
+/// their mean; they are a trivial filling as a starting point. Throws BadOption for subdivide < 1
+/// or for more than `largest_shape` faces.
 TriangleMesh make_six_sided_hole(int subdivide);
 
 }  // namespace ibmfair

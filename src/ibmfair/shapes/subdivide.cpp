@@ -11,9 +11,8 @@ namespace ibmfair {
 
 namespace {
 
-/// The edges that are split, each with the number of its midpoint, found through the smaller of its
-/// vertices. Numbers are given in the order of adding, so that the result does not depend on a
-/// hash.
+/// The split edges with the numbers of their midpoints, listed at the smaller of the two vertices.
+/// Numbers are given in the order of insertion, so that the result does not depend on a hash.
 class Midpoints {
  public:
   explicit Midpoints(Index vertex_count)
@@ -36,7 +35,7 @@ class Midpoints {
     }
   }
 
-  /// X with the midpoints behind it.
+  /// X followed by the midpoints.
   Points positions(const Points& X) const {
     Points result(X.rows() + static_cast<Eigen::Index>(edges_.size()), 3);
     result.topRows(X.rows()) = X;
@@ -53,7 +52,7 @@ class Midpoints {
   struct Edge {
     Index smaller;
     Index larger;
-    Index next;  // of the edges with the same smaller vertex
+    Index next;  // next edge with the same smaller vertex
   };
   Index vertex_count_;
   std::vector<Index> first_;
@@ -75,7 +74,7 @@ int split_count(const Triple& middle) {
   return 3 - static_cast<int>(std::count(middle.begin(), middle.end(), Midpoints::none));
 }
 
-// Marks until every unmarked triangle has at most one split edge.
+// Marks triangles until every unmarked triangle has at most one split edge.
 void close(const Triangles& F, std::vector<std::uint8_t>& marked, Midpoints& midpoints) {
   bool changed = true;
   while (changed) {

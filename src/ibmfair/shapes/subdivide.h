@@ -8,23 +8,24 @@
 
 namespace ibmfair {
 
-/// Triangles and their vertices, #V x 3 and #F x 3.
+/// A triangle mesh: vertex positions X, #V x 3, and triangles F, #F x 3.
 struct TriangleMesh {
   Points X;
   Triangles F;
 };
 
 /// Splits the marked triangles (#F) into four each and makes the result conforming by red-green
-/// closure: a triangle with two or three split edges is split into four as well, one with a single
-/// split edge into two. New vertices are flat midpoints and come after all old ones, which keep
-/// their numbers; the children of a triangle take its place in the order. Orientation is kept.
-/// Throws BadOption where the result would exceed `largest_shape` faces.
+/// closure: a triangle with two or three split edges is also split into four, and a triangle with
+/// one split edge into two. New vertices are midpoints of straight edges and come after all old
+/// vertices, which keep their numbers. The children of a triangle take its place in the order.
+/// Orientation is kept. Throws BadOption if the result would exceed `largest_shape` faces.
 TriangleMesh split_triangles(const TriangleMesh& mesh, std::vector<std::uint8_t> marked);
 
 /// Splits every triangle into four.
 TriangleMesh split_all_triangles(const TriangleMesh& mesh);
 
-/// The most faces that a generated shape may have: about 6 GB while it is made and written.
+/// The most faces that a generated shape may have; making and writing such a shape takes about 6
+/// GB.
 constexpr std::int64_t largest_shape = 50'000'000;
 
 /// Throws BadOption for a face count that is above `largest_shape`.

@@ -14,8 +14,8 @@
 namespace ibmfair {
 namespace {
 
-/// Unknowns from which on nested dissection takes less time in all. tools/ordering_table prints
-/// what it was chosen by.
+/// The number of unknowns from which on nested dissection takes less time in total. The value was
+/// chosen from the output of tools/ordering_table.
 constexpr std::int64_t worth_dissecting = 6'000;
 
 }  // namespace

@@ -1,6 +1,6 @@
-// Sparse Cholesky factorization in its three parts: analyse once per pattern, factor once per
-// matrix, solve once per step. CHOLMOD analyses; the numbers are computed and used by the
-// multifrontal method (solve/multifrontal.h).
+// Sparse Cholesky factorization in three phases: analyse once per pattern, factor once per matrix,
+// solve once per step. CHOLMOD does the symbolic analysis; the numerical factorization and the
+// solves use the multifrontal method (solve/multifrontal.h).
 #pragma once
 
 #include <cstdint>
@@ -14,22 +14,24 @@ namespace ibmfair {
 
 struct SymbolicFactor;
 
-/// What the analysis predicts.
+/// The cost of a factorization, as predicted by the symbolic analysis.
 struct FactorForecast {
   std::string_view ordering;  ///< "minimum degree" or "nested dissection"
-  double flops = 0;           ///< of one factorization
+  double flops = 0;           ///< floating-point operations of one factorization
   double factor_entries = 0;  ///< entries of L
 };
 
-/// The symbolic analysis of a pattern: fill-reducing order, elimination tree, supernodes.
+/// The symbolic analysis of a pattern: fill-reducing elimination order, elimination tree,
+/// supernodes.
 class SymbolicCholesky {
  public:
-  /// Depends on the pattern of `J` only, not on its values. Throws FactorizationFailed or
-  /// OutOfMemory.
+  /// Uses minimum degree. Depends on the pattern of `J` only, not on its values. Throws
+  /// FactorizationFailed or OutOfMemory.
   explicit SymbolicCholesky(const SymmetricMatrix& J);
 
-  /// Analyses J for unknowns on a surface, at `X` (#unknowns x 3): many are put in order by where
-  /// they lie, which leaves a smaller factor, and is found on all threads.
+  /// Analyses J for unknowns on a surface, with the positions `X` (#unknowns x 3). If there are
+  /// many unknowns, they are ordered by nested dissection based on their positions, which gives
+  /// less fill-in and runs on all threads.
   SymbolicCholesky(const SymmetricMatrix& J, const Points& X);
 
   const FactorForecast& forecast() const { return forecast_; }
@@ -39,12 +41,13 @@ class SymbolicCholesky {
 
   friend class CholeskyFactor;
   struct State;
-  std::shared_ptr<const State> state_;  // factors keep it alive
+  std::shared_ptr<const State> state_;  // shared: CholeskyFactor objects keep it alive
   FactorForecast forecast_;
 };
 
-/// Of the numbers in a factor. Half as many bytes are read and multiplied in about half the time:
-/// enough for a Jacobian that is inexact by design, while its condition number is below about 1e6.
+/// The precision of the numbers in a factor. In float32, half as many bytes are read and the
+/// multiplications take about half the time. This precision suffices for a Jacobian that is inexact
+/// by design as long as the condition number is below about 1e6.
 enum class Precision : std::uint8_t { float32, float64 };
 
 /// The factor L L^T of a matrix with the analysed pattern.
@@ -56,9 +59,9 @@ class CholeskyFactor {
   CholeskyFactor(CholeskyFactor&&) noexcept;
   CholeskyFactor& operator=(CholeskyFactor&&) noexcept;
 
-  /// Factors `J`, symmetric positive definite with the analysed pattern; may be called again for
-  /// other values. Throws FactorizationFailed, naming the unknown at which `J` is not positive
-  /// definite, or OutOfMemory; the factor can then not be used for solving.
+  /// Factors `J`, symmetric positive definite with the analysed pattern. May be called again with
+  /// other values. Throws OutOfMemory, or FactorizationFailed, which names the unknown at which `J`
+  /// is not positive definite; the factor can then not be used for solving.
   void factor(const SymmetricMatrix& J);
 
  private:
@@ -67,17 +70,18 @@ class CholeskyFactor {
   std::unique_ptr<State> state_;
 };
 
-/// Solves with one factor, three right-hand sides at a time, in workspaces that are kept.
+/// Solves with one factor for three right-hand sides at a time. Workspaces are reused between
+/// solves.
 class CholeskySolver {
  public:
-  /// Refers to the factor.
+  /// Keeps a reference to `factor`.
   explicit CholeskySolver(const CholeskyFactor& factor);
   ~CholeskySolver();
   CholeskySolver(CholeskySolver&&) noexcept;
   CholeskySolver& operator=(CholeskySolver&&) noexcept;
 
-  /// Y = J^-1 B for B with a row for each unknown and three columns; Y may be B. The same bytes
-  /// for any number of threads.
+  /// Y = J^-1 B, where B has a row for each unknown and three columns. Y may be B. The result is
+  /// bit-identical for any number of threads.
   void solve(const Points& B, Points& Y);
 
  private:

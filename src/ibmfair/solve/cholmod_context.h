@@ -1,11 +1,11 @@
-// The settings and errors of CHOLMOD, for the files of this room only.
+// The settings and errors of CHOLMOD, for use within solve/ only.
 #pragma once
 
 #include <cholmod.h>
 
 namespace ibmfair {
 
-/// One cholmod_common of 64-bit indices: started, and quiet.
+/// An initialised cholmod_common with 64-bit indices that prints nothing.
 class CholmodContext {
  public:
   CholmodContext();
@@ -15,7 +15,7 @@ class CholmodContext {
 
   cholmod_common* get() { return &common_; }
 
-  /// Throws what the last call's status means: OutOfMemory or FactorizationFailed.
+  /// Throws OutOfMemory or FactorizationFailed if the status of the last call is an error.
   void check() const;
 
  private:

@@ -17,7 +17,7 @@ double dot(const Quads& a, const Quads& b) {
       a.cols(), [&](std::int64_t u) { return static_cast<double>((a.col(u) * b.col(u)).sum()); });
 }
 
-/// Y / unit
+/// Converts Y / unit to float32.
 void to_quads(const Points& Y, double unit, Quads& q) {
   q.resize(4, Y.rows());
   parallel_for(Y.rows(), [&](std::int64_t u) {
@@ -30,7 +30,7 @@ void to_quads(const Points& Y, double unit, Quads& q) {
 
 }  // namespace
 
-/// At zero, to go along N r. Returns <r, N r>, r being the residual.
+/// Starts at x = 0 with the search direction N r, where r is the residual. Returns <r, N r>.
 double ConjugateGradients::begin(const Points& B, double unit) {
   const Eigen::VectorXf& N = J_.inverse_diagonal();
   to_quads(B, unit, r_);
@@ -43,8 +43,8 @@ double ConjugateGradients::begin(const Points& B, double unit) {
   });
 }
 
-/// Goes along p to the minimum, where `slope` is <p, r>; the next p is conjugate to this one if it
-/// `goes_on`. Returns <r, N r>, or nothing where what is left of the residual is rounding.
+/// Moves along p to the minimum; `slope` is <p, r>. If `goes_on`, the next p is conjugate to this
+/// one. Returns <r, N r>, or nothing if the remaining residual is only rounding error.
 std::optional<double> ConjugateGradients::step(double slope, bool goes_on) {
   const Eigen::VectorXf& N = J_.inverse_diagonal();
   const double curvature = J_.apply(p_, q_);
@@ -63,7 +63,7 @@ std::optional<double> ConjugateGradients::step(double slope, bool goes_on) {
   return next;
 }
 
-/// <x, b> / <x, J x>, J x being b less the residual.
+/// <x, b> / <x, J x>, where J x is b minus the residual.
 double ConjugateGradients::length_to_minimum(const Points& B, double unit) const {
   const auto share = [&](std::int64_t u) -> Eigen::Array2d {
     Eigen::Array2d sums(0, 0);
@@ -80,7 +80,7 @@ double ConjugateGradients::length_to_minimum(const Points& B, double unit) const
 
 int ConjugateGradients::solve(const Points& B, Points& Y, double tolerance, int most_iterations) {
   const Index n = J_.size();
-  // Float32 holds the ratios of the entries, not their unit.
+  // Dividing by the largest entry brings the entries into the range of float32.
   const double unit = largest_entry(B);
   if (!(unit > 0)) {
     Y.setZero(n, 3);

@@ -1,4 +1,4 @@
-// Conjugate gradients for a displacement of the unknowns.
+// Conjugate gradients for a displacement of the unknown vertices.
 #pragma once
 
 #include <optional>
@@ -8,19 +8,20 @@
 
 namespace ibmfair {
 
-/// Solves J Y = B by conjugate gradients preconditioned with diag(J), in workspaces that are kept.
-/// The three coordinates are one vector, with one step length: so the result turns as B is turned.
-/// Every iterate d ends up scaled so that <d, J d> = <d, b>, and is nearer to the solution than
-/// zero is in the norm of J: however few iterations there are, it is a direction of descent, and
-/// the Gauss-Newton model holds along it.
+/// Solves J Y = B by conjugate gradients preconditioned with diag(J). Workspaces are reused between
+/// solves. The three coordinates form a single vector with one step length, so the result rotates
+/// with B. The returned Y is scaled such that <Y, J Y> = <Y, B>, and in the norm of J it is nearer
+/// to the solution than zero is. However few iterations are made, Y is therefore a descent
+/// direction, and the Gauss-Newton model is exact along it.
 class ConjugateGradients {
  public:
-  /// Refers to the Jacobian.
+  /// Keeps a reference to `J`.
   explicit ConjugateGradients(const JacobianRows& J) : J_(J) {}
 
-  /// Iterates until the residual is `tolerance` times that of zero (in the norm of diag(J)^-1), or
-  /// `most_iterations` times. Returns the number of iterations. If Y has as many rows as B, its
-  /// direction is the first that is gone along: of the steps of a flow, one is like the next.
+  /// Iterates until the residual is at most `tolerance` times the residual of Y = 0 (in the norm of
+  /// diag(J)^-1), but at most `most_iterations` times. Returns the number of iterations. If Y has
+  /// as many rows as B, its direction is the first search direction: successive steps of a flow
+  /// have similar directions.
   int solve(const Points& B, Points& Y, double tolerance, int most_iterations);
 
  private:

@@ -12,7 +12,7 @@ IBMFAIR_INLINE float* of_unknown(float* x, std::int64_t u) {
   return x + 4 * u;
 }
 
-/// Two numbers, each for all that one unknown has.
+/// Two numbers, each repeated for the four numbers of one unknown.
 IBMFAIR_INLINE Pack<float> spread(const float* two) {
   const Pack<float> a = {two[0], two[1], two[0], two[1], two[0], two[1], two[0], two[1]};
   return __builtin_shufflevector(a, a, 0, 0, 0, 0, 5, 5, 5, 5);
@@ -23,7 +23,7 @@ IBMFAIR_INLINE double sum_of(const Row4<double>& a) {
 }
 
 struct MultiplyRows {
-  /// Of entries k and k + 1 of a row.
+  /// The contributions of entries k and k + 1 of a row.
   IBMFAIR_INLINE static Pack<float> product(const DifferenceRows& J, std::int64_t k, const float* p,
                                             const Pack<float>& own) {
     const auto first = load<Row4<float>>(of_unknown(p, J.column[k]));
@@ -36,7 +36,7 @@ struct MultiplyRows {
     for (std::int64_t u = range.begin; u < range.end; ++u) {
       const auto own = load<Row4<float>>(of_unknown(p, u));
       const Pack<float> own_twice = both_halves(own, own);
-      Pack<float> even = {}, odd = {};  // two sums: a single one would wait for itself
+      Pack<float> even = {}, odd = {};  // two independent sums, to shorten the dependency chain
       const std::int64_t first = *J.first++;
       const std::int64_t last = *J.first;
       std::int64_t k = first + 1;

@@ -1,5 +1,6 @@
 // The loops of conjugate gradients over a range of the unknowns, each of which has four float32
-// (solve/jacobian_rows.h). Sums are in double precision, in an order that the range alone decides.
+// numbers (solve/jacobian_rows.h). Sums are formed in double precision, in an order that depends on
+// the range only.
 #pragma once
 
 #include <cstdint>
@@ -8,8 +9,9 @@
 
 namespace ibmfair {
 
-/// Rows of a matrix as differences: (J x)_u = b_f x_u + sum_k b_k (x_column[k] - x_u) for the i-th
-/// of them, where f is first[i], and k the numbers behind it below first[i + 1], even in number.
+/// Rows of a matrix in difference form. The i-th row, of unknown u, is (J x)_u = b_f x_u + sum_k
+/// b_k (x_column[k] - x_u), where f = first[i] and k runs from f + 1 to first[i + 1] - 1, an even
+/// number of entries.
 struct DifferenceRows {
   const std::int64_t* first;
   const Index* column;
@@ -21,10 +23,10 @@ struct UnknownRange {
   std::int64_t begin, end;
 };
 
-/// q = J p, where J has the rows of the range. Returns <p, q>.
+/// q = J p for the rows of the range; J.first points to the first of them. Returns <p, q>.
 double multiply_rows(const DifferenceRows& J, const float* p, float* q, UnknownRange range);
 
-/// r -= alpha q. Returns <r, N r>, N being one number for each unknown.
+/// r -= alpha q. Returns <r, N r>, where N has one number for each unknown.
 double step_residual(float alpha, const float* q, const float* N, float* r, UnknownRange range);
 
 /// x += alpha p, then p = N r + beta p.

@@ -1,4 +1,4 @@
-// Numbers too small for float32's exponent.
+// Handling of subnormal numbers: numbers below the smallest normal float32.
 #pragma once
 
 #if defined(__SSE__)
@@ -7,9 +7,9 @@
 
 namespace ibmfair {
 
-/// While one exists, this thread's results below float32's smallest normal number are zero. Fill
-/// far from the diagonal decays to there, and each such operation takes a hundred times longer:
-/// a factorization, ten times.
+/// While an object exists, results of this thread below float32's smallest normal number become
+/// zero. Fill-in far from the diagonal decays to such numbers; an operation on a subnormal number
+/// takes a hundred times longer, and a whole factorization ten times.
 class FlushSubnormals {
  public:
   FlushSubnormals() {

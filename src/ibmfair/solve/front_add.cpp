@@ -5,7 +5,7 @@
 namespace ibmfair {
 namespace {
 
-/// Columns first .. last - 1 of a child's update.
+/// Adds the columns first .. last - 1 of a child's update.
 template <class Real>
 struct AddUpdate {
   static constexpr Index pack = pack_rows<Real>;
@@ -27,7 +27,7 @@ struct AddUpdate {
  private:
   IBMFAIR_INLINE Real* column(Index j) const { return numbers + std::ptrdiff_t{pack} * place[j]; }
 
-  /// What the child has in its pack of rows begin, begin + 1, and so on.
+  /// Adds the child's pack of rows begin, begin + 1, and so on.
   IBMFAIR_INLINE void add_pack(Index begin) const {
     const Real* from = update + child.in_update(begin) + std::ptrdiff_t{pack} * first;
     const Index end = std::min(begin + pack, child.rows);
@@ -37,7 +37,7 @@ struct AddUpdate {
     }
     Index j = first;
     if (begin >= child.columns && end == begin + pack) {
-      const Index below = std::min(last, begin);  // the diagonal, in all rows
+      const Index below = std::min(last, begin);  // below the diagonal in all rows
       const bool stay_together = row[pack - 1] - row[0] == pack - 1;
       for (; j < below && stay_together; ++j, from += pack) {
         Real* const to = column(j) + row[0];

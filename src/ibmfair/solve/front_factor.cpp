@@ -8,25 +8,26 @@
 namespace ibmfair {
 namespace {
 
-/// Columns that are factored before those to their right lose what is due to them: so few that the
-/// rows of a band stay in the first cache.
+/// Columns in a strip. A strip is factored before its products are subtracted from the columns to
+/// its right. It is so narrow that the rows of a band stay in the first-level cache.
 constexpr Index strip_width = 128;
 
-/// Packs that a thread takes at a time.
+/// Packs in a band, the part of a front that a thread processes at a time.
 constexpr Index band_packs = 6;
 
-/// Multiplications that take longer than waking a thread.
+/// The number of multiplications that take longer than waking a thread.
 constexpr double worth_sharing_front = 2e6;
 
-/// What packs of rows of a block A lose beside one panel. With three packs these are twelve
-/// vectors, and with what is multiplied they fill the sixteen registers that AVX2 has.
+/// The products to be subtracted from some packs of rows of a block A, in the columns of one panel.
+/// For three packs these are twelve vectors; together with the operands they fill the sixteen
+/// registers of AVX2.
 template <class Real, int packs>
 struct Tile {
   static constexpr Index pack = pack_rows<Real>;
 
   Pack<Real> sum[packs][panel_width];
 
-  /// A B^T over `count` columns. A has `stride` between its packs; B is four rows of a pack.
+  /// A B^T over `count` columns. The packs of A are `stride` apart; B is four rows of a pack.
   IBMFAIR_INLINE static Tile product(const Real* A, std::ptrdiff_t stride, const Real* B,
                                      Index count) {
     Tile tile = {};
@@ -55,20 +56,21 @@ IBMFAIR_INLINE void in_tiles(Index first, Index last, const Step& step) {
   if (last - first == 1) step.template tile<1>(first);
 }
 
-/// One panel of a strip, of which all columns to the left are done.
+/// One panel of a strip; all columns of the strip to its left are factored.
 template <class Real>
 struct Panel {
   static constexpr Index pack = pack_rows<Real>;
 
   FrontLayout<Real> front;
   Real* block;
-  Index strip, column;  // the first one of either
-  Real* inverse;        // of the diagonal; 0 for columns that are room only
+  Index strip, column;  // first columns of the strip and of the panel
+  Real* inverse;        // inverse diagonal; 0 for padding columns
 
-  /// The four rows of the panel's own columns, from column 0 on.
+  /// The four rows with the numbers of the panel's columns, from column 0 on.
   IBMFAIR_INLINE Real* own_rows() const { return block + front.in_block(column); }
 
-  /// Rows of some packs lose what is due and are divided by the panel's triangle.
+  /// Subtracts the products of the columns to the left from some packs of rows, and divides the
+  /// rows by the panel's triangle.
   template <int packs>
   IBMFAIR_INLINE void tile(Index first) const {
     const std::ptrdiff_t stride = front.stride();
@@ -88,8 +90,8 @@ struct Panel {
     }
   }
 
-  /// Factors the panel's triangle, and divides the other rows of its pack. Returns -1, or which of
-  /// the `columns` columns has a pivot that is not positive.
+  /// Factors the panel's triangle and divides the other rows of its pack. Returns -1, or the index
+  /// of the first of the `columns` columns whose pivot is not positive.
   IBMFAIR_INLINE Index factor(Index columns) const {
     Real* const A = own_rows() - column % pack;
     const auto due =
@@ -133,7 +135,7 @@ struct Panel {
   }
 };
 
-/// The columns first .. last - 1 of a block, in the packs with their own rows.
+/// Factors the columns first .. last - 1 of a block, in the packs that contain their own rows.
 template <class Real>
 struct FactorStrip {
   IBMFAIR_INLINE static Index run(FrontLayout<Real> front, Real* block, Index first, Index last,
@@ -149,7 +151,7 @@ struct FactorStrip {
   }
 };
 
-/// Divides the columns first .. last - 1 in the packs below those of FactorStrip.
+/// Computes the columns first .. last - 1 in the packs below those of FactorStrip.
 template <class Real>
 struct DivideBand {
   FrontLayout<Real> front;
@@ -170,7 +172,7 @@ struct DivideBand {
   }
 };
 
-/// Columns to the right of a strip lose what is due to it.
+/// Subtracts the products of a strip from columns to its right.
 template <class Real>
 struct SubtractBand {
   static constexpr Index pack = pack_rows<Real>;
@@ -179,9 +181,9 @@ struct SubtractBand {
   const Real* block;
   Index strip, width;
   FrontPart part;
-  Real* numbers;      // the part's
-  Index first, last;  // of its columns
-  Index column = 0;   // of the panel
+  Real* numbers;      // the numbers of the part
+  Index first, last;  // range of columns of the part
+  Index column = 0;   // first column of the current panel
 
   template <int packs>
   IBMFAIR_INLINE void tile(Index p) const {
@@ -213,7 +215,7 @@ template <class Kernel>
 void in_bands(const Kernel& step, Index first, Index last, double multiplications) {
   run_tasks((last - first + band_packs - 1) / band_packs, multiplications > worth_sharing_front,
             [&](std::int64_t band) {
-              const FlushSubnormals flush;  // this may be another thread
+              const FlushSubnormals flush;  // this task may run on another thread
               const Index begin = first + static_cast<Index>(band) * band_packs;
               run_kernel<Kernel>(step, begin, std::min(begin + band_packs, last));
             });

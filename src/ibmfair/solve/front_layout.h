@@ -1,6 +1,6 @@
-// Where the numbers of a front stand while it is factored. Both the block of its own columns and
-// the update that it hands on are kept in packs of rows, each column by column, so that kernels
-// read and write them in turn and with whole vectors.
+// The memory layout of a front during its factorization. Both the block of the front's own columns
+// and the update for its parent are stored in packs of rows, each pack column by column, so that
+// kernels access memory sequentially and with whole vectors.
 #pragma once
 
 #include <cstddef>
@@ -14,7 +14,7 @@ namespace ibmfair {
 template <class Real>
 constexpr Index pack_rows = 32 / sizeof(Real);
 
-/// Columns that kernels take together.
+/// Columns that kernels process together.
 constexpr Index panel_width = 4;
 
 template <class Real>
@@ -22,11 +22,11 @@ constexpr Index packs_of(Index rows) {
   return (rows + pack_rows<Real> - 1) / pack_rows<Real>;
 }
 
-/// Where a front's own columns are, and the others.
+/// The two parts of a front: its own columns, and the update, the columns of its ancestors.
 enum class FrontPart : std::uint8_t { block, update };
 
-/// A front of `rows` rows, of which the first `columns` are its own. Entry (i, j), i >= j, is
-/// number in(part, i) + pack_rows * j of the part.
+/// A front of `rows` rows; the first `columns` rows and columns are its own. Entry (i, j), i >= j,
+/// is at offset in(part, i) + pack_rows * j in the numbers of the part.
 template <class Real>
 struct FrontLayout {
   static constexpr Index pack = pack_rows<Real>;
@@ -35,7 +35,7 @@ struct FrontLayout {
 
   Index packs() const { return packs_of<Real>(rows); }
 
-  /// From pack to pack of the block. There is room for whole panels.
+  /// The distance from pack to pack of the block, with room for whole panels.
   std::ptrdiff_t stride() const {
     const Index panels = (columns + panel_width - 1) / panel_width;
     return std::ptrdiff_t{pack} * panel_width * panels;
@@ -43,9 +43,9 @@ struct FrontLayout {
   std::int64_t block_size() const { return packs() * std::int64_t{stride()}; }
   std::ptrdiff_t in_block(Index i) const { return i / pack * stride() + i % pack; }
 
-  /// The pack with which the update begins: its first rows may be the front's own, and are idle.
+  /// The first pack of the update. Its first rows may be the front's own; they are unused.
   Index first_pack() const { return columns / pack; }
-  /// From pack to pack there is room for one pack of columns more.
+  /// Each pack has room for one pack of columns more than the pack before it.
   std::int64_t update_size() const {
     return rows > columns ? before_pack(packs() - first_pack()) : 0;
   }

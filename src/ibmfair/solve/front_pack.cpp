@@ -6,10 +6,10 @@
 namespace ibmfair {
 namespace {
 
-/// Numbers of a front.
+/// The number of values of a front from which on packing is shared among threads.
 constexpr std::int64_t worth_sharing_packing = 1'000'000;
 
-/// The rows of a chunk's own pack, `rows` of them, inverted as front_kernels.h has it.
+/// Inverts the diagonal pack of a chunk, which has `rows` rows, as described in front_kernels.h.
 template <class Real>
 void invert_chunk(const Real* L, Index rows, Index columns, Real* inverse) {
   constexpr Index pack = pack_rows<Real>;

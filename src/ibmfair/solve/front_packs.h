@@ -1,6 +1,6 @@
-// The ways between the two forms of what stands beside a front: rows of four numbers, as they are
-// handed from front to front, and packs of rows, one coordinate after the other, one number of each
-// row, as the kernels of substitution take them. For .cpp files of kernels only, as base/lanes.h.
+// Conversions between the two layouts of vectors: rows of four numbers, which are passed from front
+// to front, and packs of rows, which the kernels of substitution use: coordinate by coordinate, one
+// number of each row. For .cpp files of kernels only, as base/lanes.h.
 #pragma once
 
 #include <cstddef>
@@ -17,7 +17,7 @@ struct Pack3 {
   Pack<Real> c[3];
 };
 
-/// The first numbers of a and of b in turns, within each half of the packs; the second ones.
+/// Interleaves the lower two (zip_low) or upper two (zip_high) of every four numbers of a and b.
 IBMFAIR_INLINE Pack<float> zip_low(const Pack<float>& a, const Pack<float>& b) {
   return __builtin_shufflevector(a, b, 0, 8, 1, 9, 4, 12, 5, 13);
 }
@@ -45,7 +45,7 @@ IBMFAIR_INLINE Pack<double> zip_high_pairs(const Pack<double>& a, const Pack<dou
   return __builtin_shufflevector(a, b, 2, 3, 6, 7);
 }
 
-/// The sums of four packs.
+/// The sums of the numbers of each of four packs.
 IBMFAIR_INLINE Row4<float> sums(const Pack<float>& a, const Pack<float>& b, const Pack<float>& c,
                                 const Pack<float>& d) {
   const Pack<float> ab = zip_low(a, b) + zip_high(a, b), cd = zip_low(c, d) + zip_high(c, d);
@@ -58,7 +58,7 @@ IBMFAIR_INLINE Row4<double> sums(const Pack<double>& a, const Pack<double>& b,
   return zip_low_pairs(ab, cd) + zip_high_pairs(ab, cd);
 }
 
-/// Rows of four numbers that follow each other, `count` of them; the others are zero.
+/// Consecutive rows of four numbers, `count` of them; rows beyond are zero.
 template <class Real>
 struct RowsInTurn {
   const Real* first;
@@ -68,7 +68,7 @@ struct RowsInTurn {
   }
 };
 
-/// Rows of four numbers of x, by their numbers.
+/// The rows of x (four numbers each) that `row` lists, `count` of them; rows beyond are zero.
 template <class Real>
 struct NamedRows {
   const Real* x;
@@ -79,7 +79,7 @@ struct NamedRows {
   }
 };
 
-/// The pack of rows first, first + 1, and so on.
+/// Loads the rows first, first + 1, ... into one pack.
 template <class Rows>
 IBMFAIR_INLINE Pack3<float> to_packs(const Rows& rows, Index first, float /*tag*/) {
   const Pack<float> a = both_halves(rows[first], rows[first + 4]);
@@ -99,7 +99,7 @@ IBMFAIR_INLINE Pack3<double> to_packs(const Rows& rows, Index first, double /*ta
   return {zip_low_pairs(xz01, xz23), zip_low_pairs(y01, y23), zip_high_pairs(xz01, xz23)};
 }
 
-/// Back: rows of four numbers each, the fourth one zero.
+/// The inverse of to_packs: stores rows of four numbers, the fourth of which is zero.
 IBMFAIR_INLINE void to_rows(const Pack3<float>& pack, float* rows) {
   const auto& [x, y, z] = pack.c;
   const Pack<float> none = {};

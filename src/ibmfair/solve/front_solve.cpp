@@ -6,13 +6,14 @@
 namespace ibmfair {
 namespace {
 
-/// Numbers of the factor are fetched so many bytes ahead of their use: small fronts end before the
-/// processor fetches by itself.
+/// The factor is prefetched this many bytes ahead: small fronts end before the hardware prefetcher
+/// starts.
 constexpr std::ptrdiff_t ahead = 8192;
 
-/// Where to. They are read once in a substitution and are many: past the larger caches, they take
-/// no room there from the vectors that they are applied to. That is the quicker way on AMD's
-/// processors; on Intel's it is so narrow that a substitution takes twice as long.
+/// The cache level for these prefetches. A substitution reads every number of the factor once, and
+/// there are many of them. If they bypass the larger caches, they do not evict the vectors from
+/// them. This is faster on AMD's processors; on Intel's, this way is so narrow that a substitution
+/// takes twice as long.
 enum class FetchTo : std::uint8_t { first_cache_only, second_cache };
 
 FetchTo best_fetch() {
@@ -25,12 +26,12 @@ FetchTo best_fetch() {
 
 constexpr std::ptrdiff_t cache_line = 64;
 
-/// Fetches the `count` numbers `distance` bytes after these.
+/// Prefetches the `count` numbers at `distance` bytes after `numbers`.
 template <FetchTo place, std::ptrdiff_t count, class Real>
 IBMFAIR_INLINE void fetch(const Real* numbers, std::ptrdiff_t distance) {
   const char* const bytes = reinterpret_cast<const char*>(numbers) + distance;
   for (std::ptrdiff_t i = 0; i < count * std::ptrdiff_t{sizeof(Real)}; i += cache_line) {
-    __builtin_prefetch(bytes + i, 0, place == FetchTo::first_cache_only ? 0 : 2);  // 0: to be read
+    __builtin_prefetch(bytes + i, 0, place == FetchTo::first_cache_only ? 0 : 2);  // 0: for reading
   }
 }
 
@@ -40,7 +41,7 @@ IBMFAIR_INLINE Real* from_pack(Real* W, Index p) {
   return W + std::ptrdiff_t{3} * pack_rows<Real> * p;
 }
 
-/// Packs of three coordinates that follow each other in a workspace.
+/// Three consecutive packs in a workspace, one per coordinate.
 template <class Real>
 IBMFAIR_INLINE Pack3<Real> load_three(const Real* W) {
   constexpr Index pack = pack_rows<Real>;
@@ -53,12 +54,13 @@ IBMFAIR_INLINE void store_three(Real* W, const Pack3<Real>& three) {
   }
 }
 
-/// One panel: `L` has its packs below the chunk, and W the rows beside them.
+/// Substitution with one panel: `L` has the panel's packs below the chunk, and W the rows of the
+/// vectors beside these packs.
 template <class Real, int width, FetchTo place>
 struct Panel {
   static constexpr Index pack = pack_rows<Real>;
 
-  /// W loses L x, where x has the panel's own rows. Returns the end of the panel.
+  /// W -= L x, where x has the rows of the panel's own columns. Returns the end of the panel.
   IBMFAIR_INLINE static const Real* forward(const Real* L, Index packs, const Real* x, Real* W) {
     Real factor[3][width];
     for (int c = 0; c < 3; ++c) {
@@ -79,8 +81,8 @@ struct Panel {
     return L;
   }
 
-  /// L^T W, coordinate by coordinate. Begins at the ends of the panel and of W; returns the start
-  /// of the panel.
+  /// sum = L^T W, coordinate by coordinate. Starts at the ends of the panel and of W, and returns
+  /// the start of the panel.
   IBMFAIR_INLINE static const Real* backward(const Real* L, Index packs, const Real* W,
                                              Row4<Real> (&sum)[3]) {
     Pack<Real> of_column[3][panel_width] = {};
@@ -101,7 +103,7 @@ struct Panel {
   }
 };
 
-/// What is there of a chunk's panels, side by side.
+/// The results of a chunk's panels side by side.
 IBMFAIR_INLINE Pack<float> beside(const Row4<float> (&of_panel)[2][3], int c) {
   return both_halves(of_panel[0][c], of_panel[1][c]);
 }
@@ -109,7 +111,7 @@ IBMFAIR_INLINE Pack<double> beside(const Row4<double> (&of_panel)[1][3], int c) 
   return of_panel[0][c];
 }
 
-/// One chunk, and W from its own pack on.
+/// Substitution with one chunk; W starts at the chunk's own pack.
 template <class Real, int columns, FetchTo place>
 struct Chunk {
   static constexpr Index pack = pack_rows<Real>;
@@ -153,7 +155,7 @@ struct Chunk {
   }
 
  private:
-  /// `own` becomes (I + T)^T own, where T is what the chunk begins with.
+  /// `own` becomes (I + T)^T own, where T is stored at the start of the chunk.
   IBMFAIR_INLINE static void add_transposed(const Real* T, Pack3<Real>& own) {
     Panels sum = {};
     for (int c = 0; c < 3; ++c) {
@@ -169,7 +171,7 @@ struct Chunk {
   }
 };
 
-/// Chunks of every width.
+/// The widths of chunks, minus one.
 template <class Real>
 using Widths = std::make_integer_sequence<int, pack_rows<Real>>;
 
@@ -258,7 +260,7 @@ struct Backward {
   }
 };
 
-/// Kernel<Real, place>::run(arguments...) for this processor.
+/// Calls Kernel<Real, place>::run(arguments...) with the best `place` for this processor.
 template <template <class, FetchTo> class Kernel, class Real, class... Arguments>
 void run_fetching(Arguments... arguments) {
   static const FetchTo best = best_fetch();

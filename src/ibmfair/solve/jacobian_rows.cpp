@@ -13,7 +13,8 @@
 namespace ibmfair {
 namespace {
 
-/// How far the unit may be from the middle of the diagonal, as a power of two: float32 has 126.
+/// The largest deviation of the unit from the middle of the diagonal, as a power of two; float32
+/// allows 126.
 constexpr double farthest_unit = 40;
 
 /// The power of two next to the geometric mean of the smallest and the largest entry.

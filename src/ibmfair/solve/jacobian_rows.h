@@ -11,29 +11,29 @@
 
 namespace ibmfair {
 
-/// One column of four float32 per unknown: the three coordinates, and one that is idle so that a
-/// column is one vector register.
+/// One column of four float32 numbers per unknown: the three coordinates and an unused number, so
+/// that a column fills one vector register.
 using Quads = Eigen::Array<float, 4, Eigen::Dynamic>;
 
-/// J restricted to the unknowns and divided by `unit`, a power of two not too far from the entries
-/// of its diagonal, so that float32 holds them; symmetric positive definite. Rows are kept as
-/// differences,
+/// J restricted to the unknowns and divided by `unit`, a power of two near the entries of its
+/// diagonal, so that the entries are in the range of float32; symmetric positive definite. Rows are
+/// stored in difference form,
 ///
 ///   (J x)_u = a_u x_u + sum_v b_uv (x_v - x_u)
 ///
-/// which float32 spoils less where x is smooth: the coefficients of a stencil sum to zero, so a_u
-/// is D_u, plus what the stencil's held vertices have taken with them.
+/// which loses less accuracy in float32 if x is smooth. The coefficients of a stencil sum to zero,
+/// so a_u is D_u minus the sum of h S_uv over the fixed vertices v.
 class JacobianRows {
  public:
-  /// Refers to the terms.
+  /// Keeps a reference to `terms`.
   JacobianRows(const StencilTerms& terms, const Unknowns& unknowns);
 
-  /// D: one positive entry per unknown; h > 0. Throws FactorizationFailed where an entry of the
-  /// diagonal is not a positive number.
+  /// D has one positive entry per unknown; h > 0. Throws FactorizationFailed if an entry of the
+  /// diagonal of J is not positive and finite.
   void update(const StencilWeights& weights, const Eigen::VectorXd& D, double h);
 
   Index size() const { return static_cast<Index>(sums_.size()); }
-  /// Off the diagonal, a few zeros among them.
+  /// The number of stored entries off the diagonal, including a few zeros.
   std::int64_t entries() const;
 
   double unit() const { return unit_; }
@@ -41,18 +41,18 @@ class JacobianRows {
   /// unit / J_uu.
   const Eigen::VectorXf& inverse_diagonal() const { return inverse_diagonal_; }
 
-  /// q = J p / unit, 4 x n each, and <p, q> over all coordinates. The same bytes for any number of
-  /// threads.
+  /// q = J p / unit, 4 x n each; returns <p, q>, summed over all coordinates. The result is
+  /// bit-identical for any number of threads.
   double apply(const Quads& p, Quads& q) const;
 
  private:
   void fill(const StencilWeights& weights, const Eigen::VectorXd& D, double h);
 
   RowSums sums_;
-  std::vector<Eigen::VectorXf> b_;  // as the columns of its blocks; a_u in the place of b_uu
+  std::vector<Eigen::VectorXf> b_;  // laid out as the columns of the blocks; a_u in place of b_uu
   Eigen::VectorXd diagonal_;
   Eigen::VectorXf inverse_diagonal_;
-  double unit_ = 1;  // as long as it does, so that the rows are summed up once
+  double unit_ = 1;  // kept as long as it suits the diagonal, to compute the rows only once
 };
 
 }  // namespace ibmfair

@@ -13,7 +13,8 @@
 namespace ibmfair {
 namespace {
 
-/// Calls work(b, scratch) for every branch, in parallel when the factor has so many entries.
+/// Calls work(b, scratch) for every branch, in parallel if the factor has at least `least_entries`
+/// entries.
 template <class Scratch, class Work>
 void for_branches(const Supernodes& nodes, std::int64_t least_entries,
                   std::vector<Scratch>& scratch, Work&& work) {
@@ -28,10 +29,10 @@ FrontLayout<Real> layout(const Supernodes& nodes, Index s) {
   return {nodes.rows(s), nodes.columns(s)};
 }
 
-/// Where a thread works.
+/// The workspace of a thread.
 template <class Real>
 struct FactorScratch {
-  /// Enough for each of the lists.
+  /// Allocates enough memory for each of the lists of supernodes.
   template <class Lists>
   FactorScratch(const Supernodes& nodes, const Lists& lists) {
     std::int64_t block_size = 0, updates_size = 0;
@@ -52,7 +53,7 @@ struct FactorScratch {
 
 }  // namespace
 
-/// One factorization: what it reads, and where updates wait.
+/// One factorization: its input, and the updates that wait for their parents.
 template <class Real>
 class FrontalFactor<Real>::Pass {
  public:
@@ -64,7 +65,7 @@ class FrontalFactor<Real>::Pass {
         of_branch_(nodes_.branches.size()),
         update_(static_cast<std::size_t>(nodes_.size())) {}
 
-  /// Factors the supernodes of branch b and keeps what the trunk shall get. Returns -1 or the
+  /// Factors the supernodes of branch b and keeps the updates for the trunk. Returns -1, or the
   /// column at which the matrix is not positive definite.
   Index run_branch(std::size_t b, FactorScratch<Real>& scratch) {
     UpdateStack<Real> stack(nodes_, update_, scratch.updates.data());
@@ -131,7 +132,7 @@ class FrontalFactor<Real>::Pass {
   const Supernodes& nodes_;
   const SymmetricMatrix& J_;
   const EliminatedColumns& columns_;
-  std::vector<LargeArray<Real>> of_branch_;  // updates for the trunk
+  std::vector<LargeArray<Real>> of_branch_;  // the branches' updates for the trunk
   std::vector<Real*> update_;                // #S
 };
 
@@ -170,7 +171,7 @@ Index FrontalFactor<Real>::factor(const SymmetricMatrix& J, const EliminatedColu
       bad_column[b] = pass.run_branch(b, own);
     });
   }
-  Index bad = n;  // the first in order of elimination
+  Index bad = n;  // the first in elimination order
   for (const Index column : bad_column) {
     bad = column < 0 ? bad : std::min(bad, column);
   }
@@ -223,7 +224,8 @@ void FrontalSolver<Real>::forward(const List& list, Real* memory, Scratch& scrat
   }
 }
 
-/// Fetches the list of rows of the supernode after the next, and what the next gathers by its own.
+/// Prefetches for the supernodes that come after s in backward order: the list of rows of s - 2,
+/// and the rows of x that s - 1 gathers from its ancestors.
 template <class Real>
 void FrontalSolver<Real>::fetch_rows_before(Index s) const {
   if (s < 2) {
@@ -253,7 +255,8 @@ template <class Real>
 void FrontalSolver<Real>::solve(const Points& B, Points& Y) {
   const Supernodes& nodes = factor_.nodes();
   const std::vector<double>& scale = factor_.scale();
-  // No number is larger than this one, so that float32 rounds alike whatever the unit of length is.
+  // An upper bound of the scaled entries. Dividing by it makes float32 round alike for any unit of
+  // length.
   const double largest = B.size() > 0 ? B.cwiseAbs().maxCoeff() * factor_.largest_scale() : 0;
   const double unit = largest > 0 ? largest : 1;
   parallel_for(nodes.unknowns(), [&](std::int64_t i) {

@@ -1,7 +1,8 @@
-// The numbers of a sparse Cholesky factor by the multifrontal method (Duff and Reid 1983; Liu
-// 1992): each supernode gathers its entries of the matrix and its children's updates into a dense
-// front, factors its own columns, and hands the rest on to its parent. Dense kernels do the work,
-// subtrees are independent, and the order of all sums is fixed by the tree.
+// The numerical factorization of a sparse matrix by the multifrontal method (Duff and Reid 1983;
+// Liu 1992). Each supernode has a front, a dense matrix into which it gathers its entries of the
+// matrix and the updates of its children. The supernode factors its own columns of the front and
+// passes the remaining part on to its parent as an update. Dense kernels do the work, subtrees are
+// independent, and the order of all sums is fixed by the elimination tree.
 #pragma once
 
 #include <vector>
@@ -12,21 +13,22 @@
 
 namespace ibmfair {
 
-/// The factor of D^-1/2 J D^-1/2, D being the diagonal of J: rows of very different scale
-/// (triangles of very different size) then cost no digits, and float32 does not overflow.
+/// The Cholesky factor of D^-1/2 J D^-1/2, where D is the diagonal of J. With this scaling, rows of
+/// very different size (from triangles of very different size) lose no digits, and float32 does not
+/// overflow.
 template <class Real>
 class FrontalFactor {
  public:
-  /// Refers to the tree.
+  /// Keeps a reference to `nodes`.
   explicit FrontalFactor(const Supernodes& nodes);
 
-  /// Returns -1, or the unknown at which the matrix is not positive definite.
+  /// Returns -1, or the first unknown found at which the matrix is not positive definite.
   Index factor(const SymmetricMatrix& J, const EliminatedColumns& columns);
 
   const Supernodes& nodes() const { return nodes_; }
-  /// Packed (solve/front_kernels.h).
+  /// The packed numbers of front s (solve/front_kernels.h).
   const Real* front(Index s) const { return values_.data() + first_value_[s]; }
-  /// 1 / sqrt(J_ii), in order of elimination.
+  /// 1 / sqrt(J_ii), in elimination order.
   const std::vector<double>& scale() const { return scale_; }
   double largest_scale() const { return largest_scale_; }
 
@@ -40,18 +42,18 @@ class FrontalFactor {
   double largest_scale_ = 0;
 };
 
-/// Solves with one factor in workspaces that are kept.
+/// Solves with one factor. Workspaces are reused between solves.
 template <class Real>
 class FrontalSolver {
  public:
-  /// Refers to the factor.
+  /// Keeps a reference to `factor`.
   explicit FrontalSolver(const FrontalFactor<Real>& factor);
 
   /// Y = J^-1 B, n x 3 each; Y may be B.
   void solve(const Points& B, Points& Y);
 
  private:
-  /// Where a thread works on one front.
+  /// A thread's workspace for one front.
   struct Scratch {
     LargeArray<Real> front;  // 4 numbers per row
     LargeArray<Real> workspace;
@@ -63,7 +65,7 @@ class FrontalSolver {
   void backward(Index s, Scratch& scratch);
 
   const FrontalFactor<Real>& factor_;
-  LargeArray<Real> x_;                          // n x 4, in order of elimination
+  LargeArray<Real> x_;                          // n x 4, in elimination order
   std::vector<LargeArray<Real>> branch_stack_;  // for the updates within a branch
   LargeArray<Real> trunk_stack_;
   std::vector<Real*> update_;  // #S

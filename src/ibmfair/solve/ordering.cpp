@@ -18,23 +18,24 @@
 namespace ibmfair {
 namespace {
 
-/// Half as many take a tenth longer to order, and save a hundredth of the operations.
+/// Graphs of at most this size are ordered by minimum degree. Half this size makes the ordering
+/// take a tenth longer and saves a hundredth of the operations.
 constexpr Index left_to_minimum_degree = 200;
 
-/// Some of the nodes, and where their places in the order begin.
+/// Some of the nodes, and the start of their range in the elimination order.
 struct Nodes {
   std::vector<Index> node;
   std::int64_t begin = 0;
 };
 
-/// A range of unknowns with the edges between them, numbered from 0.
+/// Some of the nodes with the edges between them, numbered from 0.
 struct Part {
   Nodes nodes;
   Rows graph;
 };
 
-/// `number` has the place of each of `nodes` among them, and -1 for all that they have an edge to
-/// besides.
+/// The subgraph on `nodes`. `number` is the index of each node in `nodes`, and -1 for all other
+/// nodes that share an edge with one of them.
 Rows subgraph(const Rows& graph, const std::vector<Index>& nodes,
               const std::vector<Index>& number) {
   Rows sub;
@@ -48,8 +49,9 @@ Rows subgraph(const Rows& graph, const std::vector<Index>& nodes,
   return sub;
 }
 
-/// Puts some of the nodes, between which `graph` has the edges, in their places, and returns the
-/// sides that are left, if any.
+/// Finds a separator of the subgraph `graph` on the given nodes and writes it to `order`. Returns
+/// the two sides; or nothing if there is no separator, after all nodes have been written to
+/// `order`.
 std::vector<Part> dissect(const Rows& graph, const Nodes& nodes, const Points& X,
                           std::vector<Index>& order) {
   const auto node = [&](Index i) { return nodes.node[i]; };

@@ -1,5 +1,5 @@
-// Vectors for the kernels of solvers: rows of four numbers, three coordinates and one that is idle,
-// and packs of 32 bytes. For .cpp files of kernels only, as base/lanes.h.
+// SIMD vectors for the kernels of solvers: rows of four numbers (three coordinates and an unused
+// number), and packs of 32 bytes. For .cpp files of kernels only, as base/lanes.h.
 #pragma once
 
 #include "ibmfair/base/simd.h"
@@ -22,7 +22,7 @@ struct VectorsOf<double> {
 /// A row of four numbers.
 template <class Real>
 using Row4 = typename VectorsOf<Real>::Row4;
-/// As many as 32 bytes hold.
+/// As many numbers as 32 bytes hold.
 template <class Real>
 using Pack = typename VectorsOf<Real>::Pack;
 

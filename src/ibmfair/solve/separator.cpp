@@ -10,16 +10,17 @@
 namespace ibmfair {
 namespace {
 
-/// From the middle of a cube to its faces, edges and corners; the rest fills the registers.
+/// The directions from the centre of a cube to its faces, edges and corners, up to sign; zeros fill
+/// the remaining lanes.
 constexpr int directions = 13, lanes = 16;
 constexpr float direction[3][lanes] = {{1, 0, 0, 1, 1, 1, 1, 0, 0, 1, 1, 1, -1},   //
                                        {0, 1, 0, 1, -1, 0, 0, 1, 1, 1, 1, -1, 1},  //
                                        {0, 0, 1, 0, 0, 1, -1, 1, -1, 1, -1, 1, 1}};
 
-/// Nodes as seen from the first one, in sizes of their bounding box.
+/// Positions relative to the first node, in units of the size of their bounding box.
 using Places = Eigen::Matrix<float, Eigen::Dynamic, 3, Eigen::RowMajor>;
 
-/// How far a node lies in each direction.
+/// The extent of a node in each direction: the inner product of its position with the direction.
 using Extents = Eigen::Array<float, lanes, 1>;
 
 Extents extents(const Places& places, Eigen::Index v) {
@@ -27,14 +28,14 @@ Extents extents(const Places& places, Eigen::Index v) {
   return D * places.row(v).transpose();
 }
 
-/// Where planes are tried.
+/// The range of extents in which planes are tried.
 struct Range {
   Extents low = Extents::Constant(std::numeric_limits<float>::infinity());
   Extents high = -low;
 };
 
-/// All over a few nodes; where there are many, in the middle of a sample, so that some that lie far
-/// away do not leave the others in one step.
+/// The whole range of extents if there are few nodes. If there are many, the middle range of a
+/// sample, so that a few distant nodes do not leave all others in a single step.
 Range range_of(const Places& places) {
   constexpr Eigen::Index few = 4096, sampled = 256, outside = sampled / 10;
   Range range;
@@ -59,7 +60,7 @@ Range range_of(const Places& places) {
   return range;
 }
 
-/// The extents of a node in whole steps, of which the range has `steps`.
+/// The extents of a node, rounded down to whole steps; the range has `steps` steps.
 constexpr int steps = 128;
 using Heights [[gnu::vector_size(lanes)]] = std::uint8_t;
 
@@ -78,7 +79,7 @@ std::vector<Heights> heights_of(const Places& places) {
   return heights;
 }
 
-/// Of a node and those that it has an edge to.
+/// The lowest heights of a node and its neighbours in the graph.
 Heights lowest_around(const Rows& graph, const std::vector<Heights>& heights, Index v) {
   Heights lowest = heights[v];
   for (const Index w : graph[v]) {
@@ -87,16 +88,16 @@ Heights lowest_around(const Rows& graph, const std::vector<Heights>& heights, In
   return lowest;
 }
 
-/// What is less high than `height` lies below it.
+/// Nodes with a height below `height` lie below the plane.
 struct Plane {
   int direction = 0;
   int height = 0;  ///< 0: there is none
 };
 
-/// For separators above the plane.
+/// The best plane, for separators above the plane.
 Plane best_plane(const Rows& graph, const std::vector<Heights>& heights) {
   constexpr double smallest_share = 0.2;
-  // How many more there are than with the plane a step lower.
+  // The increase in the number of nodes from the plane one step lower to this one.
   using Increases = Index[directions][steps + 1];
   Increases below{}, separating{};
   for (Index v = 0; v < graph.size(); ++v) {
@@ -117,7 +118,8 @@ Plane best_plane(const Rows& graph, const std::vector<Heights>& heights) {
       separator += separating[d][height];
       const double smaller_side = std::min(side, n - side - separator);
       if (smaller_side < smallest_share * n) continue;
-      // Separators of surfaces grow as the square root of what they separate.
+      // The separators of surfaces grow as the square root of the number of nodes that they
+      // separate.
       const double cost = separator / std::sqrt(smaller_side);
       if (cost < least) {
         least = cost;

@@ -1,4 +1,4 @@
-// Cutting a graph of points in two by few of its nodes.
+// Cuts a graph with node positions in two by a small separator.
 #pragma once
 
 #include <array>
@@ -10,17 +10,18 @@
 
 namespace ibmfair {
 
-/// No edge runs from one side to the other.
+/// The two sides and the separator of a graph. No edge runs from one side to the other.
 struct Separation {
   std::array<std::vector<Index>, 2> side;  ///< nodes, increasing
-  std::vector<Index> separator;            ///< all others; none where the sides are not connected
+  std::vector<Index> separator;  ///< all other nodes; empty if the sides are not connected
 };
 
-/// Cuts the graph, whose edges are listed at both ends and whose nodes lie at `X` (#nodes x 3), by
-/// a plane: of 13 directions and all heights that leave a fifth of the nodes on either side, the
-/// one with the smallest separator for what the smaller side holds. The separator are the nodes of
-/// one side that have an edge through the plane. None where no such plane is found, and where not
-/// all coordinates are finite.
+/// Cuts a graph by a plane. `graph` lists each edge at both ends, and `X` (#nodes x 3) has the
+/// positions of the nodes. Planes of 13 directions are tried, at all heights that leave at least a
+/// fifth of the nodes on either side; the plane with the smallest separator relative to the square
+/// root of the size of the smaller side is chosen. The separator consists of the nodes on one side
+/// that have an edge through the plane. Returns nothing if there is no such plane or if a
+/// coordinate is not finite.
 std::optional<Separation> separate(const Rows& graph, const Points& X);
 
 }  // namespace ibmfair

@@ -17,8 +17,8 @@ namespace {
 constexpr Index small_enough_for_dense = 60;
 constexpr Index krylov_vectors = 40;
 constexpr Index most_restarts = 1000;
-constexpr double tolerance = 1e-7;  // of a residual: eigenvalues have twice as many digits
-constexpr double noise = 1e-8;      // of the largest one: more below zero is indefinite
+constexpr double tolerance = 1e-7;  // for residuals; eigenvalues have twice as many digits
+constexpr double noise = 1e-8;  // of the largest one; an eigenvalue below -noise: L is indefinite
 
 using Vector = Eigen::VectorXd;
 using ConstMap = Eigen::Map<const Vector>;
@@ -39,7 +39,7 @@ Vector product(const SymmetricMatrix& A, const double* x) {
 }
 
 SymmetricMatrix sum(const SymmetricMatrix& A, double factor, const SymmetricMatrix& B) {
-  SymmetricMatrix result = A;  // its pattern holds that of B: every M has an entry where L has one
+  SymmetricMatrix result = A;  // its pattern contains that of B: M has entries only where L has
   for (std::int64_t j = 0; j < B.size(); ++j) {
     std::int64_t place = A.column_first[j];
     for (std::int64_t k = B.column_first[j]; k < B.column_first[j + 1]; ++k) {
@@ -52,7 +52,7 @@ SymmetricMatrix sum(const SymmetricMatrix& A, double factor, const SymmetricMatr
   return result;
 }
 
-/// Solves with one factor, one right-hand side at a time.
+/// Solves with one factorization, for one right-hand side at a time.
 class Inverse {
  public:
   explicit Inverse(const SymmetricMatrix& A) : symbolic_(A), factor_(symbolic_) {
@@ -112,8 +112,8 @@ class Mass : public Product {
   std::optional<Inverse> inverse_;
 };
 
-/// (L + shift M)^-1, then the projection along the kernel of L onto what is orthogonal to it in the
-/// inner product of M: so the kernel does not hide the smallest eigenvalue, however large it is.
+/// Applies (L + shift M)^-1, then projects onto the M-orthogonal complement of the kernel of L. The
+/// zero eigenvalues then do not hide the smallest other eigenvalue, however large it is.
 class InverseOffKernel {
  public:
   using Scalar = double;
@@ -125,7 +125,7 @@ class InverseOffKernel {
 
   Eigen::Index rows() const { return mass_.size(); }
   Eigen::Index cols() const { return rows(); }
-  void set_shift(double) {}  // it is built with its own
+  void set_shift(double) {}  // the shift is fixed by the constructor
 
   void perform_op(const double* x, double* y) const {
     Vector u = inverse_(x);
@@ -173,7 +173,7 @@ void find_in_dense(const LaplacianMatrices& matrices, SpectrumEnds& ends) {
   }
 }
 
-/// The eigenvalue at the upper end of the operator that the solver was given, as one of L and M.
+/// The eigenvalue of (L, M) that belongs to the largest eigenvalue of the solver's operator.
 template <class Solver>
 std::optional<double> outermost(Solver& solver) {
   solver.init();
@@ -194,7 +194,7 @@ std::optional<double> largest(const LaplacianMatrices& matrices) {
 
 std::optional<double> smallest(const LaplacianMatrices& matrices, const std::vector<Index>& part,
                                Index parts) {
-  // About the size of the eigenvalue that is looked for, on a part of average area.
+  // About the size of the wanted eigenvalue, for a component of average area.
   const double shift = parts / total(matrices.M);
   Product M(matrices.M);
   try {
@@ -202,7 +202,7 @@ std::optional<double> smallest(const LaplacianMatrices& matrices, const std::vec
     Spectra::SymGEigsShiftSolver<InverseOffKernel, Product, Spectra::GEigsMode::ShiftInvert> solver(
         inverse, M, 1, krylov_vectors, -shift);
     return outermost(solver);
-  } catch (const FactorizationFailed&) {  // not positive semi-definite
+  } catch (const FactorizationFailed&) {  // L is not positive semi-definite
     return {};
   }
 }

@@ -1,4 +1,4 @@
-// The ends of the spectrum of the pointwise Laplacian M^-1 L of a mesh.
+// The smallest and the largest eigenvalue of the pointwise Laplacian M^-1 L of a mesh.
 #pragma once
 
 #include <optional>
@@ -9,15 +9,17 @@ namespace ibmfair {
 
 struct SpectrumEnds {
   Index nodes = 0;
-  Index zeros = 0;  ///< eigenvalues that are zero: parts that L joins, not counted by their size
-  /// Smallest other one and largest one: 1/length^2, or dimensionless where M is the identity.
-  /// Absent where there is none, where the search for it does not converge, and the smallest one
-  /// also where L is not positive semi-definite.
+  Index zeros = 0;  ///< multiplicity of the eigenvalue zero: the number of connected components of
+                    ///< L's graph, not found by comparing eigenvalues with a threshold
+  /// The smallest eigenvalue besides these zeros, and the largest one: 1/length^2, or dimensionless
+  /// if M is the identity. An eigenvalue is absent if there is none or if the search for it does
+  /// not converge; `smallest` is also absent if L is not positive semi-definite.
   std::optional<double> smallest, largest;
 };
 
-/// Solves L u = lambda M u for both ends by Lanczos' method (Spectra), to some 10 digits; shifted
-/// and inverted by one Cholesky factorization for the small end. Throws OutOfMemory.
+/// Solves L u = lambda M u for the smallest and the largest eigenvalue by Lanczos' method
+/// (Spectra), to about 10 digits. For the smallest eigenvalue, the method is applied in
+/// shift-and-invert mode with one Cholesky factorization. Throws OutOfMemory.
 SpectrumEnds spectrum_ends(const LaplacianMatrices& matrices);
 
 }  // namespace ibmfair

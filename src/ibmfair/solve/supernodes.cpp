@@ -10,7 +10,8 @@
 namespace ibmfair {
 namespace {
 
-/// The parent of every supernode, or -1: it owns the first row below.
+/// The parent of every supernode, or -1. The parent is the supernode that owns the first row below
+/// the child's own columns.
 std::vector<Index> parents(const Supernodes& nodes) {
   std::vector<Index> owner(nodes.unknown.size());
   for (Index s = 0; s < nodes.size(); ++s) {
@@ -25,7 +26,8 @@ std::vector<Index> parents(const Supernodes& nodes) {
   return parent;
 }
 
-/// Both lists of rows increase, and the parent's holds every row below of the child.
+/// Both lists of rows are increasing, and the parent's list contains every row of the child below
+/// its own columns.
 void place_rows(Supernodes& nodes, const std::vector<Index>& parent) {
   nodes.place_in_parent.resize(nodes.row.size());
   for (Index s = 0; s < nodes.size(); ++s) {
@@ -41,7 +43,7 @@ void place_rows(Supernodes& nodes, const std::vector<Index>& parent) {
 }
 
 void split_for_threads(Supernodes& nodes, const std::vector<Index>& parent) {
-  constexpr double pieces = 16, worth_a_thread = 1e6;                // operations
+  constexpr double pieces = 16, worth_a_thread = 1e6;                // floating-point operations
   std::vector<double> work(static_cast<std::size_t>(nodes.size()));  // of the subtree
   double total = 0;
   for (Index s = 0; s < nodes.size(); ++s) {
@@ -52,8 +54,8 @@ void split_for_threads(Supernodes& nodes, const std::vector<Index>& parent) {
     if (parent[s] >= 0) work[parent[s]] += work[s];
   }
   const double limit = std::max(total / pieces, worth_a_thread);
-  double taken = 0;  // by the last branch
-  Index begin = 0;   // of the subtrees that are not yet in a branch
+  double taken = 0;  // work in the last branch
+  Index begin = 0;   // start of the subtrees that are not yet in a branch
   for (Index s = 0; s < nodes.size(); ++s) {
     const bool in_trunk = work[s] > limit;
     if (in_trunk) {

@@ -21,8 +21,9 @@ std::vector<Value> taken(const std::vector<Value>& from, const Numbers& places) 
   return values;
 }
 
-/// The pattern of the matrix, in the order of elimination and without its diagonal, as CHOLMOD
-/// wants it. Its own permutations, on one thread, were half of its analysis.
+/// The pattern of the matrix without its diagonal, permuted to the elimination order and in the
+/// format of CHOLMOD. CHOLMOD's own permutations run on one thread and took half the time of its
+/// analysis.
 class Pattern {
  public:
   Pattern(const Rows& graph, const std::vector<Index>& order)
@@ -38,7 +39,7 @@ class Pattern {
       upper_first_[j + 1] = upper_first_[j] + std::ssize(graph[order[j]]);
     }
     parallel_for(n, [&](std::int64_t j) {
-      // From both ends, without a branch that nothing foretells.
+      // Fills the range from both ends, without an unpredictable branch.
       std::int64_t upper_end = upper_first_[j], lower = upper_first_[j + 1];
       for (const Index w : graph[order[j]]) {
         const bool is_upper = turn[w] < j;
@@ -53,13 +54,14 @@ class Pattern {
     lower_first_[n] = upper_first_[n];
   }
 
-  /// Column j has the rows tied to it that come before.
+  /// Column j has its neighbours that are eliminated before it.
   cholmod_sparse upper() { return triangle(upper_first_, upper_count_, 1); }
 
-  /// Column j has the rows tied to it that come after.
+  /// Column j has its neighbours that are eliminated after it.
   cholmod_sparse lower() { return triangle(lower_first_, lower_count_, -1); }
 
-  /// Puts column[i] in the place of i, and i in place[i]: of upper(), which must stay upper.
+  /// Permutes upper(): column column[i] becomes column i, and row i becomes row place[i].
+  /// Precondition: the result is upper triangular again.
   void permute_upper(const Numbers& column, const Numbers& place) {
     upper_first_ = taken(upper_first_, column);
     upper_count_ = taken(upper_count_, column);
@@ -93,8 +95,8 @@ Numbers elimination_tree(Pattern& pattern, CholmodContext& context) {
   return parent;
 }
 
-/// The columns so that every subtree of the elimination tree is a range, and of the children that
-/// of the least weight, where there are weights, is the first.
+/// A postorder of the columns: every subtree of the elimination tree is a range. If weights are
+/// given, the children of a column are in order of increasing weight.
 Numbers postorder(const Numbers& parent, const std::int64_t* weight, CholmodContext& context) {
   Numbers column(parent.size());
   cholmod_l_postorder(const_cast<std::int64_t*>(parent.data()), parent.size(),
@@ -103,8 +105,8 @@ Numbers postorder(const Numbers& parent, const std::int64_t* weight, CholmodCont
   return column;
 }
 
-/// The entries of each column. `context` then knows how many there are in all, and what it takes to
-/// compute them.
+/// The number of entries of each column of L. Leaves the total number of entries and of
+/// floating-point operations in `context`.
 Numbers count_entries(Pattern& pattern, Numbers& parent, CholmodContext& context) {
   cholmod_sparse A = pattern.lower();
   const std::size_t n = parent.size();
@@ -116,7 +118,7 @@ Numbers count_entries(Pattern& pattern, Numbers& parent, CholmodContext& context
   return in_column;
 }
 
-/// CHOLMOD's factor without numbers.
+/// Owns a cholmod_factor without numerical values.
 class CholmodFactor {
  public:
   CholmodFactor(std::size_t n, CholmodContext& context)
@@ -149,7 +151,8 @@ SymbolicFactor symbolic_factor(const Rows& graph, const std::vector<Index>& orde
   const Numbers entries = count_entries(pattern, parent, context);
   SymbolicFactor symbolic{{}, context.get()->fl, context.get()->lnz};
 
-  // Large children come last, next to their parents, with which they may share a supernode.
+  // Children with many entries come last, next to their parents, with which they may share a
+  // supernode.
   const Numbers column = postorder(parent, entries.data(), context);
   Numbers place(column.size());
   for (std::size_t i = 0; i < column.size(); ++i) {

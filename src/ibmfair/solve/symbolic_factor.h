@@ -1,4 +1,5 @@
-// The symbolic factorization: the shape of L, from the graph of the matrix and an order.
+// The symbolic factorization: the structure of L, from the graph of the matrix and an elimination
+// order.
 #pragma once
 
 #include <vector>
@@ -11,12 +12,13 @@ namespace ibmfair {
 
 struct SymbolicFactor {
   Supernodes nodes;
-  double flops = 0;    ///< of one factorization
-  double entries = 0;  ///< of L, without those that supernodes add for equal rows
+  double flops = 0;    ///< floating-point operations per factorization
+  double entries = 0;  ///< of L, not counting zeros added by merging columns into supernodes
 };
 
-/// For eliminating the nodes of the graph, whose edges are listed at both ends, in this order, or
-/// another one that fills as much: children of a supernode are put next to it. Throws
+/// The structure of L for the given elimination order of the graph, which lists each edge at both
+/// ends. The order is first replaced by a postorder of the elimination tree, an equivalent order
+/// with the same fill-in that puts the children of a supernode next to it. Throws
 /// FactorizationFailed or OutOfMemory.
 SymbolicFactor symbolic_factor(const Rows& graph, const std::vector<Index>& order);
 

@@ -1,4 +1,4 @@
-// Updates on their way from children to parents: a stack, as the tree is visited bottom up.
+// A stack of the updates that children leave for their parents: the tree is visited in postorder.
 #pragma once
 
 #include <algorithm>
@@ -10,30 +10,31 @@
 
 namespace ibmfair {
 
-/// Memory for the updates of one branch, or of the trunk: `of[s]` is where that of s is.
+/// Memory for the updates of one branch or of the trunk: `of[s]` points to the update of supernode
+/// s.
 template <class Real>
 class UpdateStack {
  public:
   UpdateStack(const Supernodes& nodes, std::vector<Real*>& of, Real* memory)
       : nodes_(nodes), of_(of), top_(memory) {}
 
-  /// The end of what it holds.
+  /// The end of the updates on the stack.
   Real* top() const { return top_; }
 
-  /// Memory for the `size` numbers of s, while those of its children are still there.
+  /// Allocates the `size` numbers of s above those of its children, which remain valid.
   Real* push(Index s, std::int64_t size) {
     of_[s] = top_;
     top_ += size;
     return of_[s];
   }
 
-  /// Memory for the `size` numbers of s where those of its children were.
+  /// Allocates the `size` numbers of s in place of those of its children.
   Real* push_over_children(Index s, std::int64_t size) {
     top_ = first_of_children(s, top_);
     return push(s, size);
   }
 
-  /// Moves the numbers of s, the last ones pushed, down to where those of its children were.
+  /// Moves the numbers of s, the last ones pushed, down over the numbers of its children.
   void take_room_of_children(Index s, std::int64_t size) {
     Real* const from = of_[s];
     of_[s] = first_of_children(s, from);
@@ -44,10 +45,10 @@ class UpdateStack {
   }
 
  private:
-  /// Where the numbers of the children of s begin, or `none`.
+  /// The start of the numbers of the children of s, or `none` if it has none on this stack.
   Real* first_of_children(Index s, Real* none) const {
     for (const Index child : nodes_.children[s]) {
-      // A parent in the trunk leaves what its children in branches hold.
+      // The updates of children in branches are not on the trunk's stack.
       if (nodes_.branch_of[child] == nodes_.branch_of[s]) none = std::min(none, of_[child]);
     }
     return none;
@@ -58,8 +59,8 @@ class UpdateStack {
   Real* top_;
 };
 
-/// The numbers that such a stack must hold for the supernodes in `list`, when that of s takes
-/// size_of(s).
+/// The capacity that such a stack needs for the supernodes in `list`, if the update of s has
+/// size_of(s) numbers.
 template <class List, class SizeOf>
 std::int64_t stack_size(const Supernodes& nodes, const List& list, SizeOf&& size_of) {
   std::int64_t top = 0, peak = 0;
