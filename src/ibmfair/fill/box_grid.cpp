@@ -7,7 +7,7 @@
 namespace ibmfair {
 namespace {
 
-constexpr double cells_along_longest = 1 << 20;  // numbers of cells fit into 21 bits an axis
+constexpr double cells_along_longest = 1 << 20;  // cell numbers fit into 21 bits per axis
 constexpr std::size_t slots_per_box = 2;
 
 /// Multiplicative hashing (Knuth 6.4): the upper bits of the product depend on all bits of the
@@ -30,7 +30,7 @@ BoxGrid::BoxGrid(std::vector<Box> boxes) : boxes_(std::move(boxes)) {
     sum += box.sizes().maxCoeff();
     largest = std::max(largest, box.sizes().maxCoeff());
   }
-  // About two boxes wide; the largest box must not touch more than some thousand cells.
+  // Cells are about two boxes wide, but the largest box touches at most a few thousand cells.
   size_ = std::max({2 * sum / static_cast<double>(boxes_.size()), largest / 16,
                     all_.sizes().maxCoeff() / cells_along_longest});
   size_ = size_ > 0 ? size_ : 1;
@@ -48,8 +48,8 @@ BoxGrid::BoxGrid(std::vector<Box> boxes) : boxes_(std::move(boxes)) {
   }
 }
 
-/// `x` lies within all boxes' box, where cutting decimals off is rounding down. Boxes that are
-/// farther apart than a number can hold are in one cell without end.
+/// `x` must lie within the bounding box of all boxes, so that truncation rounds down. If the
+/// distance between boxes overflows, the cell size is infinite and there is a single cell.
 BoxGrid::Cell BoxGrid::cell(const Vec3& x) const {
   if (!std::isfinite(size_)) {
     return Cell::Zero();

@@ -11,15 +11,15 @@
 
 namespace ibmfair {
 
-/// Boxes hashed by the cells of a regular grid that they touch. Cells whose hashes agree share a
-/// slot, which costs a comparison of boxes here and there and no look at the cells' numbers.
+/// Boxes hashed by the cells of a regular grid that they touch. Cells with the same hash share a
+/// slot: a query then compares a few more boxes, but need not compare the numbers of the cells.
 class BoxGrid {
  public:
   using Box = Eigen::AlignedBox3d;
 
   explicit BoxGrid(std::vector<Box> boxes);
 
-  /// Puts the numbers of the boxes that touch `box` into `found`, sorted.
+  /// Writes the numbers of the boxes that touch `box` to `found`, sorted.
   void find(const Box& box, std::vector<Index>& found) const;
 
  private:

@@ -8,11 +8,12 @@
 namespace ibmfair {
 namespace {
 
-/// Sines below this, of the sum of two angles, are rounding: cocircular points would flip for ever.
+/// Smaller sines of the sum of two angles are rounding errors; without this tolerance, the edges of
+/// cocircular points would flip for ever.
 constexpr double angle_noise = 1e-9;
 
-/// Whether the angles opposite to the diagonal ab of the quadrilateral p a q b exceed pi: whether
-/// their cotangents add up to less than nothing.
+/// Whether the sum of the angles opposite to the diagonal ab of the quadrilateral p a q b is at
+/// most pi: whether the sum of their cotangents is not negative.
 bool is_delaunay(const Vec3& a, const Vec3& b, const Vec3& p, const Vec3& q) {
   const Vec3 pa = a - p, pb = b - p, qa = a - q, qb = b - q;
   const double cos_p = pa.dot(pb), cos_q = qa.dot(qb);
@@ -24,13 +25,13 @@ bool is_delaunay(const Vec3& a, const Vec3& b, const Vec3& p, const Vec3& q) {
   return sin_p * cos_q + cos_p * sin_q >= -angle_noise * scale;
 }
 
-/// Whether both triangles across the other diagonal pq face as the old ones did together.
+/// Whether both triangles at the other diagonal pq face the side of the old triangles' area vector.
 bool keeps_side(const Vec3& a, const Vec3& b, const Vec3& p, const Vec3& q) {
   const Vec3 before = double_area_vector(p, a, b) + double_area_vector(q, b, a);
   return double_area_vector(p, a, q).dot(before) > 0 && double_area_vector(q, b, p).dot(before) > 0;
 }
 
-/// Whether the patch may get the edge pq, seen from triangle t at p.
+/// Whether the patch may get the edge pq; t is a triangle at p.
 bool may_join(const Patch& patch, Index t, Index p, Index q) {
   const bool across_discs = !patch.one_disc && p < patch.own_from && q < patch.own_from;
   return !across_discs && !patch.taken.contains(p, q) && !patch.net.joined(t, p, q);
@@ -49,7 +50,7 @@ Index flip_to_delaunay(Patch& patch) {
     }
   }
   Index flips = 0;
-  const Index most_flips = 100 * net.size();  // rounding must not make it endless
+  const Index most_flips = 100 * net.size();  // in case rounding makes flips go on for ever
   while (!waiting.empty() && flips < most_flips) {
     const NetEdge e = waiting.back();
     waiting.pop_back();

@@ -5,8 +5,8 @@
 
 namespace ibmfair {
 
-/// Flips edges whose opposite angles add up to more than pi, until there are none. An edge stays
-/// where its other diagonal exists already, or where flipping would fold the surface. Returns the
+/// Flips edges whose opposite angles add up to more than pi until none are left. An edge is not
+/// flipped if the new edge exists already, or if the flip would fold the surface over. Returns the
 /// number of flips.
 Index flip_to_delaunay(Patch& patch);
 

@@ -1,4 +1,4 @@
-// Pairs of vertices that are joined already.
+// A set of edges: unordered pairs of vertices.
 #pragma once
 
 #include <algorithm>

@@ -15,12 +15,14 @@
 namespace ibmfair {
 namespace {
 
-constexpr Index least_limit = 100'000;         // of new vertices, where none is given
-constexpr double most_per_squared_edge = 0.5;  // the same for one hole
+// Limits of the number of new vertices if the options set none: for all holes, and for one hole of
+// n edges, least_per_hole + most_per_squared_edge * n^2.
+constexpr Index least_limit = 100'000;
+constexpr double most_per_squared_edge = 0.5;
 constexpr double least_per_hole = 64;
 
-/// The most vertices that each group may get. A hole of n edges asks for about n^2 / 10; a hostile
-/// one must not take what others need.
+/// The most new vertices of each group. A hole of n edges needs about n^2 / 10; a badly shaped hole
+/// that would take many more must not use up the vertices that other holes need.
 std::vector<Index> shares(const std::vector<std::vector<Index>>& groups,
                           const std::vector<Hole>& holes, const FillOptions& options,
                           Index vertex_count) {
@@ -46,7 +48,7 @@ std::vector<Index> shares(const std::vector<std::vector<Index>>& groups,
   return result;
 }
 
-/// Puts a group's patch behind what the mesh has by now.
+/// Collects the patches of all groups; their vertices and triangles are numbered in this order.
 class Assembly {
  public:
   Assembly(const Points& X, Filling& filling) : filling_(filling), vertex_count_(X.rows()) {
@@ -114,7 +116,7 @@ class Assembly {
   std::vector<Index> corners_;
 };
 
-/// Counts for the observer.
+/// Counts the finished holes and calls the observer.
 class HoleCounter {
  public:
   HoleCounter(const std::vector<std::vector<Index>>& groups, const HoleObserver& observer)

@@ -1,4 +1,5 @@
-// Closes holes: new vertices and triangles behind those of the mesh, and an audit of each hole.
+// Closes holes by patches of new vertices and triangles, which are numbered after those of the
+// mesh, and reports the quality of each patch.
 #pragma once
 
 #include <cstdint>
@@ -16,17 +17,18 @@
 
 namespace ibmfair {
 
-/// Told of the holes that are finished and of all that are to be filled, one call at a time, from
-/// any thread.
+/// Called with the number of finished holes and the number of all holes to fill, one call at a
+/// time, from any thread.
 using HoleObserver = std::function<void(std::int64_t finished, std::int64_t all)>;
 
 struct FillOptions {
   FairingOptions fairing;
-  bool refine = true;  ///< false: no new vertices, but where an edge of the mesh is in the way
+  bool refine = true;  ///< false: new vertices only to avoid edges that the mesh has already
   bool fair = true;
-  int rim_smooth = 0;  ///< rings of vertices outside that may move, the loop being the first
-  /// In all holes together; 0: as many as the mesh has, or 100,000, and in a hole of n edges half
-  /// the square of n: several times what a patch like a half sphere needs, not what a balloon does.
+  int rim_smooth = 0;  ///< rings of mesh vertices that may move; the loop is the first ring
+  /// The most new vertices in all holes together. 0: the number of vertices of the mesh, but at
+  /// least 100,000; and about n^2 / 2 in a hole of n edges, several times the number that a patch
+  /// like a half sphere needs, but less than a balloon would need.
   Index most_new_vertices = 0;
   HoleObserver on_hole = {};
 };
@@ -34,7 +36,7 @@ struct FillOptions {
 enum class HoleStatus : std::uint8_t {
   filled,
   not_converged,  ///< filled, but the fairing did not reach its tolerance
-  coarse,         ///< filled, but the limit of new vertices ended the refinement
+  coarse,         ///< filled, but `most_new_vertices` ended the refinement
   failed,         ///< left open although it was to be filled
   skipped,        ///< left open by choice
 };
@@ -45,25 +47,26 @@ std::string_view name_of(HoleStatus status);
 struct HoleReport {
   Index hole = 0;  ///< Hole::id
   HoleStatus status = HoleStatus::skipped;
-  std::string reason;  ///< for all but `filled`, without a full stop
+  std::string reason;  ///< for every status except `filled`; without a full stop
   std::int64_t new_vertices = 0, new_triangles = 0;
   SeamAudit seam;
-  std::int64_t intersections = 0;  ///< pairs of triangles, the patch's with its own or the mesh's
-  FairingReport fairing;           ///< of the holes that were faired together, as they touch
+  std::int64_t intersections = 0;  ///< pairs of triangles: patch with patch, or patch with mesh
+  FairingReport fairing;           ///< shared by holes that touch and were faired together
 };
 
-/// What fills the holes.
+/// The patches that fill the holes.
 struct Filling {
-  Points X;                             ///< #V x 3: the mesh's vertices, moved only by `rim_smooth`
+  Points X;                             ///< #V x 3: the mesh; only `rim_smooth` moves vertices
   Points new_X;                         ///< #new vertices x 3, numbered from #V on
   Triangles new_F;                      ///< #new triangles x 3
-  std::vector<Index> model_triangle;    ///< #new triangles: the triangle of the mesh nearest to it
+  std::vector<Index> model_triangle;    ///< #new triangles: the nearest triangle of the mesh
   std::vector<Index> hole_of_triangle;  ///< #new triangles: Hole::id
   std::vector<HoleReport> holes;        ///< one for every hole of the mesh, by id
   std::vector<Patch> patches;           ///< in the order of their vertices in `new_X`
   double audit_seconds = 0;             ///< spent on the search for intersections
 
-  /// Extends values at `rim()` (a row each) to the new vertices: harmonically, patch by patch.
+  /// Extends values at the vertices `rim()` (one row each) harmonically to the new vertices, patch
+  /// by patch. Returns one row per new vertex.
   Eigen::MatrixXd extend(const Eigen::MatrixXd& at_rim) const;
 
   /// The mesh's vertices at the rims of the filled holes, sorted.
@@ -77,10 +80,10 @@ struct FilledMesh {
 };
 FilledMesh filled_mesh(const Topology& topology, const Filling& filling);
 
-/// Fills the holes that `choice` lets pass. Each is triangulated, refined and faired on its own,
-/// those that touch together, in parallel; the result does not depend on the number of threads. A
-/// hole that cannot be filled is left as it is, with the reason. Throws BadOption for options that
-/// cannot be used.
+/// Fills the holes that `choice` selects. Each hole is triangulated, refined and faired separately
+/// (holes that touch: together). Holes are filled in parallel; the result does not depend on the
+/// number of threads. A hole that cannot be filled is left open, and its report gives the reason.
+/// Throws BadOption for options that cannot be used.
 Filling fill_holes(const Points& X, const Topology& topology, const HoleChoice& choice,
                    const FillOptions& options);
 

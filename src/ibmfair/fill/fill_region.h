@@ -1,4 +1,4 @@
-// Fairs a part of a mesh again, on the triangles that it has: [W07] Figure 8, right.
+// Fairs a region of a mesh without changing its triangulation: [W07] Figure 8, right.
 #pragma once
 
 #include <cstdint>
@@ -12,16 +12,17 @@ namespace ibmfair {
 
 struct RegionReport {
   FairingReport fairing;
-  std::int64_t folds = 0;  ///< hinges at free vertices that are folded over at the end
+  std::int64_t folds = 0;  ///< hinges (edges with their two triangles) folded over at the end
 };
 
-/// Takes the vertices of `X` (#V x 3) for which `region` is set to the stationary point of E_b, all
-/// others fixed: the two rings around the region then prescribe positions and normals. Vertices at
-/// defects and on open boundaries stay where they are. Throws BadOption for an empty region.
+/// Moves the vertices of `X` (#V x 3) flagged in `region` (#V) to the stationary point of E_b. All
+/// other vertices are fixed: the two rings around the region prescribe positions and normals.
+/// Vertices at defects and on open boundaries are fixed, too. Throws BadOption if no vertex of the
+/// region can move.
 RegionReport fair_region(Points& X, const Topology& topology,
                          const std::vector<std::uint8_t>& region, const FairingOptions& options);
 
-/// The vertices of `region` whose neighbours all belong to it.
+/// Flags (#V) of the vertices of `region` whose neighbours all belong to the region.
 std::vector<std::uint8_t> inner_vertices(const Topology& topology,
                                          const std::vector<std::uint8_t>& region);
 

@@ -9,7 +9,7 @@
 namespace ibmfair {
 namespace {
 
-/// The graph Laplacian of the patch: for each of its own vertices the neighbours.
+/// The pairs (own vertex of the patch, neighbour), sorted.
 std::vector<std::pair<Index, Index>> edges_at_own(const Patch& patch) {
   std::vector<std::pair<Index, Index>> edges;
   for (Index t = 0; t < patch.net.size(); ++t) {
@@ -27,7 +27,8 @@ std::vector<std::pair<Index, Index>> edges_at_own(const Patch& patch) {
   return edges;
 }
 
-/// D - A restricted to the patch's own vertices: symmetric positive definite.
+/// The graph Laplacian (degree matrix minus adjacency matrix) restricted to the patch's own
+/// vertices: symmetric positive definite.
 SymmetricMatrix graph_laplacian(const Patch& patch,
                                 const std::vector<std::pair<Index, Index>>& edges) {
   SymmetricMatrix L;

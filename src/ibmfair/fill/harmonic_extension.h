@@ -1,4 +1,5 @@
-// Extends values from the rim of a patch over its own vertices.
+// Extends values from the rim of a patch (the loops of the mesh that it closes) to its own
+// vertices.
 #pragma once
 
 #include <Eigen/Core>
@@ -7,11 +8,12 @@
 
 namespace ibmfair {
 
-/// The mesh's vertices on the patch's rim, each once, sorted.
+/// The mesh vertices on the rim of the patch, each once, sorted.
 std::vector<Index> rim_vertices(const Patch& patch);
 
-/// For values at `rim_vertices` (a row each, any number of columns) those at the patch's own
-/// vertices: each the mean of its neighbours, so that nothing leaves the range of the rim.
+/// Extends the values `at_rim` (one row per rim_vertices(), any number of columns) to the patch's
+/// own vertices, one row each. Every value is the mean of its neighbours, and so lies within the
+/// range of the values at the rim.
 Eigen::MatrixXd extend_harmonically(const Patch& patch, const Eigen::MatrixXd& at_rim);
 
 }  // namespace ibmfair

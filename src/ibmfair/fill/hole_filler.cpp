@@ -29,7 +29,7 @@ HoleReport concluded(const FairingReport& fairing, bool converged, bool refined)
   return report;
 }
 
-/// From coarse to fine.
+/// Refines and fairs the patch level by level, from coarse to fine.
 HoleReport faired_by_levels(Patch& patch, Index most_vertices, const FairingOptions& options) {
   bool refined = true;
   try {
@@ -76,7 +76,7 @@ void HoleFiller::finish(FilledGroup& group) const {
     return;
   }
   HoleReport report = refined_and_faired(*group.patch, group.most_vertices);
-  if (!group.patch->X.allFinite()) {  // no predicate is defined there
+  if (!group.patch->X.allFinite()) {  // geometric predicates need finite coordinates
     group.patch.reset();
     for (const Index hole : group.holes) {
       group.reports.push_back(
@@ -133,8 +133,8 @@ HoleReport HoleFiller::faired(Patch& patch) const {
   }
 }
 
-/// Where the way from coarse to fine does not end at a stationary surface, as at a rim with a
-/// sharp tip that few triangles cannot follow, the fine level alone may.
+/// If fairing from coarse to fine does not converge, as at a rim with a sharp tip that the few
+/// triangles of the coarsest level cannot follow, fairing the finest level alone may converge.
 HoleReport HoleFiller::refined_while_faired(Patch& patch, Index most_vertices) const {
   Patch second = patch;
   HoleReport report = faired_by_levels(patch, most_vertices, options_.fairing);

@@ -1,4 +1,4 @@
-// Fills holes that belong together: triangulates, refines, fairs and judges.
+// Fills groups of holes that have to be filled together: triangulates, refines, fairs and audits.
 #pragma once
 
 #include <optional>
@@ -11,27 +11,27 @@ namespace ibmfair {
 
 HoleReport report_of(Index hole, HoleStatus status, std::string reason = {});
 
-/// Holes that are filled together, and what becomes of them.
+/// Holes that are filled together, and the result.
 struct FilledGroup {
-  std::vector<Index> holes;  ///< those that `patch` fills
-  std::optional<Patch> patch;
-  std::vector<Index> hole_of_rim;   ///< per rim edge of the patch
-  Index most_vertices = 0;          ///< that the patch may have
+  std::vector<Index> holes;         ///< the holes (Hole::id) that `patch` fills
+  std::optional<Patch> patch;       ///< none if the holes could not be filled
+  std::vector<Index> hole_of_rim;   ///< the hole of each rim edge of the patch
+  Index most_vertices = 0;          ///< the most vertices that the patch may have of its own
   std::vector<HoleReport> reports;  ///< one per hole of the group
 };
 
 class HoleFiller {
  public:
-  /// Refers to all of them. `holes` are those of find_holes.
+  /// All arguments must outlive this object. `holes`: the result of find_holes.
   HoleFiller(const Points& X, const Topology& topology, const std::vector<Hole>& holes,
              const FillOptions& options)
       : X_(X), topology_(topology), holes_(holes), options_(options) {}
 
-  /// Triangulates the holes of a group (by Hole::id) together, or each alone where one of them
-  /// cannot be.
+  /// Triangulates the holes of a group (by Hole::id) together; if one of them cannot be
+  /// triangulated, each hole separately.
   std::vector<FilledGroup> cut(const std::vector<Index>& group, Index most_vertices) const;
 
-  /// Refines, fairs and judges what was triangulated.
+  /// Refines, fairs and audits the patch that `cut` has triangulated, and writes the reports.
   void finish(FilledGroup& group) const;
 
  private:

@@ -12,7 +12,7 @@ std::vector<std::vector<Index>> group_holes(const Topology& topology,
                                             const std::vector<Hole>& holes,
                                             const std::vector<Index>& chosen, int free_rings) {
   UnionFind sets(static_cast<Index>(holes.size()));
-  std::unordered_map<Index, Index> first_hole;  // that reaches a vertex
+  std::unordered_map<Index, Index> first_hole;  // for each vertex, the first hole that reaches it
   for (const Index h : chosen) {
     std::vector<Index> reach = holes[h].loop;
     for (int ring = 0; ring < free_rings; ++ring) {

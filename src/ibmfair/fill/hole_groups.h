@@ -1,4 +1,4 @@
-// Which holes have to be filled together.
+// Finds out which holes have to be filled together.
 #pragma once
 
 #include <vector>
@@ -8,9 +8,10 @@
 
 namespace ibmfair {
 
-/// Partitions the holes with numbers `chosen`: those that share a vertex, or whose `free_rings`
-/// rings of free vertices outside are neighbours, come together, as one's energy has the other's
-/// vertices in it. Groups are ordered by their first hole.
+/// Partitions the holes with the numbers `chosen` into groups. Holes belong to one group if they
+/// share a vertex, or if free vertices around them (in `free_rings` rings of mesh vertices) share a
+/// neighbour, because the energy of each then depends on the free vertices of the other. Groups are
+/// ordered by their first hole.
 std::vector<std::vector<Index>> group_holes(const Topology& topology,
                                             const std::vector<Hole>& holes,
                                             const std::vector<Index>& chosen, int free_rings);

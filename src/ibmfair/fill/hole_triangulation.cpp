@@ -10,7 +10,8 @@
 
 namespace ibmfair {
 
-/// As Exact_predicates_inexact_constructions_kernel, under a name of its own.
+/// The same kernel as Exact_predicates_inexact_constructions_kernel, but a type of its own, so that
+/// the specialization below applies to no other code.
 class HoleKernel
     : public CGAL::Filtered_kernel_adaptor<
           CGAL::Type_equality_wrapper<CGAL::Simple_cartesian<double>::Base<HoleKernel>::Type,
@@ -21,9 +22,10 @@ class HoleKernel
 
 namespace CGAL {
 
-/// CGAL goes around an edge from the least of its cells, and of two triangulations of a hole that
-/// are equally good takes the one that it comes upon first. Cells without a time stamp are compared
-/// by their addresses, which depend on all that was allocated before.
+/// Cells with time stamps make the result deterministic. CGAL visits the cells around an edge from
+/// the least cell on, and of two equally good triangulations of a hole takes the first that it
+/// finds. Cells without time stamps are compared by their addresses, which depend on earlier
+/// allocations.
 template <class Cell>
 class Delaunay_triangulation_cell_base_3<ibmfair::HoleKernel, Cell> : public Cell {
  public:
@@ -55,12 +57,12 @@ struct Corners {
   int index[3];
 };
 
-/// Longer polygons than this, where the Delaunay triangulation has no solution, would take the
-/// cubic algorithm minutes.
+/// CGAL's cubic algorithm, the fallback if the Delaunay triangulation has no solution, would take
+/// minutes for polygons with more corners.
 constexpr Eigen::Index longest_cubic = 400;
 
-/// Closed by its first point. CGAL would do so itself, but for a polygon whose first and last
-/// corner happen to lie at one place.
+/// The points with the first point repeated at the end. CGAL would add this point itself, except if
+/// the first and the last corner have equal coordinates.
 std::vector<Point> closed_points(const Points& X) {
   std::vector<Point> result;
   for (const auto x : X.rowwise()) {
@@ -73,8 +75,9 @@ std::vector<Point> closed_points(const Points& X) {
 }  // namespace
 
 Triangles triangulate_hole(const Points& loop, const Points& apex) {
-  // The Delaunay triangulation shuffles its points, and where they lie on a sphere the order
-  // decides: by default the seed is the time, and every thread goes on from its last hole.
+  // The Delaunay triangulation shuffles its points, and for points on a sphere the result depends
+  // on the order. By default the seed is the time, and every thread continues from its previous
+  // hole.
   CGAL::get_default_random() = CGAL::Random(0);
   std::vector<Corners> found;
   CGAL::Polygon_mesh_processing::triangulate_hole_polyline(

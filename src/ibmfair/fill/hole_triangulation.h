@@ -6,10 +6,11 @@
 
 namespace ibmfair {
 
-/// Triangulates the closed polygon with corners `loop` (#L x 3, #L >= 3) so that dihedral angles
-/// are small, those toward the mesh included: `apex` (#L x 3) has the third corner of the triangle
-/// behind the edge from corner i to i + 1. Triangles number the polygon's corners and run along its
-/// edges in its direction; there are none where no triangulation was found.
+/// Triangulates the closed polygon with corners `loop` (#L x 3, #L >= 3) so that the surface bends
+/// little at its edges, including the edges shared with the mesh. Row i of `apex` (#L x 3) is the
+/// third corner of the mesh triangle at the edge from corner i to i + 1. The corners of the
+/// resulting triangles are row numbers of `loop`; triangles at the polygon run along its edges in
+/// the direction of the polygon. The result is empty if no triangulation was found.
 Triangles triangulate_hole(const Points& loop, const Points& apex);
 
 }  // namespace ibmfair

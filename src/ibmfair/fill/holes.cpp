@@ -40,7 +40,7 @@ Hole measured(const Points& X, const Topology& topology, Index id) {
   return hole;
 }
 
-/// The area of the loop's shadow on the plane where that is largest.
+/// The largest area of a projection of the loop onto a plane: the length of its vector area.
 double spanned_area(const Points& X, const std::vector<Index>& loop) {
   Vec3 sum = Vec3::Zero();
   const Vec3 origin = X.row(loop.front());
@@ -57,7 +57,7 @@ void find_outer_borders(const Points& X, const Topology& topology, std::vector<H
   std::vector<double> area(static_cast<std::size_t>(topology.component_count), 0);
   const Eigen::VectorXd areas = triangle_areas(X, topology.F);
   for (Index t = 0; t < topology.F.rows(); ++t) {
-    // The vertices of triangles that repeat a corner may be in no component.
+    // Vertices of triangles with a repeated corner may belong to no component.
     if (const Index component = topology.component[topology.F(t, 0)]; component >= 0) {
       area[component] += areas[t];
     }

@@ -17,10 +17,10 @@ Kernel::Point_3 point(const Points& X, Index v) {
   return {X(v, 0), X(v, 1), X(v, 2)};
 }
 
-/// A triangle turned so that the corners at `from`, `from + 1`, ... come first.
+/// A triangle with its corners rotated, so that the corner number `from` comes first.
 struct Turned {
   Kernel::Triangle_3 triangle;
-  Kernel::Segment_3 opposite;  // to the first corner
+  Kernel::Segment_3 opposite;  // the edge opposite to the first corner
 
   Turned(const Points& X, const Triangles& F, Index t, int from)
       : triangle(point(X, F(t, from)), point(X, F(t, (from + 1) % 3)),
@@ -32,7 +32,7 @@ bool intersect(const Points& X, const Triangles& F, Index t, Index u) {
   int shared = 0, place_t = 0, place_u = 0;
   for (int i = 0; i < 3; ++i) {
     for (int j = 0; j < 3; ++j) {
-      // Vertices at one place are one: where a mesh is cut open, the two sides touch.
+      // Vertices with equal coordinates count as one: the two sides of a cut in the mesh touch.
       if (F(t, i) == F(u, j) || X.row(F(t, i)) == X.row(F(u, j))) {
         ++shared;
         place_t = i;
@@ -47,7 +47,7 @@ bool intersect(const Points& X, const Triangles& F, Index t, Index u) {
   if (a.triangle.is_degenerate() || b.triangle.is_degenerate()) {
     return false;
   }
-  if (shared == 1) {  // they meet in the corner; a second point lies on an edge opposite to it
+  if (shared == 1) {  // any further common point implies one on an edge opposite to the corner
     return CGAL::do_intersect(a.opposite, b.triangle) || CGAL::do_intersect(b.opposite, a.triangle);
   }
   return CGAL::do_intersect(a.triangle, b.triangle);
@@ -70,7 +70,7 @@ std::vector<std::array<Index, 2>> patch_intersections(const Points& X, const Tri
     boxes.push_back(box(X, F, t));
   }
   const BoxGrid grid(std::move(boxes));
-  // In blocks, so that threads share the work and the order stays.
+  // In blocks, so that threads share the work and the order of the pairs does not depend on them.
   constexpr Index block = 4096;
   std::vector<std::vector<std::array<Index, 2>>> found((F.rows() + block - 1) / block);
   parallel_tasks(static_cast<std::int64_t>(found.size()), [&](std::int64_t b) {

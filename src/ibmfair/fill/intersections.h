@@ -1,4 +1,4 @@
-// Where patches pass through each other or through the mesh.
+// Finds intersections of patches with each other, with themselves and with the mesh.
 #pragma once
 
 #include <array>
@@ -8,9 +8,10 @@
 
 namespace ibmfair {
 
-/// Pairs of triangles of `F` that meet elsewhere than in the corners they share, the second one
-/// always a triangle of a patch: from `patch_from` on. Neighbours across an edge are not compared;
-/// those folded over each other are folds. Exact, by CGAL's predicates. Sorted.
+/// The pairs of triangles of `F` that intersect outside of shared corners, sorted. The second
+/// triangle of each pair belongs to a patch: its number is at least `patch_from`. Triangles that
+/// share an edge are not compared, because their overlap is a foldover (flow/folds.h). Exact, by
+/// CGAL's predicates.
 std::vector<std::array<Index, 2>> patch_intersections(const Points& X, const Triangles& F,
                                                       Index patch_from);
 

@@ -25,7 +25,7 @@ std::vector<Index> triangles_at(const Topology& topology, const std::vector<Inde
   return result;
 }
 
-/// Local numbers of mesh vertices.
+/// Converts numbers of mesh vertices to local numbers.
 class Numbering {
  public:
   explicit Numbering(std::vector<Index> vertices) : vertices_(std::move(vertices)) {}
@@ -61,10 +61,10 @@ Index triangle_behind(const Topology& topology, Index a, Index b) {
   throw BadMesh(fmt::format("vertices {} and {} are not joined", a, b));
 }
 
-/// The polygon that a disc fills: the loop walked the other way round.
+/// The polygon that a disc fills: the loop in reverse order.
 struct Polygon {
   std::vector<Index> corners;         // mesh vertices
-  std::vector<Index> mesh_triangles;  // behind the edge from each corner to the next
+  std::vector<Index> mesh_triangles;  // the mesh triangle at the edge from each corner to the next
 };
 
 Polygon polygon_of(const Topology& topology, const std::vector<Index>& loop) {
@@ -98,7 +98,7 @@ Triangles triangulated(const Points& X, const Topology& topology, const Polygon&
   return F;
 }
 
-/// Marks the mesh's edges between vertices of the rim, and diagonals that two discs have.
+/// Marks as taken the mesh edges between rim vertices, and diagonals that two discs have in common.
 void mark_taken(Patch& patch, const std::vector<std::uint8_t>& on_rim,
                 const std::vector<Triangles>& discs) {
   const auto each_edge = [&](const Triangles& F, const auto& visit) {
@@ -124,9 +124,9 @@ void mark_taken(Patch& patch, const std::vector<std::uint8_t>& on_rim,
   }
 }
 
-/// The mean length of the rim's edges at each vertex of the rim. Those that lead away from it do
-/// not count: where the mesh has long thin triangles, they would make the patch too coarse to turn
-/// with the rim.
+/// Sets the spacing to the mean length of the rim edges at each rim vertex. Mesh edges that lead
+/// away from the rim do not count: if the mesh has long thin triangles, these edges would make the
+/// patch too coarse to follow the rim.
 void measure_spacing(Patch& patch) {
   std::vector<double> count(patch.mesh_vertex.size(), 0);
   patch.spacing.assign(count.size(), 0);

@@ -19,7 +19,8 @@ Vec3 area_vector(const Points& X, Index a, Index b, Index c) {
   return double_area_vector(X.row(a), X.row(b), X.row(c));
 }
 
-/// The angle between the normals of two triangles that run along their edge in opposite directions.
+/// The angle between the normals of two triangles that run along their common edge in opposite
+/// directions, radians.
 double bend(const Vec3& N0, const Vec3& N1) {
   return std::atan2(N0.cross(N1).norm(), N0.dot(N1));
 }
@@ -33,8 +34,7 @@ Bends summary(std::vector<double> angles) {
   return {*middle, *std::max_element(angles.begin(), angles.end())};
 }
 
-/// The area vector of the surroundings' triangle at each directed edge, as seen by a neighbour
-/// that runs along the edge the other way.
+/// The double area vectors of the surrounding triangles, found by their directed edges.
 class Surroundings {
  public:
   explicit Surroundings(const Patch& patch) {
@@ -46,12 +46,13 @@ class Surroundings {
     }
   }
 
-  /// Beyond the edge a b of a triangle that runs from a to b; zero where there is none.
+  /// The double area vector of the triangle beyond the edge of a triangle that runs from a to b;
+  /// zero if there is none.
   Vec3 beyond(Index a, Index b) const {
     if (const auto it = normal_.find(directed(b, a)); it != normal_.end()) {
       return it->second;
     }
-    const auto it = normal_.find(directed(a, b));  // no orientation agrees here
+    const auto it = normal_.find(directed(a, b));  // the orientations of the two disagree
     return it != normal_.end() ? Vec3(-it->second) : Vec3(Vec3::Zero());
   }
 
@@ -124,7 +125,7 @@ SeamAudit audit_seam(const Patch& patch, const std::vector<Index>& nearest,
       const NetEdge o = patch.net.other_side(e);
       const Index a = patch.net.start(e), b = patch.net.end(e);
       if (o.triangle >= 0 && a > b) {
-        continue;  // seen from the other side
+        continue;  // counted from the other side
       }
       const Vec3 other =
           o.triangle < 0 ? around.beyond(a, b) : area_vector(patch.X, patch.net.opposite(o), b, a);

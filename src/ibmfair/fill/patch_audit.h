@@ -1,5 +1,5 @@
-// What became of a patch: its seam, its folds, and the part of the mesh that each triangle is
-// nearest to.
+// The quality of a finished patch: how it bends at the seam to the mesh, and its foldovers. Also
+// finds the part of the mesh that is nearest to each triangle of the patch.
 #pragma once
 
 #include <cstdint>
@@ -9,22 +9,23 @@
 
 namespace ibmfair {
 
-/// How far hinges are from flat, radians: 0 where flat.
+/// By how much hinges (edges with their two triangles) differ from flat, radians; 0 for flat.
 struct Bends {
   double median = 0, largest = 0;
 };
 
 struct SeamAudit {
-  Bends seam;          ///< of the edges between patch and mesh
-  Bends surroundings;  ///< of the mesh's own edges at vertices of the rim, for comparison
-  Index folds = 0;     ///< hinges of the patch and the seam that are folded over (flow/folds.h)
+  Bends seam;          ///< at the edges between patch and mesh
+  Bends surroundings;  ///< at the edges of the mesh at rim vertices, for comparison
+  Index folds = 0;     ///< foldovers in the patch and at the seam (flow/folds.h)
 };
 
-/// For each triangle of the patch the rim edge nearest to it, counted in triangles.
+/// For each triangle of the patch, the number of the nearest rim edge; distances are counted in
+/// triangles.
 std::vector<Index> nearest_rim_edges(const Patch& patch);
 
-/// Judges the part of the patch that belongs to the rim edges for which `chosen` (#rim) is set;
-/// `nearest` as above.
+/// Audits the triangles whose nearest rim edge is flagged in `chosen` (one flag per rim edge).
+/// `nearest`: the result of nearest_rim_edges.
 SeamAudit audit_seam(const Patch& patch, const std::vector<Index>& nearest,
                      const std::vector<std::uint8_t>& chosen);
 

@@ -16,12 +16,14 @@ namespace ibmfair {
 namespace {
 
 constexpr double first_cutoff = 20;       // of the flow's first step, in mean edge lengths
-constexpr double limit_growth = 1 << 24;  // of the time step: beyond, a step is Gauss-Newton's
-constexpr double coarse_rim = 20;         // edges of the coarsest level's rim, about
+constexpr double limit_growth = 1 << 24;  // of the time step; then a step is that of Gauss-Newton
+constexpr double coarse_rim = 20;         // approximate number of rim edges at the coarsest level
 constexpr int most_late_refinements = 3;
-constexpr double late_share = 0.05;   // of edges too long that makes fairing once more worth it
-constexpr double small_move = 0.004;  // along the normal, in edge lengths: settled
-constexpr double coarse_small_move = 0.02;  // the same where a finer level follows
+// The patch is refined again if it has more too long edges than this, relative to its own vertices.
+constexpr double late_share = 0.05;
+// The largest move along a normal in the last step of a converged level, in edge lengths.
+constexpr double small_move = 0.004;
+constexpr double coarse_small_move = 0.02;  // the same if a finer level follows
 
 Triangles all_triangles(const Patch& patch) {
   Triangles F(patch.surroundings.rows() + patch.net.size(), 3);
@@ -48,7 +50,8 @@ double mean_edge_length(const Patch& patch) {
   return sum / (3.0 * patch.net.size());
 }
 
-/// The length in which the first time step is measured.
+/// The edge length in which the cut-off of the first step is measured: that of the surrounding mesh
+/// at the rim, or of the patch if it has no rim.
 double first_length(const Patch& patch) {
   if (patch.rim.empty()) {
     return mean_edge_length(patch);
@@ -84,11 +87,12 @@ class PatchFairing {
         flow_options_(options.flow_options()),
         h_(time_for_cutoff(first_cutoff * first_length(patch))),
         h_limit_(h_ * limit_growth) {
-    flow_options_.solver = "cholmod";  // toward the limit no other solver's steps are good enough
+    flow_options_.solver = "cholmod";  // near the limit only direct solves are accurate enough
     flow_options_.memory_limit = options.memory_limit;
   }
 
-  /// One level, on triangles that stay as they are or follow the patch while it finds its shape.
+  /// Fairs one level. `triangles_follow`: the triangulation is adapted while the patch takes its
+  /// shape. `finest`: no finer level follows.
   void run(bool triangles_follow, bool finest) {
     const double settled = finest ? small_move : coarse_small_move;
     rebuild();
@@ -140,12 +144,12 @@ class PatchFairing {
   }
 
   void enter_stage() {
-    // What is evened out within the surface moves under the flow along its normal only.
+    // If relaxation moves vertices within the surface, the flow moves them along normals only.
     const bool normal_only = patch_.own_size() > 0 || options_.relax;
     stage_ = std::make_unique<Stage>(patch_, flow_options_, h_, h_limit_, normal_only);
   }
 
-  /// Takes over what the present stage reached and what it cost.
+  /// Takes over the time step of the present stage, and adds its effort to the report.
   void close_stage() {
     h_ = flow().time_step();
     const FlowReport& part = flow().report();
@@ -158,7 +162,7 @@ class PatchFairing {
     patch_.X = flow().X();
     report_.energy_after = flow().energy();
     report_.gradient_ratio = gradient_ratio();
-    // Without anything to move, or at a stationary point from the start, there is nothing to reach.
+    // A patch without free vertices, or at a stationary point from the start, has converged.
     report_.converged = report_.converged || start_ == 0;
     close_stage();
     stage_.reset();
@@ -201,8 +205,8 @@ FairingReport fair(Patch& patch, const FairingOptions& options) {
 
 namespace {
 
-/// A patch that bulged out has longer edges than before. Where shorter ones do not settle, it stays
-/// as it was.
+/// Refines and fairs again a patch whose edges have become too long because it bulged out. If the
+/// refined patch does not converge, the previous patch and report are kept.
 void refine_late(Patch& patch, PatchFairing& fairing, Index most_vertices) {
   for (int i = 0; i < most_late_refinements && fairing.report().converged &&
                   count_long_edges(patch) > late_share * patch.own_size();

@@ -11,17 +11,17 @@
 namespace ibmfair {
 namespace {
 
-/// An edge longer than this times the wanted length is split. Halves of edges just above are not
-/// much shorter than wanted, and the mean comes out close to it.
+/// An edge longer than this times the wanted length is split. The halves of slightly longer edges
+/// are not much shorter than wanted, and the mean edge length comes out close to the wanted length.
 constexpr double too_long = 1.45;
-constexpr double grading = 0.5;
+constexpr double grading = 0.5;  // growth of the wanted length with the distance from the rim
 constexpr int most_passes = 40;
-constexpr double few = 0.01;  // of the patch's vertices: no pass for so few edges that are too long
+constexpr double few = 0.01;  // too long edges per own vertex that are not worth another pass
 constexpr int sweeps_per_pass = 2;
 
 struct LongEdge {
   double excess;  // length over the wanted length
-  Index a, b;     // its ends when it was found
+  Index a, b;     // the ends of the edge when it was found
   NetEdge edge;
 };
 
@@ -53,7 +53,7 @@ class Refinement {
         const NetEdge e{t, i};
         const Index a = p_.net.start(e), b = p_.net.end(e);
         if (a > b || p_.net.other_side(e).triangle < 0) {
-          continue;  // seen from its other side, or on the rim
+          continue;  // listed from its other side, or on the rim
         }
         const double excess = length(a, b) / wanted(a, b);
         if (excess > too_long || is_taken(a, b)) {
@@ -68,7 +68,7 @@ class Refinement {
   }
 
   void update_normals() {
-    // Not into the old one: where memory runs out as Eigen resizes it, it would be freed twice.
+    // Not resized in place: if memory runs out while Eigen resizes a matrix, it is freed twice.
     Points normals = Points::Zero(p_.size(), 3);
     const auto add = [&](Index a, Index b, Index c) {
       const Vec3 N = double_area_vector(p_.X.row(a), p_.X.row(b), p_.X.row(c));
@@ -86,7 +86,8 @@ class Refinement {
     normal_.swap(normals);
   }
 
-  /// The middle of the cubic curve from a to b that leaves both ends at right angles to the normal.
+  /// The middle of the edge, or with `curved` of the cubic curve from a to b that is perpendicular
+  /// to the vertex normals at both ends.
   Vec3 middle(Index a, Index b) const {
     const Vec3 xa = p_.X.row(a), xb = p_.X.row(b), chord = xb - xa;
     if (!options_.curved) {
@@ -96,7 +97,8 @@ class Refinement {
     return (xa + xb) / 2 + (chord.dot(nb) * nb - chord.dot(na) * na) / 8;
   }
 
-  /// One pass over the edges that are too long now; whether another one is worth it.
+  /// Makes one pass over the edges that are too long at present. Returns whether another pass is
+  /// needed.
   bool split_long_edges() {
     const std::vector<LongEdge> edges = long_edges();
     const bool all_may_stay = std::none_of(
@@ -110,7 +112,8 @@ class Refinement {
       update_normals();
     }
     for (const auto& [excess, a, b, e] : edges) {
-      // Splits before this one may have changed its triangle; the next pass finds it again.
+      // An earlier split may have changed the triangle of this edge; the next pass finds the edge
+      // again.
       if (p_.net.start(e) != a || p_.net.end(e) != b) {
         continue;
       }

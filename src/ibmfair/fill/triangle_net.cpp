@@ -49,7 +49,8 @@ int TriangleNet::place(Index t, Index v) const {
 }
 
 bool TriangleNet::joined(Index t, Index v, Index w) const {
-  // Once around v in each direction, until the rim or back at the start.
+  // Visits the triangles around v in each direction, until the rim or the first triangle is
+  // reached.
   for (const int turn : {1, 2}) {
     NetEdge at{t, (place(t, v) + 3 - turn) % 3};  // v is `turn` corners on from the edge entered by
     do {
@@ -74,7 +75,7 @@ void TriangleNet::join(NetEdge e, NetEdge o) {
   }
 }
 
-/// Makes `t` the triangle with these corners, and what lies across its edges its neighbours.
+/// Makes `t` the triangle with these corners and these edges `across` its own.
 void TriangleNet::put(Index t, const std::array<Index, 3>& corners,
                       const std::array<NetEdge, 3>& across) {
   corner_[t] = corners;

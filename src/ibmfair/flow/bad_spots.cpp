@@ -5,11 +5,11 @@
 namespace ibmfair {
 namespace {
 
-// Chosen like the settings of the guard.
-constexpr double slower = 0.1;                // on the way
-constexpr double heavier = 256, lighter = 4;  // factors of damping
-constexpr double standstill = 1e12;           // damping of a vertex that has gone far enough
-constexpr double memory = 1.0 / 4;            // of the total time, for what was held up
+// Chosen in the same way as the settings of the guard (guarded_flow.cpp).
+constexpr double slower = 0.1;                // factor of moves near culprits
+constexpr double heavier = 256, lighter = 4;  // factors by which damping grows and fades
+constexpr double standstill = 1e12;           // damping of a vertex stopped by the bound on moves
+constexpr double memory = 1.0 / 4;            // Lag's memory, relative to the total time
 
 }  // namespace
 
@@ -32,7 +32,8 @@ void BadSpots::damp() {
 bool BadSpots::slow(const Points& Y, bool fresh, Points& move, std::int64_t& shortened) {
   const Culprits found = find_culprits(problem_, problem_.gradient_at(Y), move);
   to_blame_ = found.are_local;
-  // For trouble everywhere an old Jacobian, which slows nothing down yet, is to blame.
+  // If the energy rises in many places, and the Jacobian is old and damps nothing yet, its age is
+  // the cause, and the vertices found are no culprits.
   if (to_blame_ || fresh || slowed_) {
     for (const Index v : found.vertices) {
       culprits_[v] = 1;
@@ -57,7 +58,7 @@ void BadSpots::end_step(double time) {
   }
 }
 
-/// Of the unknowns, culprits and their neighbours.
+/// Calls change(u) for the unknowns u that are culprits or neighbours of culprits.
 template <class Change>
 void BadSpots::for_each_near_culprits(const Change& change) const {
   if (std::ranges::find(culprits_, 1) == culprits_.end()) {

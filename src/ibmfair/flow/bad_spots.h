@@ -1,5 +1,6 @@
-// The few spots that would hold up the flow of a whole mesh are slowed down, so that the rest goes
-// on: on the way of a move first, then by damping, when the Jacobian is renewed.
+// Slows down the few spots at which a step of the flow would raise the energy, so that the rest of
+// the mesh can go on. The present step is shortened there first; when the Jacobian is renewed, the
+// metric is made heavier there (damping).
 #pragma once
 
 #include <cstdint>
@@ -15,33 +16,34 @@ class BadSpots {
  public:
   explicit BadSpots(FlowProblem& problem);
 
-  /// Before the Jacobian is renewed: makes the metric heavier around the culprits that there were
-  /// since that was done last, so that they do not hold up the next steps, too, and holds unknowns
-  /// that went as far as they may.
+  /// To be called before the Jacobian is renewed. Makes the metric heavier around the culprits (the
+  /// vertices that raise the energy, culprits.h) found since the previous call, so that the next
+  /// steps do not fail there again, and fixes the unknowns stopped by FlowOptions::max_move.
   void damp();
 
-  /// A move (one row per unknown) leads to Y, and takes too little energy off. Where a few culprits
-  /// are to blame, shortens it near these and near those before them, and adds the unknowns to
-  /// `shortened`; false where that is no way out. `fresh`: no step has been made with the Jacobian.
+  /// To be called when a move (one row per unknown) to Y lowers the energy too little. If a few
+  /// culprits are the cause, shortens the move near them and near the culprits found earlier, adds
+  /// the number of shortened rows to `shortened`, and returns true; otherwise returns false.
+  /// `fresh`: no step has been made with the present Jacobian yet.
   bool slow(const Points& Y, bool fresh, Points& move, std::int64_t& shortened);
 
-  /// Whether the last trial failed at a few culprits.
+  /// Whether the last trial failed because of a few culprits.
   bool are_to_blame() const { return to_blame_; }
 
-  /// Another move is tried.
+  /// To be called before another move is tried.
   void absolve() { to_blame_ = false; }
 
-  /// Whether something has been slowed down since the Jacobian was renewed, or is damped by it, in
-  /// any part of the mesh.
+  /// Whether any unknown, in any part of the mesh, has been slowed down since the Jacobian was
+  /// renewed, or is damped by the Jacobian.
   bool are_slowed() const { return slowed_; }
 
-  /// A step begins.
+  /// To be called when a step begins.
   void begin_step() { lag_.forget_step(); }
 
-  /// It was made, and took `time`.
+  /// To be called after an accepted step of length `time`.
   void end_step(double time);
 
-  /// What each unknown has missed, as far as it still shows: time.
+  /// The flow time by which each unknown lags behind (Lag::missed).
   const Eigen::VectorXd& missed() { return lag_.missed(); }
 
  private:
@@ -50,8 +52,8 @@ class BadSpots {
 
   FlowProblem& problem_;
   Lag lag_;
-  std::vector<std::uint8_t> culprits_;  // #V, since the Jacobian was renewed
-  std::vector<Index> stopped_;  // unknowns that the Jacobian holds: they went as far as they may
+  std::vector<std::uint8_t> culprits_;  // #V, found since the Jacobian was renewed
+  std::vector<Index> stopped_;          // unknowns at FlowOptions::max_move, fixed by heavy damping
   bool slowed_ = false, to_blame_ = false;
 };
 

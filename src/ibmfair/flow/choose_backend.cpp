@@ -12,11 +12,12 @@
 namespace ibmfair {
 namespace {
 
-/// Of the seconds forecast for a backend without a factor, to compare: where it takes more, one
-/// with a factor follows before long (Jacobian::solve), where less, nobody would know.
+/// Factor for the predicted seconds of backends without factorization in comparisons. If the
+/// prediction was too low, a backend with factorization soon takes over (Jacobian::solve); if it
+/// was too high and the backend was not chosen, nothing would correct the choice.
 constexpr double doubt = 0.6;
 
-/// Memory that the backend needs, whatever the number of iterations.
+/// The memory that the backend needs, which does not depend on the number of iterations.
 double bytes_of(const JacobianBackend& backend, const JacobianShape& shape) {
   return backend.forecast(shape, {}).bytes;
 }
@@ -47,7 +48,7 @@ bool fits(double bytes, const FlowOptions& options) {
 
 const JacobianBackend& choose_backend(const JacobianShape& shape, const JacobianParts& parts) {
   const bool open = shape.options.solver == "auto";
-  if (!open || !shape.options.guarded) {  // the scheme as published factors
+  if (!open || !shape.options.guarded) {  // the scheme of [W07] factors the Jacobian
     const JacobianBackend& named = jacobian_backend(open ? "cholmod" : shape.options.solver);
     if (!fits(bytes_of(named, shape), shape.options)) {
       refuse(named, shape);

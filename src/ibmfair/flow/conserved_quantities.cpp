@@ -13,7 +13,7 @@ namespace ibmfair {
 
 struct ConservedQuantities::Quantity {
   double (*value)(const Points& X, const Triangles& F);
-  /// Its derivative by the corner x of the triangle x, y, z.
+  /// The derivative of the quantity with respect to the corner x of the triangle x, y, z.
   Vec3 (*derivative)(const Vec3& x, const Vec3& y, const Vec3& z);
   bool FlowOptions::*wanted;
 };
@@ -26,7 +26,7 @@ Vec3 area_derivative(const Vec3& x, const Vec3& y, const Vec3& z) {
   return double_area_vector(x, y, z).normalized().cross(z - y) / 2;
 }
 
-/// A sixth of the double area vector: around a closed star the rest cancels.
+/// A sixth of the double area vector: the other terms cancel around a closed star.
 Vec3 volume_derivative(const Vec3& x, const Vec3& y, const Vec3& z) {
   return double_area_vector(x, y, z) / 6;
 }
@@ -37,7 +37,7 @@ constexpr std::array quantities{
 };
 
 constexpr int most_corrections = 8;
-constexpr double exact = 1e-13;  // of the target: what rounding may leave of a long sum
+constexpr double exact = 1e-13;  // relative to the target: rounding error of a long sum
 
 Points gradient_of(const Quantity& quantity, const Points& X, const Topology& topology,
                    const Unknowns& unknowns) {
@@ -54,8 +54,8 @@ Points gradient_of(const Quantity& quantity, const Points& X, const Topology& to
   return gradient;
 }
 
-/// What rounding the coordinates can change of a quantity with this gradient: far from the origin,
-/// more than rounding the sum does.
+/// The change of a quantity with this gradient by rounding the coordinates. Far from the origin it
+/// is larger than the rounding error of the sum.
 double coarseness(const Points& gradient, const Points& X) {
   const double rounding = std::numeric_limits<double>::epsilon() * X.cwiseAbs().maxCoeff();
   return rounding * gradient.cwiseAbs().sum();
@@ -65,8 +65,8 @@ double inner(const Points& A, const Points& B) {
   return A.cwiseProduct(B).sum();
 }
 
-/// x of M x = b with M_ij = <A_i, B_j>; the shortest where the quantities depend on each other, as
-/// the volume and the area of a sphere do.
+/// The solution x of M x = b with M_ij = <A_i, B_j>. If the quantities depend on each other, like
+/// the volume and the area of a sphere, the shortest of the solutions.
 Eigen::VectorXd solve_small(const std::vector<Points>& A, const std::vector<Points>& B,
                             const Eigen::VectorXd& b) {
   const auto count = static_cast<Eigen::Index>(A.size());
@@ -86,7 +86,7 @@ Eigen::VectorXd solve_small(const std::vector<Points>& A, const std::vector<Poin
   return scale.asDiagonal() * scaled.solve(scale.asDiagonal() * b);
 }
 
-/// Takes from the move d the combination of Z that makes <A_i, d> = 0 for all i.
+/// Subtracts from the move d the linear combination of the Z_i that makes <A_i, d> = 0 for all i.
 void subtract_part(Points& d, const std::vector<Points>& A, const std::vector<Points>& Z) {
   if (A.empty()) {
     return;

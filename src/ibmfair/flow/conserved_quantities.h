@@ -1,9 +1,11 @@
-// What a flow of a closed surface can keep exactly: rows that border the Jacobian.
+// Quantities that a flow of a closed surface can keep exactly (volume, area): rows that border the
+// Jacobian.
 //
-// A step d of J d = -h g is replaced by the one that solves the same system with A^T d = 0, where
-// the columns of A are the gradients of the quantities: d - J^-1 A (A^T J^-1 A)^-1 A^T d, one more
-// solve with the same factor for each. What its length changes in second order is taken back along
-// J^-1 A, which is smooth where A, as the normals of a noisy mesh, is not.
+// A step d of J d = -h g is replaced by the step that solves this system under the constraint
+// A^T d = 0; the columns of A are the gradients of the quantities. The constrained step is
+// d - J^-1 A (A^T J^-1 A)^-1 A^T d, which needs one more solve with J per quantity. The remaining
+// second-order change of the quantities is corrected along J^-1 A, which is smooth even if A, like
+// the normals of a noisy mesh, is not.
 #pragma once
 
 #include <functional>
@@ -17,12 +19,13 @@ namespace ibmfair {
 
 class ConservedQuantities {
  public:
-  /// Those that the options name, with their values at `X` as targets; what is referred to outlives
-  /// them. Throws BadMesh where some are named and the mesh is not closed or has only one side.
+  /// Keeps the quantities that the options name, with their values at `X` as targets. `topology`
+  /// and `unknowns` must outlive this object. Throws BadMesh if a quantity is named and the mesh is
+  /// not closed or not orientable.
   ConservedQuantities(const Points& X, const Topology& topology, const Unknowns& unknowns,
                       const FlowOptions& options);
 
-  /// Whether there is nothing to keep, or not now.
+  /// Whether no quantity is kept at present: none was named, or all are suspended.
   bool empty() const { return kept_.empty() || suspended_; }
 
   /// Keeps nothing until `resume`.
@@ -32,23 +35,23 @@ class ConservedQuantities {
   /// Y = J^-1 B, one row per unknown.
   using Solve = std::function<void(const Points& B, Points& Y)>;
 
-  /// Takes A and J^-1 A at the state X, from which steps start. Before the first one, J is the
-  /// identity.
+  /// Computes A and J^-1 A at X, the state from which the next step starts. Until the first call,
+  /// J is taken to be the identity.
   void linearise(const Points& X, const Solve& solve);
 
-  /// Keeps the targets again. Returns the move from the state X along J^-1 A, one row per unknown,
-  /// that leads there in first order.
+  /// Ends the suspension. Returns the move from the state X along J^-1 A, one row per unknown, that
+  /// brings the quantities back to their targets in first order.
   Points resume(const Points& X, const Solve& solve);
 
-  /// Makes the step one that keeps the quantities in first order.
+  /// Changes the step so that it keeps the quantities in first order.
   void constrain(Points& step) const;
 
-  /// The speed D^-1 g less what would change the quantities.
+  /// The speed D^-1 g without the part that would change the quantities.
   void speed(const Points& g, const Eigen::VectorXd& D, Points& speed) const;
 
-  /// After `move` (one row per unknown) to `Y`: moves the unknowns along J^-1 A until all
-  /// quantities have their targets to rounding; false where that fails. Those whose move is zero
-  /// stay, as they may have been withheld from folding.
+  /// To be called after `move` (one row per unknown) has led to `Y`. Moves the unknowns along
+  /// J^-1 A until all quantities reach their targets up to rounding; false if that fails. Unknowns
+  /// whose move is zero stay, as their move may have been withheld to avoid foldovers.
   bool restore(const Points& move, Points& Y) const;
 
   struct Quantity;  ///< a row of the table
@@ -57,7 +60,7 @@ class ConservedQuantities {
   struct Kept {
     const Quantity* quantity;
     double target;
-    double rounding;  ///< what may be missing to it
+    double rounding;  ///< the accepted difference from the target
   };
 
   Eigen::VectorXd missing_at(const Points& Y) const;
@@ -67,7 +70,7 @@ class ConservedQuantities {
   const Unknowns& unknowns_;
   std::vector<Kept> kept_;
   bool suspended_ = false;
-  std::vector<Points> A_, Z_;  // the gradient of each at the state, one row per unknown, and J^-1 A
+  std::vector<Points> A_, Z_;  // gradients at the state, one row per unknown, and J^-1 A
 };
 
 }  // namespace ibmfair

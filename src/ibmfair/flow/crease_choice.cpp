@@ -7,16 +7,18 @@
 namespace ibmfair {
 namespace {
 
-/// Of sharp hinges, degrees: with less noise a smaller one keeps blunter creases.
+/// Sharp angles to try, degrees. With less noise, a smaller angle keeps blunter creases.
 constexpr double first_angle = 20, blunter_angles[] = {14, 10, 7};
-constexpr double clear_gain = 0.008;  // of risk by a smaller one, in variances of the noise
-/// Of the risk without creases: on parts with creases, next to nothing is left by those that keep
-/// them (0.12 of it at most, by noise of 0.05 to 0.3 edges); scans have little to gain (0.5 or more
-/// is left), and are changed more than need be.
+/// The least decrease of the risk for a smaller angle to be taken, in variances of the noise.
+constexpr double clear_gain = 0.008;
+/// Creases are kept if the risk with creases is below this share of the risk without. On mechanical
+/// parts with creases the share is at most 0.12, for noise of 0.05 to 0.3 edges. On scans it is 0.5
+/// or more: they gain little, and keeping creases would change them more than necessary.
 constexpr double clear_share = 0.4;
-constexpr double some_share = 0.8;   // by the first angle, to go on
-constexpr double crease_edges = 4;   // of the first cut-off: with less, noise makes creases
-constexpr double least_risk = 0.06;  // without creases, in variances of the noise: else all is well
+constexpr double some_share = 0.8;  // smaller angles are tried if the first is below this share
+constexpr double crease_edges = 4;  // first cut-off in edges: at shorter ones, noise makes creases
+/// No creases are looked for if the risk without them is below this, in variances of the noise.
+constexpr double least_risk = 0.06;
 
 }  // namespace
 
@@ -39,7 +41,7 @@ std::optional<CreaseChoice> choose_creases(const Points& X, const Topology& topo
     return std::nullopt;
   }
   for (const double angle : blunter_angles) {
-    // Where more of the noise's hinges hold, it takes a longer flow to be rid of them.
+    // A smaller angle keeps more of the hinges made by noise, and a longer flow removes them.
     CreaseChoice blunter = with_angle(angle, best.cutoff.before_best());
     if (!(best.cutoff.best().risk - blunter.cutoff.best().risk > clear_gain * variance)) {
       break;

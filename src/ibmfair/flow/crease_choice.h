@@ -1,5 +1,6 @@
-// Whether a noisy mesh has creases, and how sharp they are: what is left with hinges held that turn
-// by more than some angle, against what is left where all may bend (flow/cutoff_trials.h).
+// Decides whether a noisy mesh has creases, and how sharp they are. Flows that keep hinges (edges
+// with their two triangles) sharper than some angle are compared with a flow in which all hinges
+// bend, by the estimated error (risk) that each leaves (flow/cutoff_trials.h).
 #pragma once
 
 #include <cstdint>
@@ -10,15 +11,16 @@
 
 namespace ibmfair {
 
-/// Which hinges are to hold, and the cut-off that goes with it.
+/// The hinges to keep sharp, and the cut-off wavelength that goes with this choice.
 struct CreaseChoice {
   double sharp_angle = 0;  ///< FlowOptions::sharp_angle, radians
   CutoffChoice cutoff;
 };
 
-/// Whether flows that keep creases, as `options` say but for the angle, leave clearly less risk
-/// than the choice that was made `without` them. Where some is to be gained, smaller angles are
-/// tried as long as they leave less yet. Throws as choose_cutoff.
+/// Tries flows that keep creases, with `options` except for the angle. Returns the choice with the
+/// least risk if it is clearly below that of `without`, the choice without creases; otherwise
+/// nothing. If the first angle reduces the risk, smaller angles are tried as long as they reduce it
+/// further. Throws the exceptions of choose_cutoff.
 std::optional<CreaseChoice> choose_creases(const Points& X, const Topology& topology,
                                            const std::vector<std::uint8_t>& held,
                                            const FlowOptions& options, const CutoffChoice& without,

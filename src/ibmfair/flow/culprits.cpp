@@ -6,8 +6,8 @@
 namespace ibmfair {
 namespace {
 
-constexpr double culprit_share = 0.05;  // of the largest uphill slope
-constexpr double local_share = 0.02;    // of the vertices: more culprits are no local trouble
+constexpr double culprit_share = 0.05;  // of the largest increase of the energy at an unknown
+constexpr double local_share = 0.02;    // of the unknowns: with more culprits, trouble is global
 
 }  // namespace
 

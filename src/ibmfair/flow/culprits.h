@@ -1,4 +1,5 @@
-// The few bad spots that keep a step of the whole mesh from lowering the energy.
+// Culprits: the few vertices that raise the energy, and so keep a step of the whole mesh from
+// lowering it.
 #pragma once
 
 #include <vector>
@@ -8,13 +9,13 @@
 namespace ibmfair {
 
 struct Culprits {
-  std::vector<Index> vertices;  ///< of this part of the mesh
-  bool are_local = false;       ///< there are some, and not so many that the trouble is everywhere
+  std::vector<Index> vertices;  ///< the culprits in this part of the mesh
+  bool are_local = false;       ///< there are culprits, and they are a small share of all unknowns
 };
 
-/// The vertices of the unknowns at which a move (one row per unknown) runs uphill against a
-/// gradient where it leads, by more than a small share of the steepest such slope in any part of
-/// the mesh; what is not a number is uphill, too.
+/// The vertices at which a move (one row per unknown) raises the energy: its product with
+/// `gradient`, the gradient at the end of the move, exceeds a small share of the largest such
+/// product in any part of the mesh, or is NaN.
 Culprits find_culprits(const FlowProblem& problem, const Points& gradient, const Points& move);
 
 }  // namespace ibmfair

@@ -10,11 +10,12 @@
 namespace ibmfair {
 namespace {
 
-constexpr double shortest_edges = 2;  // cut-off; the second one tells the noise
-constexpr double clear_rise = 0.03;   // of the risk over the least, in variances of the noise
+constexpr double shortest_edges = 2;  // first cut-off, in mean edge lengths
+// Differences of risks, in variances of the noise.
+constexpr double clear_rise = 0.03;  // trials end at a risk that far above the least risk
 constexpr double clear_rise_with_creases = 0.015;
-constexpr double small_gain = 0.002;  // of risk by twice the cut-off, in these
-constexpr double many_more = 1.5;     // vertices than are enough, for a sample to pay
+constexpr double small_gain = 0.002;  // trials end if doubling the cut-off changes the risk by less
+constexpr double many_more = 1.5;     // a mesh with this times `enough` moving vertices is sampled
 
 std::size_t least(const std::vector<CutoffTrial>& trials) {
   const auto less = [](const CutoffTrial& a, const CutoffTrial& b) { return a.risk < b.risk; };
@@ -22,9 +23,9 @@ std::size_t least(const std::vector<CutoffTrial>& trials) {
                                   trials.begin());
 }
 
-/// Where the parabola through the least risk and those beside it, over the logarithm of the
-/// cut-off, is least. Where creases are kept, the risk rises more steeply as they go than it fell
-/// before: half of the way to a shorter one is enough.
+/// The cut-off at the minimum of the parabola through the least risk and its two neighbours, over
+/// the logarithm of the cut-off. If creases are kept, the risk rises more steeply when creases
+/// disappear than it fell before; so the cut-off is shortened by only half of that shift.
 double between(const std::vector<CutoffTrial>& trials, std::size_t i, bool keeps_creases) {
   if (i == 0 || i + 1 == trials.size()) {
     return trials[i].cutoff;
@@ -38,7 +39,7 @@ double between(const std::vector<CutoffTrial>& trials, std::size_t i, bool keeps
   return trials[i].cutoff * std::pow(trials[i + 1].cutoff / trials[i].cutoff, shift);
 }
 
-/// Whether longer cut-offs have nothing to gain.
+/// Whether longer cut-offs are not expected to reduce the risk.
 bool is_enough(const std::vector<CutoffTrial>& trials, double noise, bool keeps_creases) {
   const double variance = noise * noise, last = trials.back().risk;
   const double rise = keeps_creases ? clear_rise_with_creases : clear_rise;
@@ -77,7 +78,8 @@ CutoffChooser::CutoffChooser(const Points& X, const Topology& topology,
   }
 }
 
-/// But of a mesh in pieces so small that the sample would be little but rim.
+/// Replaces the mesh by a sample, unless the mesh is in so small pieces that the sample would
+/// consist mostly of rims.
 void CutoffChooser::take_sample(const Points& X, const Topology& topology,
                                 const std::vector<std::uint8_t>& held, const FlowOptions& options) {
   MeshSample sample = sample_of_mesh(X, topology, held, options, search_.enough);

@@ -1,8 +1,9 @@
-// The cut-off that takes the most noise and the least of the shape, out of the noisy mesh alone:
-// that of the least risk among some (flow/cutoff_trials.h).
+// Estimates, from the noisy mesh alone, the cut-off wavelength that removes the most noise and the
+// least of the shape: among several cut-offs, the one with the least risk, an estimate of the mean
+// squared distance to the true shape (flow/cutoff_trials.h).
 //
-// The noise must be independent from vertex to vertex: of the steps between the slices of a
-// scanner, say, nothing is seen here.
+// The noise must be independent from vertex to vertex. Correlated errors, such as the steps between
+// the slices of a scanner, are not recognized as noise.
 #pragma once
 
 #include <cstdint>
@@ -22,34 +23,34 @@ struct CutoffChoice {
   double noise = 0;                 ///< standard deviation along the normals, length
   std::vector<CutoffTrial> trials;  ///< with increasing cut-off
 
-  const CutoffTrial& best() const;  ///< that of the least risk
-  double before_best() const;       ///< the cut-off tried before that one, or its own
+  const CutoffTrial& best() const;  ///< the trial with the least risk
+  double before_best() const;       ///< cut-off of the trial before `best`, or of `best` if first
 };
 
-/// Told before each trial.
+/// Called before each trial.
 using TrialObserver = std::function<void(double cutoff)>;
 
 struct CutoffSearch {
-  double largest = 0;  ///< cut-off that is tried, length
+  double largest = 0;  ///< the largest cut-off to try, length
   TrialObserver observer = {};
-  double noise = 0;       ///< as in CutoffChoice; 0: told by the mesh
-  Index enough = 50'000;  ///< vertices: where many more move, a sample of so many tells all
+  double noise = 0;       ///< as in CutoffChoice; 0: estimated from the mesh
+  Index enough = 50'000;  ///< meshes with many more moving vertices are sampled: sample size
 };
 
-/// Lets copies of a mesh flow through cut-offs, each longer by the square root of two, up to the
-/// largest or until the risk has clearly risen or hardly changes; the choice is between those
-/// around the least. Volume and area are not kept. Deterministic.
+/// Lets copies of a mesh flow to a sequence of cut-offs, each longer by the square root of two, up
+/// to the largest or until the risk has clearly risen or hardly changes. The chosen cut-off is
+/// interpolated around the trial with the least risk. Volume and area are not kept. Deterministic.
 class CutoffChooser {
  public:
-  /// Refers to the mesh and `held`. The options say how it is to flow, but for the total time and
-  /// the creases. Throws BadMesh where no vertex moves.
+  /// The mesh and `held` must outlive this object. The total time and the sharp angle of `options`
+  /// are not used. Throws BadMesh if all vertices are fixed.
   CutoffChooser(const Points& X, const Topology& topology, const std::vector<std::uint8_t>& held,
                 const FlowOptions& options, CutoffSearch search);
 
   double mean_edge_length() const { return mean_edge_length_; }
 
-  /// From the cut-off `shortest` on (length), with FlowOptions::sharp_angle as given. Throws what
-  /// the flow throws.
+  /// Chooses among cut-offs from `shortest` (length) upward, with `sharp_angle` as
+  /// FlowOptions::sharp_angle. Throws the exceptions of the flow.
   CutoffChoice choose(double sharp_angle, double shortest);
 
  private:
@@ -60,13 +61,13 @@ class CutoffChooser {
 
   const double mean_edge_length_;
   const CutoffSearch search_;
-  std::optional<LocalMesh> local_;     // stands for the mesh
-  std::vector<std::uint8_t> counted_;  // of its vertices, or empty for all
+  std::optional<LocalMesh> local_;     // a sample or a renumbered copy, used in place of the mesh
+  std::vector<std::uint8_t> counted_;  // flags of the vertices that count, or empty for all
   std::optional<CutoffTrials> trials_;
 };
 
-/// The choice from the shortest cut-off on that can be told from none, with the creases that the
-/// options say.
+/// Chooses among cut-offs from two mean edge lengths upward, the shortest cut-off with a noticeable
+/// effect, with the sharp angle of the options.
 CutoffChoice choose_cutoff(const Points& X, const Topology& topology,
                            const std::vector<std::uint8_t>& held, const FlowOptions& options,
                            const CutoffSearch& search);

@@ -22,7 +22,8 @@ namespace {
 constexpr int leg_steps = 4;     // of backward Euler from one cut-off to the next
 constexpr double law_edges = 8;  // cut-off in mean edge lengths, for Weyl's law
 
-/// By which the second flow's mesh is moved: of the noise, and at least of the edges.
+/// The distance by which the mesh of the second flow is moved: relative to the noise, and at least
+/// relative to the mean edge length.
 constexpr double little_noise = 0.1, little_edge = 1e-5;
 
 double median(Eigen::VectorXd values) {
@@ -138,7 +139,8 @@ void CutoffTrials::flow_on(Way& way, bool goes_on) const {
   way.state = std::move(problem.X);
 }
 
-/// The first stage depends on neither the cut-off, where that is not short, nor the angle.
+/// Runs the first stage, or reuses its result: the stage does not depend on the sharp angle, and on
+/// the cut-off only if that is short.
 void CutoffTrials::begin(Way& way, FlowProblem& problem) const {
   const auto stage = first_stage(way.start, topology_, leg_, MeshParts::one());
   if (!stage) {
@@ -163,7 +165,8 @@ void CutoffTrials::end_at(const Way& way, FlowProblem& problem) const {
   }
 }
 
-/// By the linearised flow at the problem's state, with twicing.
+/// The part of the white noise that the flow linearised at the problem's state removes, with
+/// twicing.
 Points CutoffTrials::taken_of_noise(FlowProblem& problem) {
   linearise_flow(problem, leg_.total_time, leg_.steps);
   flow_linearly(problem, leg_.steps, smooth_);
@@ -179,7 +182,8 @@ Points CutoffTrials::taken_of_noise(FlowProblem& problem) {
   return taken;
 }
 
-/// Of heights along the normals at the end of the first one.
+/// tr F / n from the difference of two flows, in heights along the normals at the end of the first
+/// flow.
 double CutoffTrials::trace_by_second_flow(const Points& end, const Points& normals) const {
   FlowProblem second(moved_.start, topology_, held_, options_, MeshParts::one());
   end_at(moved_, second);
@@ -189,8 +193,8 @@ double CutoffTrials::trace_by_second_flow(const Points& end, const Points& norma
   return put_in.dot(left) / put_in.squaredNorm();
 }
 
-/// From the last outcome, by H. Weyl's law of the number of modes on a surface, which holds as soon
-/// as the edges are short beside the cut-off.
+/// tr F / n extrapolated from the last outcome by H. Weyl's law for the number of modes on a
+/// surface, which holds if the edges are short compared with the cut-off.
 double CutoffTrials::trace_by_law(double cutoff) const {
   const Outcome& last = outcomes_.back();
   return last.trace * std::pow(last.cutoff / cutoff, 2);

@@ -1,20 +1,22 @@
-// Flows with longer and longer cut-offs, and what each leaves of the noise and takes of the shape,
-// told by the noisy mesh alone.
+// Flows with longer and longer cut-off wavelengths. For each, the noise that it leaves plus the
+// part of the shape that it removes (the risk) is estimated from the noisy mesh alone.
 //
-// Of a smoother F that is nearly linear in the heights of the vertices over the surface, the mean
-// squared distance of what it makes of y = x + noise to x is, in expectation,
+// Let F be a smoother that is nearly linear in the heights of the vertices over the surface, and
+// let y = x + noise be the noisy heights. The expected mean squared distance of F y to x is
 //
 //   risk = |y - F y|^2 / n + 2 s^2 tr F / n - s^2
 //
-// s the noise's standard deviation: C. Stein, "Estimation of the mean of a multivariate normal
-// distribution", Annals of Statistics 9 (1981). No term needs x. As F is known only by what it
-// does, tr F is z^T F z on the mean over random z (S. Ramani, T. Blu, M. Unser, "Monte-Carlo SURE",
-// IEEE Transactions on Image Processing 17, 2008), and s is how far the flow with a short cut-off
-// moves the vertices, over how far it moves white noise.
+// with s the standard deviation of the noise: C. Stein, "Estimation of the mean of a multivariate
+// normal distribution", Annals of Statistics 9 (1981). No term needs x. F is not known as a matrix,
+// so tr F is estimated as the mean of z^T F z over random z (S. Ramani, T. Blu, M. Unser,
+// "Monte-Carlo SURE", IEEE Transactions on Image Processing 17, 2008), and s as the distance by
+// which the flow with a short cut-off moves the vertices, over the distance by which it moves white
+// noise.
 //
-// F z is what the linearised flow at the end makes of z. Where hinges that turn sharply hardly
-// bend, that knows nothing of those that did and no longer do: there it is the difference that a
-// little of z in the mesh makes to the flow, over that little, as the second of the papers has it.
+// F z is computed by the flow linearised at the end state. If creases are kept, so that sharp
+// hinges (edges with their two triangles) hardly bend, that linearisation misses the hinges that
+// were sharp at first and no longer are. Then a small multiple of z is added to the mesh, and F z
+// is the difference of the two flows' results over that multiple, as in the second paper.
 #pragma once
 
 #include <cstddef>
@@ -31,48 +33,51 @@ class FlowProblem;
 
 struct CutoffTrial {
   double cutoff = 0;  ///< length
-  double risk = 0;    ///< length^2; below 0 by chance where next to nothing is left
+  double risk = 0;    ///< length^2; may be negative by chance if the true risk is close to 0
 };
 
-/// Each flow goes on where the last one ended, as of a cut-off's time three quarters lie behind one
-/// shorter by the square root of two; but for those of few steps, which begin anew: long steps of
-/// backward Euler are not what shorter ones come to. Those that keep creases, where it matters
-/// when which hinges hold, begin anew at the end of their first stage (flow/first_stage.h).
+/// Each flow continues from the end of the previous flow: of the time of a cut-off, three quarters
+/// come after the end of the cut-off that is shorter by the square root of two. Flows of few steps
+/// start anew, because backward Euler with long steps gives another result than with short steps.
+/// Flows that keep creases start anew at the end of their first stage (flow/first_stage.h), because
+/// their result depends on when each hinge is sharp.
 class CutoffTrials {
  public:
-  /// Refers to all but the options, which must keep neither volume nor area; whatever they say, all
-  /// hinges bend at first. Only what becomes of `counted` vertices is looked at (#V, or empty for
-  /// all). `noise` is its standard deviation along the normals, length; 0: told by the second
-  /// trial. Throws BadMesh where no vertex moves.
+  /// `topology` and `held` must outlive this object. The options must keep neither volume nor area;
+  /// their sharp angle is not used (`restart` sets it). Only the vertices flagged in `counted` (#V,
+  /// or empty for all) enter the risk. `noise`: its standard deviation along the normals, length;
+  /// 0: estimated in the second trial. Throws BadMesh if no counted vertex moves.
   CutoffTrials(const Points& X, const Topology& topology, const std::vector<std::uint8_t>& held,
                const FlowOptions& options, const std::vector<std::uint8_t>& counted,
                double noise = 0);
 
-  /// Forgets all trials, but not the noise; FlowOptions::sharp_angle of those to come is this one.
-  /// Where it is positive, the noise must be known: as it makes creases, too, they cannot tell it.
+  /// Forgets all trials, but not the noise. Later trials use `sharp_angle` as
+  /// FlowOptions::sharp_angle. If it is positive, the noise must be known already: noise makes
+  /// sharp hinges as well, so that flows that keep them cannot estimate the noise.
   void restart(double sharp_angle);
 
-  /// Cut-offs (length) must increase. Throws what the flow throws.
+  /// Runs a trial. Cut-offs (length) must increase from trial to trial. Throws the exceptions of
+  /// the flow.
   void run(double cutoff);
 
-  /// It may be 0, too.
+  /// Whether the noise is known. A known noise may be 0.
   bool know_noise() const { return knows_noise_; }
   double noise() const { return noise_; }
 
-  /// Of all trials; needs the noise.
+  /// The risks of all trials. Precondition: the noise is known.
   std::vector<CutoffTrial> risks() const;
 
  private:
-  static constexpr std::size_t noise_trial = 1;  // shapes have little in it yet
+  static constexpr std::size_t noise_trial = 1;  // this cut-off hardly changes the shape yet
 
-  /// What a flow with one cut-off did.
+  /// The result of a flow with one cut-off.
   struct Outcome {
     double cutoff;
-    double squared_move;  // along the normals, mean
+    double squared_move;  // mean of the squared moves along the normals
     double trace;         // tr F / n
   };
 
-  /// A mesh on its way through the cut-offs.
+  /// The states of a mesh that flows from cut-off to cut-off.
   struct Way {
     Points start, state = {};
     Points after_first_stage = {};
@@ -92,16 +97,16 @@ class CutoffTrials {
   const Topology& topology_;
   const std::vector<std::uint8_t>& held_;
   const double mean_edge_;
-  FlowOptions options_;  // to the cut-off
-  FlowOptions leg_;      // from the one before to it
+  FlowOptions options_;  // of a flow from the start to the cut-off
+  FlowOptions leg_;      // of the flow from the previous cut-off to this one
   Unknowns unknowns_;
-  std::vector<Index> counted_;  // among the unknowns
-  Points white_noise_;  // #unknowns x 3: three at once take little longer to smooth than one
-  Points smooth_;       // what the flow has left of it
-  Way mesh_, moved_;    // the second one by a little of the white noise, where needed
-  double time_ = 0;     // at which they are
+  std::vector<Index> counted_;  // unknowns whose vertices are counted
+  Points white_noise_;  // #unknowns x 3: three vectors take little longer to smooth than one
+  Points smooth_;       // the white noise after the linearised flow
+  Way mesh_, moved_;    // the mesh, and with creases a copy moved by a little of the white noise
+  double time_ = 0;     // flow time of these two
   std::vector<Outcome> outcomes_;
-  bool trace_falls_ = false;  // by the law
+  bool trace_falls_ = false;  // tr F follows Weyl's law from here on (trace_by_law)
   double noise_;
   bool knows_noise_;
 };

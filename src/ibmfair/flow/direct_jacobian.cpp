@@ -11,34 +11,37 @@
 namespace ibmfair {
 namespace {
 
-/// The largest relative residual of a solve. Refining once would leave its square.
+/// The largest accepted relative residual of a solve with float32. One step of iterative refinement
+/// would leave its square.
 constexpr double good_enough = 1e-3;
 
-/// Who asks for a smaller residual than this gets a factor in float64.
+/// If the requested relative residual is below this, the factorization uses float64.
 constexpr double float32_tolerance = 1e-4;
 
-// Seconds on one core of a machine of 2023; only their ratios matter. tools/solver_table prints
-// what they were chosen by, here and in iterative_jacobian.cpp.
+// Seconds on one core of a machine of 2023; only their ratios matter. tools/solver_table prints the
+// measurements behind the constants here and in iterative_jacobian.cpp.
 constexpr double per_flop = 1 / 52e9;   // of the factorization, float32
-constexpr double per_entry = 8 / 16e9;  // of the factor, read twice in each solve
+constexpr double per_entry = 8 / 16e9;  // entry of the triangular factor, read twice per solve
 
-// Factorizations by all steps of the guarded flow. The farther smoothing reaches, the more of the
-// noise it takes away, which the Jacobian was made with.
+// The number of factorizations in all steps of the guarded flow. It grows with the cut-off: the
+// more of the noise is removed, the more the mesh differs from the one that the Jacobian was built
+// on.
 double factorizations(double iterations) {
   return std::clamp(iterations / 15, 1.0, 6.0);
 }
 
-// Bytes, as seen on tori of 41 and 164 thousand vertices: the analysis and the assembled matrix,
-// and the factor, which may have to be float64, with what factoring it needs.
+// Bytes, as measured on tori of 41 and 164 thousand vertices. Per unknown: the analysis and the
+// assembled matrix. Per entry: the triangular factor, which may have to be float64, with the
+// workspace of the factorization.
 constexpr double bytes_per_unknown = 1630, bytes_per_entry = 8.5;
 
-// The order of elimination, which all cores share, and the symbolic factorization, during which
-// all but one wait: counted as on two, as the choice must not depend on how many there are.
+// The fill-reducing ordering, which uses all cores, and the symbolic factorization, which uses one.
+// Seconds as on two cores, because the choice must not depend on the number of cores.
 double analysis_seconds(double n) {
   return 2.2e-6 * n;
 }
 
-// Surfaces have small separators: nested dissection leaves about this much.
+// Surfaces have small separators: with nested dissection, the factorization has about this cost.
 double factor_entries(double n) {
   return 9 * n * std::log2(n + 2);
 }
@@ -46,8 +49,8 @@ double factor_flops(double n) {
   return 250 * std::pow(n, 1.5);
 }
 
-/// |B - J Y| / |B| in the norm of D^-1, D being the diagonal of J: every row counts alike, however
-/// small its triangles are.
+/// |B - J Y| / |B| in the norm of D^-1, with D the diagonal of J, so that every row counts alike,
+/// even if its triangles are small.
 double relative_residual(const SymmetricMatrix& J, const Points& Y, const Points& B) {
   const Points R = B - multiply(J, Y);
   double residual = 0, size = 0;
@@ -59,12 +62,12 @@ double relative_residual(const SymmetricMatrix& J, const Points& Y, const Points
   return size > 0 ? std::sqrt(residual / size) : 0;
 }
 
-/// Whether float32 would round off of a row of J, or add to it, more of D than belongs to the part
-/// of the surface around it that moves as one: J might no longer be positive there. That part has
-/// as many vertices as the square of the length that is smoothed over, the cut-off, which the
-/// fourth root of diag(J) / D is proportional to at most of the vertices.
+/// Whether rounding a row of J to float32 may change the row by more than the sum of D over the
+/// vertices around it that move together; J might then no longer be positive definite. The number
+/// of these vertices is the square of the cut-off in edge lengths, and at most vertices the fourth
+/// root of diag(J) / D is proportional to the cut-off.
 bool is_too_wide_for_float32(const SymmetricMatrix& J, const Eigen::VectorXd& D) {
-  constexpr double widest = 1 << 24;  // of which D is less than the last digit
+  constexpr double widest = 1 << 24;  // of diag(J) / D: beyond, D is below the last digit of J
   std::vector<double> ratio(static_cast<std::size_t>(J.size()));
   double largest = 0;
   for (Index u = 0; u < J.size(); ++u) {
@@ -137,7 +140,7 @@ void DirectJacobian::factor(Precision precision) {
   const Stopwatch watch(shape_.report.seconds.factor);
   if (!factor_ || precision != precision_) {
     precision_ = precision;
-    solver_.reset();  // refers to the factor
+    solver_.reset();  // it refers to the factor that is replaced next
     factor_.emplace(*symbolic_, precision);
     solver_.emplace(*factor_);
   }

@@ -1,4 +1,4 @@
-// The Jacobian assembled and factored.
+// The Jacobian assembled as a sparse matrix and factored (Cholesky).
 #pragma once
 
 #include <optional>
@@ -9,9 +9,10 @@
 
 namespace ibmfair {
 
-/// J is inexact by design ([W07] section 3.2), so float32 does for its factor as long as solves are
-/// good to a part in a thousand; where that cannot be expected, or is not found, or where
-/// `FlowOptions::solver_tolerance` asks for more, it is float64.
+/// J is inexact by design ([W07] section 3.2), so a factorization in float32 is accurate enough as
+/// long as the relative residual of solves is below 1e-3. The factorization uses float64 if the
+/// matrix is too badly scaled for that, if a solve misses it, or if `FlowOptions::solver_tolerance`
+/// is below 1e-4.
 class DirectJacobian final : public JacobianSolver {
  public:
   explicit DirectJacobian(const JacobianShape& shape);
@@ -27,14 +28,15 @@ class DirectJacobian final : public JacobianSolver {
   HessianAssembler assembler_;
   SymmetricMatrix J_;
   Precision precision_ = Precision::float32;
-  bool needs_float64_;  // it was asked for, or float32 was not enough once
-  bool tried_ = false;  // the factor has solved well
+  bool needs_float64_;  // float64 was requested, or float32 has once been insufficient
+  bool tried_ = false;  // the accuracy of the factorization is known to suffice
   std::optional<SymbolicCholesky> symbolic_;
   std::optional<CholeskyFactor> factor_;
   std::optional<CholeskySolver> solver_;
 };
 
-/// The cost of a DirectJacobian: the iterations tell how often it is factored anew.
+/// The predicted cost of a DirectJacobian. The number of factorizations is estimated from
+/// `iterations`.
 SolverForecast forecast_direct(const JacobianShape& shape, const IterationForecast& iterations);
 
 }  // namespace ibmfair

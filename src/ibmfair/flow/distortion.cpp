@@ -12,7 +12,7 @@ namespace {
 constexpr double largest_roughness = 0.15;
 constexpr double largest_strain = 0.4;
 
-/// Sums over the unknowns; each edge counts once.
+/// Sums over the unknowns, in which each edge counts once.
 using Sums = Eigen::Array2d;  // roughness, strain
 
 /// find_unshared() for one vertex.

@@ -1,4 +1,4 @@
-// How far a step takes the mesh from where the Jacobian was built.
+// Measures how far a step takes the mesh from the state at which the Jacobian was built.
 #pragma once
 
 #include <vector>
@@ -10,29 +10,32 @@
 
 namespace ibmfair {
 
-/// A measure of what a step does to the triangles; 1 is as much as one time step should. It is the
-/// larger of
-///   roughness: the own part of the moves over the edge length, root mean square, over 0.15: noise
-///              being removed is rough;
-///   strain:    the difference of the moves along each edge over its length, root mean square, over
-///              0.4: large smooth moves stretch and turn the surface without being rough.
-/// Steps beyond let noise grow into volume; the two limits were chosen on noisy spheres, tori and
-/// scans (tools/denoise_table) and on smooth shapes that change a lot (tools/figure9_table).
+/// A measure of how much a step distorts the triangles; a time step should distort by at most 1.
+/// The measure is the larger of
+///   roughness: the root mean square of the own part of each move (the part that neighbours do not
+///              share) over the edge length, divided by 0.15. Removing noise is rough;
+///   strain:    the root mean square, over the edges, of the difference of the moves of both ends
+///              over the edge length, divided by 0.4. Large smooth moves stretch and turn the
+///              surface without being rough.
+/// With larger steps, noise grows into volume. The limits 0.15 and 0.4 were chosen on noisy
+/// spheres, tori and scans (tools/denoise_table) and on smooth shapes that change a lot
+/// (tools/figure9_table).
 class Distortion {
  public:
-  /// Refers to all that it is given.
+  /// All arguments must outlive this object.
   Distortion(const RingGroups& rings, const Unknowns& unknowns, const MeshParts& parts);
 
-  /// That of `step` (one row per unknown, those of other parts included, length). `edge_length`
-  /// (#V) is the mean length of the edges at each vertex. `own` becomes the part of each unknown's
-  /// move that its neighbours do not share: the move minus the mean of theirs, held ones being 0.
+  /// The distortion of `step` (length; one row per unknown, including the unknowns of other parts).
+  /// `edge_length` (#V): the mean length of the edges at each vertex. Writes to `own` the part of
+  /// each move that the neighbours do not share: the move minus the mean of the neighbours' moves,
+  /// which are 0 for fixed vertices.
   double of(const Points& step, const PerVertex& edge_length, Points& own);
 
  private:
   const RingGroups& rings_;
   const Unknowns& unknowns_;
   const MeshParts& parts_;
-  double edges_ = 0;  // at the unknowns, those between two of them half
+  double edges_ = 0;  // edge ends at unknowns: an edge between two unknowns counts half for each
   std::vector<Row4> moves_;
 };
 

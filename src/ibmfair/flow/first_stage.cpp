@@ -12,15 +12,16 @@
 namespace ibmfair {
 namespace {
 
-constexpr double stage_angle = std::numbers::pi / 3;  // from which on hinges hold
+constexpr double stage_angle = std::numbers::pi / 3;  // the sharp angle of the first stage
 constexpr int stage_steps = 4;
-constexpr double most_time = 0.25;  // of the flow's
+constexpr double most_time = 0.25;  // the longest time, relative to the time of the flow
 
-/// The cut-off in mean edge lengths, where hinges turn by so much on the mean as they do with noise
-/// of a fifth of the edges. It falls with that angle; none is below one edge, which does nothing.
+/// The cut-off of the first stage in mean edge lengths if hinges turn by `noisy_turn` or more on
+/// the mean, as with noise of a fifth of the edge length. The cut-off falls in proportion to that
+/// angle. A cut-off below one edge would have no effect; then there is no first stage.
 constexpr double stage_edges = 2.8, noisy_turn = radians(25);
 
-/// By how much hinges turn, on the mean; creases, which are few, count little.
+/// The mean angle by which hinges turn. Creases, which are few, count little.
 double mean_turn(const Points& X, const Topology& topology, const MeshParts& parts) {
   const Eigen::VectorXd angles = dihedral_angles(X, topology.H);
   const Eigen::Array2d sums =

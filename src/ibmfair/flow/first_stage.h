@@ -1,7 +1,8 @@
-// What a flow that keeps sharp hinges does first: where there is much noise, only those of right
-// angles or nearly so hold, up to a short cut-off. Spikes that noise has made are as sharp as
-// creases, and would stay; no hinge that is left after them is sharp by chance. A. Blake and A.
-// Zisserman, "Visual Reconstruction" (1987), call it graduated non-convexity.
+// The first stage of a flow that keeps sharp hinges (edges with their two triangles). On a noisy
+// mesh, this stage smooths up to a short cut-off and keeps only hinges that turn by 60 degrees or
+// more. Without it, spikes made by noise, which are as sharp as creases, would stay; after it,
+// hardly any hinge is sharp by chance. A. Blake and A. Zisserman, "Visual Reconstruction" (1987),
+// call this method graduated non-convexity.
 #pragma once
 
 #include <optional>
@@ -12,8 +13,9 @@
 
 namespace ibmfair {
 
-/// The options of that stage, which has a time of its own, of a quarter of theirs at most; none
-/// where hinges turn by little, or all may bend.
+/// The options of the first stage for a flow with `options`. The time of the stage comes on top of
+/// the time of the flow and is at most a quarter of it. Returns nothing if the mesh has little
+/// noise (its hinges turn by little on the mean), or if the flow keeps no sharp hinges.
 std::optional<FlowOptions> first_stage(const Points& X, const Topology& topology,
                                        const FlowOptions& options, const MeshParts& parts);
 

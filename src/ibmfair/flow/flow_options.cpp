@@ -40,9 +40,10 @@ void FlowOptions::validate() const {
   require(spontaneous_curvature.allFinite(), "the spontaneous curvature must be finite");
 }
 
-// n passes leave n times what one leaves of ripples beyond the cut-off, and few steps leave much.
-// Moves of the table's meshes end 1 to 5 % nearer to the truth with eight than with four, heights
-// do not.
+// Beyond the cut-off, n passes leave n times the share of a ripple that one pass leaves, and with
+// few steps that share is large. With eight steps instead of four, the meshes of the denoising
+// table (tools/denoise_table) end 1 to 5 % nearer to the truth if the residual is a move, but not
+// if it is a height.
 int FlowOptions::twicing_steps() const {
   return put_back_slides ? 8 : 4;
 }

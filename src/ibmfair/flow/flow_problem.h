@@ -1,5 +1,5 @@
-// What the plain and the guarded flow share: the state, its energy and gradient, and the Newton
-// step at a frozen Jacobian.
+// The part that the plain and the guarded flow share: the state, its energy and gradient, and the
+// Newton step with a constant Jacobian.
 #pragma once
 
 #include <cstdint>
@@ -20,7 +20,7 @@ namespace ibmfair {
 
 class FlowProblem {
  public:
-  /// Everything referred to must outlive the problem, and stay as it is. The flow starts at `X`.
+  /// All arguments must outlive the problem and must not change. The flow starts at `X` (#V x 3).
   FlowProblem(const Points& X, const Topology& topology, const std::vector<std::uint8_t>& held,
               const FlowOptions& options, const MeshParts& parts);
 
@@ -31,54 +31,58 @@ class FlowProblem {
   FlowReport report;
   Points X;  ///< #V x 3, the state
 
-  /// Where the flow started.
+  /// The positions at the start of the flow, #V x 3.
   const Points& start() const { return start_; }
 
-  /// E_b over the stencils that touch an unknown, of all parts, at the state and at another place.
+  /// E_b over the stencils that touch an unknown, of all parts, at the state and at Y (#V x 3).
   double energy() const { return energy_; }
   double energy_at(const Points& Y);
 
-  /// Whether the last place whose energy was asked for, which was `energy`, has no hinges here with
-  /// a smaller dihedral angle than `angle` (radians); where false, there may be some.
+  /// Whether the positions at which the energy was last evaluated, with the result `energy`, surely
+  /// have no hinge in this part with a smaller dihedral angle than `angle` (radians). False means
+  /// that there may be such hinges.
   bool has_no_folds(double energy, double angle = fold_angle) const;
 
-  /// The vertices of hinges that have folded over at Y, which is that place (FoldWatch::new_folds).
+  /// The vertices of hinges that have folded over at Y (FoldWatch::new_folds). Precondition: the
+  /// energy was last evaluated at Y, with the result `energy`.
   std::vector<Index> new_folds(FoldWatch& folds, const Points& Y, double energy) const;
 
-  /// Evaluates the energy and its gradient at the state, where they are not known.
+  /// Evaluates the energy and its gradient at the state, unless they are known.
   void update_gradient();
 
-  /// The energy at another place, where the state is likely to be next.
+  /// The energy at Y. Also stores the gradient at Y, for `move_to_tried`.
   double try_state(const Points& Y);
 
-  /// Moves the state to Y, and leaves the one before in Y.
+  /// Moves the state to Y; Y then holds the previous state.
   void move_to(Points& Y);
 
-  /// As `move_to`, where Y is the last place that was tried: its energy and gradient are known.
+  /// Does the same as `move_to`, with the stored energy and gradient of `try_state`. Precondition:
+  /// Y is the argument of the last call of `try_state`.
   void move_to_tried(Points& Y);
 
   /// The gradient at the state (by `update_gradient`), one row per unknown.
   const Points& gradient() const { return g_; }
 
-  /// The gradient at another place, one row per unknown.
+  /// The gradient at Y, one row per unknown.
   Points gradient_at(const Points& Y);
 
-  /// Both at once, which costs little more than one: returns the energy.
+  /// Writes the gradient at Y to `gradient` and returns the energy at Y. This costs little more
+  /// than either of the two.
   double energy_and_gradient_at(const Points& Y, Points& gradient);
 
   /// The step of backward Euler from the state with the Jacobian's own time step, by
   /// `options.newton_iterations` inexact Newton iterations: one row per unknown, length.
   void newton_step(Points& step);
 
-  /// The move (one row per unknown) with rows for the unknowns of other parts behind its own.
+  /// The move (one row per unknown) with the rows of the unknowns of other parts appended.
   const Points& with_others(const Points& move);
 
-  /// Whether volume and area are to be kept, but not on the way: where twicing puts back slides,
-  /// flow/twicing.h.
+  /// Whether volume or area are to be restored at the end instead of kept in each step. That is so
+  /// if twicing adds back whole moves (FlowOptions::put_back_slides, flow/twicing.h).
   bool quantities_are_suspended() const { return conserved_.is_suspended(); }
 
-  /// They are kept from now on. Returns the move (one row per unknown) from the state to where they
-  /// are as they were at the start, in first order. After the Jacobian's first `refactor`.
+  /// Ends the suspension. Returns the move (one row per unknown) from the state that restores the
+  /// volume and area of the start in first order. Precondition: Jacobian::refactor was called.
   Points resume_quantities();
 
   /// How a move ended.
@@ -88,25 +92,28 @@ class FlowProblem {
     infeasible,   ///< the volume or area constraint cannot be met there
   };
 
-  /// Y = the state moved by `move` (one row per unknown), no vertex further from the start than
-  /// `options.max_move`, with the volume and area to keep. Held vertices keep their bits.
+  /// Y = the state moved by `move` (one row per unknown), with no vertex further from the start
+  /// than `options.max_move`, and with the volume and area corrected if they are kept. Fixed
+  /// vertices keep their coordinates in every bit.
   Landing displace(const Points& move, Points& Y) const;
 
-  /// The unknowns that the bound on moves keeps from going where the gradient sends them.
+  /// The unknowns that are at the bound on moves and that the negative gradient would move beyond
+  /// it.
   std::vector<Index> stopped() const;
 
-  /// The longest row of a move.
+  /// The length of the longest row of a move, over all parts.
   double longest(const Points& move) const;
 
-  /// How many rows of a move are not zero, over all parts.
+  /// The number of rows of a move that are not zero, over all parts.
   std::int64_t moved(const Points& move) const;
 
   /// The rate of the flow, sqrt(<g, D^-1 g>).
   double gradient_norm();
 
-  /// The energy that the flow takes off a vertex in a unit of time, on the average: |D| s^2 / #V,
-  /// |D| the sum over D without damping. Of the speed |D^-1 g| counts the mean s of power 1/2:
-  /// noise is everywhere, and a few needles, as fast as they are, have little part in it.
+  /// The mean energy per unknown vertex that the flow removes in a unit of time: |D| s^2 /
+  /// #unknowns with |D| the sum over D without damping, and s the power mean with exponent 1/2 of
+  /// the speeds |D^-1 g|. With this exponent noise, which is everywhere, counts, and a few needles,
+  /// fast as they are, count little.
   double power();
 
   Jacobian& jacobian() { return *jacobian_; }

@@ -11,8 +11,9 @@
 namespace ibmfair {
 namespace {
 
-/// Of two triangles with these double area vectors, cos(theta) = -<n0, n1> > cos(angle), without a
-/// square root; `turned` where their orientations disagree.
+/// Whether two triangles with these double area vectors have a dihedral angle theta < angle:
+/// cos(theta) = -<n0, n1> > cos(angle), without a square root. `turned`: their orientations
+/// disagree.
 bool is_folded(const Vec3& N0, const Vec3& N1, bool turned, double cos_squared) {
   const double dot = turned ? -N0.dot(N1) : N0.dot(N1);
   if (dot > 0) {  // nearly always
@@ -49,7 +50,7 @@ std::vector<std::uint8_t> folded_hinges(const Points& X, const Topology& topolog
 }
 
 double least_turn(double angle) {
-  // Wider than the angle itself, as the two ways to it round differently.
+  // For a slightly larger angle, because the energy and is_folded() round differently.
   return 1 + std::cos(1.01 * angle);
 }
 
@@ -96,7 +97,7 @@ std::vector<Index> FoldWatch::new_folds(const Points& X, const std::vector<std::
   return vertices;
 }
 
-/// Of the triangles of all hinges with a near vertex.
+/// Updates the normals of the triangles of all hinges with a near vertex.
 void FoldWatch::find_normals(const Points& X, const std::vector<std::uint8_t>& near) {
   parallel_for(static_cast<std::int64_t>(triangles_.size()), [&](std::int64_t i) {
     const auto x = topology_.F.row(triangles_[i]);

@@ -17,20 +17,20 @@
 namespace ibmfair {
 namespace {
 
-// The settings of the guard, chosen like those of distortion.cpp.
-constexpr double least_decrease = 0.1;  // of the predicted decrease, to accept a step
-constexpr double stale_decrease = 0.1;  // at or below, the Jacobian has gone stale
-constexpr double good_decrease = 0.5;   // above, a time step that was cut may grow again
-constexpr double time_step_cut =
-    1.0 / 32;                        // of the time step, where a step distorts too much or fails
-constexpr double most_taken = 0.25;  // of the energy, off a vertex by one step
-constexpr double growth = 2, fast_growth = 8;  // of the time step; fast below half the distortion
-constexpr int slowings = 3;                    // at the culprits before the step is halved
-constexpr int backtracks = 2;                  // halvings of a step before it is given up
-constexpr int oldest_when_slowed = 4;          // steps with one Jacobian that culprits slow down
-constexpr double first_step = 1e-4;            // of the target, at least
-constexpr double smallest_time_step = 1e-12;   // of the target, before giving up
-constexpr double rounding = 1e-14;             // of the energy: a smaller decrease is not seen
+// The settings of the guard, chosen in the same way as the limits of Distortion. A "decrease" is
+// the actual decrease of the energy over the predicted one.
+constexpr double least_decrease = 0.1;      // a step with a smaller decrease is rejected
+constexpr double stale_decrease = 0.1;      // at or below, the Jacobian is renewed
+constexpr double good_decrease = 0.5;       // above, a time step that was cut may grow again
+constexpr double time_step_cut = 1.0 / 32;  // factor if a step distorts too much or fails
+constexpr double most_taken = 0.25;         // the most energy per vertex that a step should remove
+constexpr double growth = 2, fast_growth = 8;  // of the time step; fast if the distortion is < 0.5
+constexpr int slowings = 3;    // times that a move is slowed at culprits before it is halved
+constexpr int backtracks = 2;  // halvings of a step before it is given up
+constexpr int oldest_when_slowed = 4;         // most steps with one Jacobian if spots are slowed
+constexpr double first_step = 1e-4;           // least first time step, relative to the target
+constexpr double smallest_time_step = 1e-12;  // relative to the target; below, the flow gives up
+constexpr double rounding = 1e-14;  // relative to the energy: smaller decreases are rounding errors
 
 class GuardedFlow {
  public:
@@ -63,8 +63,8 @@ class GuardedFlow {
   bool is_at_the_end() const { return left_ <= 1e-9 * p_.options.total_time; }
 
   void take_steps() {
-    // Each step either takes time off or makes the next one easier; the bound is for meshes on
-    // which that goes on for longer than anyone would wait, or than a patch is worth.
+    // Each attempt either advances the time or makes the next attempt easier. The bound is for
+    // meshes on which this takes longer than a user would wait, or longer than a patch is worth.
     const int most_solves =
         p_.options.mend ? 200 + 20 * p_.options.steps : 20 + 4 * p_.options.steps;
     while (!is_at_the_end()) {
@@ -78,7 +78,8 @@ class GuardedFlow {
     }
   }
 
-  /// A state in which all vertices have come as far as they may go, and would go on, is stationary.
+  /// Ends the flow before its time. If all vertices are stopped by the bound on moves, the state is
+  /// stationary, and the flow is complete.
   void end_early() {
     const auto free = p_.unknowns.size() - static_cast<Index>(p_.stopped().size());
     if (count(static_cast<double>(free)) == 0) {
@@ -88,8 +89,8 @@ class GuardedFlow {
     }
   }
 
-  /// Where there are needles, most of the Jacobian's digits go to entries that belong to them, and
-  /// what rounding leaves of their neighbours' moves them by chance.
+  /// Relaxes the corners of needles. Needles make entries of the Jacobian so large that rounding
+  /// swamps the entries of their neighbours, which would then move by chance.
   void relax_needles() {
     p_.update_gradient();
     if (!p_.options.relax || p_.energy() == 0) {
@@ -102,9 +103,9 @@ class GuardedFlow {
     }
   }
 
-  /// Noise is gone long before a ripple at the cut-off is. A long step, linear as it is, would take
-  /// the force that noise has on the shape, in second order, for one that lasts: noisy scans would
-  /// swell.
+  /// Noise decays long before a ripple at the cut-off does, and exerts a second-order force on the
+  /// shape while it lasts. A long step, being linear, would apply this force for the whole step:
+  /// noisy scans would swell.
   void start_short() {
     if (has_limit_) {
       p_.jacobian().update_metric(p_.X);
@@ -112,7 +113,8 @@ class GuardedFlow {
     h_ = patient_step(first_step * h_target_, h_target_);
   }
 
-  /// Within limits; the shorter where the power is not a number.
+  /// The time step that removes `most_taken` energy per vertex, between `shortest` and `longest`;
+  /// `shortest` if the power is NaN.
   double patient_step(double shortest, double longest) {
     if (!has_limit_) {
       return longest;
@@ -141,7 +143,7 @@ class GuardedFlow {
     record.gradient_norm = p_.gradient_norm();
     record.held_back = count((p_.jacobian().damping().array() > 1).count());
     fraction_ = std::min(1.0, left_ / p_.jacobian().time_step());
-    // g^T (D/h + S)^-1 g grows with h no faster than h does.
+    // g^T (D/h + S)^-1 g grows at most linearly with h.
     const double longer = h_target_ / p_.jacobian().time_step();
     if (longer * predicted_decrease() <= rounding * p_.energy()) {
       stay_to_the_end();
@@ -181,13 +183,14 @@ class GuardedFlow {
     metric_part_ = p_.parts.sum(sums[1]) / p_.jacobian().time_step();
   }
 
-  /// The state is stationary: nothing will move in what is left of the time.
+  /// Ends the flow at a stationary state: no vertex would move in the remaining time.
   void stay_to_the_end() {
     left_ = 0;
     p_.report.time_reached = p_.options.total_time;
   }
 
-  /// Factors at the state; a matrix that rounding made indefinite is met with a smaller step.
+  /// Factors the Jacobian at the state. If rounding has made the matrix indefinite, the time step
+  /// is cut.
   bool renew_jacobian() {
     {
       const Stopwatch watch(p_.report.seconds.guard);
@@ -209,8 +212,8 @@ class GuardedFlow {
     return true;
   }
 
-  /// Nothing was moved: the Jacobian is renewed, and the time step cut where that alone would lead
-  /// to the same again.
+  /// No vertex was moved: the next attempt renews the Jacobian. `cut`: it also cuts the time step,
+  /// because a new Jacobian alone would lead to the same result.
   void give_up(bool cut) {
     stale_ = true;
     h_ *= cut ? time_step_cut : 1;
@@ -223,8 +226,8 @@ class GuardedFlow {
     return distortion_ > 1;
   }
 
-  /// No vertex leaves its neighbours by more than its mean edge length in one step. Returns how
-  /// many would have.
+  /// Limits the part of each move that the neighbours do not share to the mean edge length at the
+  /// vertex. Returns the number of shortened moves.
   std::int64_t shorten_own_moves() {
     const double shortened = parallel_sum(p_.unknowns.size(), [&](std::int64_t u) {
       const double limit = edge_length_[p_.unknowns.vertex[u]];
@@ -238,10 +241,10 @@ class GuardedFlow {
     return count(shortened);
   }
 
-  /// Over all parts.
+  /// The sum of a count over all parts.
   std::int64_t count(double here) const { return static_cast<std::int64_t>(p_.parts.sum(here)); }
 
-  /// Looks for a fraction of the step that lowers the energy enough; leaves it in Y_.
+  /// Looks for a fraction of the step that lowers the energy enough, and leaves the result in Y_.
   bool search(StepRecord& record) {
     const Stopwatch watch(p_.report.seconds.guard);
     bad_spots_.absolve();
@@ -256,8 +259,8 @@ class GuardedFlow {
     return false;
   }
 
-  /// Tries `move_`, slower and slower where it runs uphill, so that one bad spot does not hold up
-  /// the whole mesh.
+  /// Tries `move_`. Where the move raises the energy it is repeatedly shortened, so that one bad
+  /// spot does not stop the whole mesh.
   bool try_move(StepRecord& record) {
     std::int64_t shortened = 0;
     for (int times = 0;; ++times) {
@@ -282,17 +285,17 @@ class GuardedFlow {
     }
   }
 
-  /// What the Gauss-Newton model predicts for the fraction a of the step d, J d = -h g:
-  /// -a <g,d> - a^2/2 d^T S d = (a - a^2/2) <-g,d> + a^2/2 <d,Dd>/h > 0. A few bad triangles can
-  /// make the model promise more than all of the energy, which no step can keep.
+  /// The decrease that the Gauss-Newton model predicts for the fraction a of the step d with
+  /// J d = -h g: -a <g,d> - a^2/2 d^T S d = (a - a^2/2) <-g,d> + a^2/2 <d,Dd>/h > 0. A few bad
+  /// triangles can make the model predict more than the whole energy; hence the minimum.
   double predicted_decrease() const {
     const double a = fraction_;
     return std::min((a - a * a / 2) * slope_ + a * a / 2 * metric_part_, p_.energy());
   }
 
-  /// The predicted decrease for a trial in Y_ that went only part of the way: half of what the
-  /// slope gives. A slope that leads uphill is that of a needle, and ends after next to none of the
-  /// way: then the prediction for the whole step.
+  /// The predicted decrease for a trial in Y_ whose move was shortened at some vertices: half of
+  /// the first-order decrease. If the first-order change is an increase, it is due to a needle and
+  /// stops after a tiny part of the move; then the prediction for the whole step applies.
   double promised_on_the_way() const {
     const double slope = p_.parts.sum(parallel_sum(p_.unknowns.size(), [&](std::int64_t u) {
       const Index v = p_.unknowns.vertex[u];
@@ -322,10 +325,10 @@ class GuardedFlow {
     sweep();
   }
 
-  /// Sees to what the steps have left behind.
+  /// Finishes the regions that were slowed down and unfolds flaps (flow/mending.h).
   void mend() {
     const Stopwatch watch(p_.report.seconds.guard);
-    step_ = own_ = Points();  // of large meshes, to find folds takes as much memory as steps do
+    step_ = own_ = Points();  // on large meshes, finding foldovers takes as much memory as a step
     energy_before_step_ = p_.report.energy_after;
     if (catch_up_moves(p_, rings_, bad_spots_.missed(), move_)) {
       p_.report.caught_up = sweep_and_count();
@@ -338,15 +341,15 @@ class GuardedFlow {
     }
   }
 
-  /// How many vertices have moved.
+  /// Makes a sweep with `move_` and returns the number of vertices that moved.
   std::int64_t sweep_and_count() {
     const std::int64_t moved = sweep() ? p_.moved(move_) : 0;
     energy_before_step_ = p_.report.energy_after;
     return moved;
   }
 
-  /// Moves by `move_`, shortened until the energy is no more than before the step; false where even
-  /// the shortest move is too much.
+  /// Moves the state by `move_`, halved until the energy is at most that before the step; false,
+  /// without a move, if even the shortest move raises the energy.
   bool sweep() {
     for (int i = 0; i <= backtracks; ++i, move_ /= 2) {
       const FoldFreeLanding trial = displace_without_folds(
@@ -373,7 +376,7 @@ class GuardedFlow {
       h_ = std::min(h_target_, patient_step(growth * h_, longest));
       stale_ = true;
     }
-    // Nothing is to be slowed down for much longer than it has to.
+    // A new Jacobian lets spots that are no longer bad move at full speed again.
     stale_ = stale_ || (bad_spots_.are_slowed() && age_ >= oldest_when_slowed);
   }
 
@@ -381,26 +384,26 @@ class GuardedFlow {
   const StepObserver& observer_;
   const Rows rings_;
   FoldWatch folds_;
-  const bool keeps_creases_;  // what folds over may be one
+  const bool keeps_creases_;  // then a sharp fold may be a crease, and is not unfolded
   const RingGroups ring_groups_;
   TangentialRelaxation relaxation_;
   Distortion measure_;
   const double h_target_;
-  const bool has_limit_;  // of the energy that a step may take
+  const bool has_limit_;  // most_taken limits the time step
   double h_;              // the time step to use next
-  double left_;           // of the total time
-  bool stale_ = true;     // the Jacobian is to be renewed before the next step
+  double left_;           // the remaining time
+  bool stale_ = true;     // the Jacobian has to be renewed before the next step
   BadSpots bad_spots_;
   int age_ = 0;  // steps made with the Jacobian
   PerVertex edge_length_;
-  double fraction_ = 1;                 // of the Newton step that is tried
-  double slope_ = 0, metric_part_ = 0;  // of the whole step d: <-g,d> and <d,Dd>/h
+  double fraction_ = 1;                 // the fraction of the Newton step to try
+  double slope_ = 0, metric_part_ = 0;  // <-g,d> and <d,Dd>/h for the whole step d
   double distortion_ = 0;
   double trial_energy_ = 0, energy_before_step_ = 0;
   Points step_;  // the Newton step, one row per unknown
-  Points own_;   // the part of it that neighbours do not share
-  Points move_;  // the move that is tried, one row per unknown
-  Points Y_;     // where it leads
+  Points own_;   // the part of the step that neighbours do not share
+  Points move_;  // the move to try, one row per unknown
+  Points Y_;     // the state after `move_`
 };
 
 }  // namespace

@@ -5,7 +5,7 @@
 
 namespace ibmfair {
 
-/// Runs `problem` for `options.total_time`. See willmore_flow.h for what it promises.
+/// Runs `problem` for `options.total_time`. willmore_flow.h lists the promises of the guarded flow.
 void run_guarded(FlowProblem& problem, const StepObserver& observer);
 
 }  // namespace ibmfair

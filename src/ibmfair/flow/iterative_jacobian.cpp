@@ -10,14 +10,16 @@
 namespace ibmfair {
 namespace {
 
-// Of one core, as in direct_jacobian.cpp.
+// On one core, as in direct_jacobian.cpp.
 constexpr double seconds_per_row = 1.5e-8;  // in each iteration
 
-// As seen on tori of 41 and 164 thousand vertices, with both Laplacians.
+// As measured on tori of 41 and 164 thousand vertices, with both Laplacians. A place is a vertex
+// in a stencil.
 constexpr double bytes_per_place = 8, bytes_per_row = 330;
 
-/// Of the iterations that a solve takes from zero, what it takes along the step before, as seen on
-/// noisy tori and on models; it is no help to the first steps, which noise makes.
+/// The number of iterations of solves that start along the previous step, relative to solves from
+/// zero, as measured on noisy tori and on models. The first steps, which remove noise, differ from
+/// each other and gain nothing.
 double share_of_iterations(int steps) {
   constexpr double along = 0.45, unlike_each_other = 3;
   return along + (1 - along) * std::min(1.0, unlike_each_other / std::max(1, steps));
@@ -31,12 +33,13 @@ int most_iterations(double tolerance) {
                           std::max(1.0, std::log(tolerance) / std::log(usual_tolerance)));
 }
 
-/// A square root of a condition number, which the larger ones of diag(J) / D make. The largest of
-/// all belong to needles, which a noisy mesh has for the first steps only; but where triangles vary
-/// in size, the smaller ones count: there the middle is far above the tenth from below, which noise
-/// leaves where it is. Within half of what was counted on tori, noisy and not, and on models;
-/// thinner needles than noise makes, of which a scan may have some, cost about as many iterations
-/// for each digit again, whatever the cut-off. A sample of the unknowns is enough for that.
+/// The number of iterations is proportional to the square root of the condition number, which
+/// depends on the large values of diag(J) / D. The largest values belong to needles, which a noisy
+/// mesh has in the first steps only; so the median is used. If triangles vary in size, the small
+/// values count as well: the median is then far above the lower decile, which noise does not
+/// change. The estimate is within half of the counts on tori, noisy or not, and on models. Needles
+/// thinner than noise makes them, as some scans have, cost `for_each_digit` iterations per digit in
+/// addition, for any cut-off. A sample of the unknowns is enough for the estimate.
 IterationForecast forecast_iterations(const JacobianShape& shape, const JacobianParts& parts) {
   constexpr Index enough = 4'000;
   constexpr double by_noise = 1e3, for_each_digit = 40;
@@ -44,7 +47,7 @@ IterationForecast forecast_iterations(const JacobianShape& shape, const Jacobian
   std::vector<double> ratio;  // h diag(S) / D
   for (Index u = 0; u < shape.unknowns.size(); u += stride) {
     const double S = shape.terms.diagonal(shape.unknowns.vertex[u], parts.weights);
-    if (S > 0) {  // not of a triangle by itself, which takes no iterations
+    if (S > 0) {  // S = 0 at isolated triangles, which need no iterations
       ratio.push_back(parts.h * S / parts.D[u]);
     }
   }

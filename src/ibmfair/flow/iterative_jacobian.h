@@ -1,5 +1,5 @@
-// The Jacobian as what it does to a vector, solved with by conjugate gradients: no factor, and the
-// memory of a few vectors.
+// The Jacobian as an operator that is applied to vectors. Systems are solved by conjugate
+// gradients, without a factorization and with the memory of a few vectors.
 #pragma once
 
 #include "ibmfair/flow/jacobian_solver.h"
@@ -24,10 +24,11 @@ class IterativeJacobian final : public JacobianSolver {
   double tolerance_;
 };
 
-/// The iterations after which a solve to that residual is given up: every digit takes as many.
+/// The number of iterations after which a solve to the relative residual `tolerance` is given up:
+/// 1000, or more in proportion to the number of digits asked for.
 int most_iterations(double tolerance);
 
-/// The cost of an IterativeJacobian.
+/// The predicted cost of an IterativeJacobian.
 SolverForecast forecast_iterative(const JacobianShape& shape, const IterationForecast& iterations);
 
 }  // namespace ibmfair

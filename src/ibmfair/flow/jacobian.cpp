@@ -15,7 +15,7 @@
 namespace ibmfair {
 namespace {
 
-/// Factorizations that fail before a backend without a factor takes over.
+/// The number of factorizations that may fail before a backend without factorization takes over.
 constexpr int patience = 8;
 
 }  // namespace
@@ -66,14 +66,14 @@ JacobianShape Jacobian::shape() const {
 void Jacobian::refactor(const Points& X, double h) {
   const JacobianParts parts = linearise(X, h);
   if (!solver_) {
-    // The first time steps of a guarded flow are shorter than the rest.
+    // The first time steps of a guarded flow are short; the backend is chosen for the later ones.
     choose_solver({weights_, D_, std::max(h, options_.total_time / options_.steps)});
   }
   h_ = 0;
   try {
     solver_->update(parts);
   } catch (const FactorizationFailed&) {
-    // With a shorter time step, which the flow tries next, the matrix may have a factor.
+    // The flow tries a shorter time step next, with which the factorization may succeed.
     const JacobianBackend* other =
         parts_.is_whole() && ++failures_ > patience ? other_backend(shape(), false) : nullptr;
     if (other == nullptr || other->name == report_.solver) {
@@ -88,7 +88,7 @@ void Jacobian::refactor(const Points& X, double h) {
   if (rival_ != nullptr) {
     iterations_ = forecast_iterations(shape(), parts);
   } else {
-    weights_ = StencilWeights();  // the solver has taken what it needs of all these numbers
+    weights_ = StencilWeights();  // frees memory: the solver has its own copy of what it needs
   }
 }
 
@@ -119,8 +119,8 @@ std::vector<BackendForecast> Jacobian::forecasts(const Points& X, double h) {
   return result;
 }
 
-/// How many iterations a solve takes is hardly to be foreseen. Where they come to so many that a
-/// factor for the steps that are left is cheaper, it takes over.
+/// The number of iterations of a solve is hard to predict. If there are so many that a
+/// factorization is cheaper for the remaining steps, the rival backend takes over.
 void Jacobian::solve(const Points& B, Points& Y) {
   if (rival_ == nullptr) {
     solver_->solve(B, Y);
@@ -131,10 +131,11 @@ void Jacobian::solve(const Points& B, Points& Y) {
   ++report_.solves;
 }
 
-/// Solves within what the rival takes for each of the solves that are left, and a grace for all of
-/// them together, as with needles the first solves take the longest; false where that is too short.
+/// Solves within the time that the rival needs for each remaining solve, plus a grace period for
+/// all solves together, because with needles the first solves take the longest. False, without a
+/// solution, if that time is too short.
 bool Jacobian::solve_before_rival(const Points& B, Points& Y) {
-  constexpr double most_grace = 0.05;  // of what the rival takes
+  constexpr double most_grace = 0.05;  // relative to the rival's time for all remaining solves
   const double all = rival_->forecast(shape(), iterations_).seconds;
   grace_ = std::min(grace_, most_grace * all);
   const int left = shape().solves_left();

@@ -1,4 +1,5 @@
-// The constant Jacobian of the flow, J = D + h S(X_ref): linearised at a state, then solved with.
+// The constant Jacobian of the flow, J = D + h S(X_ref): linearised at a state X_ref, then used to
+// solve many linear systems.
 #pragma once
 
 #include <limits>
@@ -17,40 +18,42 @@ namespace ibmfair {
 /// J restricted to the unknown vertices: symmetric positive definite for every h > 0.
 class Jacobian {
  public:
-  /// Everything referred to must outlive it; `start` is where the vertices are at first, #V x 3.
+  /// All arguments must outlive this object. `start` (#V x 3): the positions at the start of the
+  /// flow.
   Jacobian(const Points& start, BendingEnergy& energy, const Topology& topology,
            const Unknowns& unknowns, const FlowOptions& options, const MeshParts& parts,
            FlowReport& report);
 
   /// Takes `X` as the reference and `h` as the time step. Throws FactorizationFailed, OutOfMemory.
-  /// The first call chooses the backend where the options leave that open; then one that has no
-  /// factor also follows one whose factorizations keep failing, and one that has a factor follows
-  /// one whose solves take too many iterations.
+  /// If the options leave the choice of the backend open, the first call chooses it. Later, a
+  /// backend without factorization replaces a backend whose factorizations keep failing, and a
+  /// backend with factorization replaces a backend whose solves take too many iterations.
   void refactor(const Points& X, double h);
 
-  /// Takes the metric at `X`, as `refactor` does, too.
+  /// Evaluates the metric D at `X`. `refactor` does so as well.
   void update_metric(const Points& X);
 
-  /// What each backend is predicted to take. Notes in the report which one `refactor` would choose;
-  /// throws what it would throw.
+  /// The predicted cost of each backend. Writes the name of the backend that `refactor` would
+  /// choose to the report, and throws the exceptions that this choice would throw.
   std::vector<BackendForecast> forecasts(const Points& X, double h);
 
   /// Y = J^-1 B, one row per unknown.
   void solve(const Points& B, Points& Y);
 
-  /// J^-1 b for a number at each unknown.
+  /// J^-1 b for a vector b with one number per unknown.
   Eigen::VectorXd solve(const Eigen::VectorXd& b);
 
-  /// After the first `refactor`: from now on to a residual of no more than `tolerance`.
+  /// From now on, solves leave a relative residual of at most `tolerance`. Precondition: `refactor`
+  /// was called.
   void tighten(double tolerance) { solver_->tighten(tolerance); }
 
   double time_step() const { return h_; }
 
-  /// The metric D, where it was last taken, times the damping: one entry per unknown.
+  /// The metric D as last evaluated, times the damping: one entry per unknown.
   const Eigen::VectorXd& metric() const { return D_; }
 
-  /// Factors of D, one per unknown, at least 1: a heavier vertex follows the flow more slowly.
-  /// Used by the next `refactor`.
+  /// Factors that multiply D, one per unknown, at least 1: a heavier vertex follows the flow more
+  /// slowly. The next `refactor` applies them.
   Eigen::VectorXd& damping() { return damping_; }
   const Eigen::VectorXd& damping() const { return damping_; }
 
@@ -75,10 +78,10 @@ class Jacobian {
   Eigen::VectorXd D_, damping_;
   double h_ = 0;
   int failures_ = 0;
-  bool settled_ = false;                    // on this backend, whatever it takes
-  const JacobianBackend* rival_ = nullptr;  // with a factor, to take over where solves take long
-  IterationForecast iterations_;            // of a solve without one
-  double grace_ = std::numeric_limits<double>::infinity();  // seconds that solves may take longer
+  bool settled_ = false;                    // the backend is not exchanged any more
+  const JacobianBackend* rival_ = nullptr;  // factors J, and takes over if solves take too long
+  IterationForecast iterations_;            // of a solve without factorization
+  double grace_ = std::numeric_limits<double>::infinity();  // seconds beyond the rival's, in total
 };
 
 }  // namespace ibmfair

@@ -1,4 +1,5 @@
-// How systems with the Jacobian J = D + h S are solved. A new backend is one file and one row.
+// The interface of solvers for systems with the Jacobian J = D + h S. A new solver ("backend") is
+// one new file and one row in the table of jacobian_backends.cpp.
 #pragma once
 
 #include <algorithm>
@@ -13,9 +14,9 @@
 
 namespace ibmfair {
 
-/// One Jacobian, by its parts.
+/// The parts of a Jacobian J = D + h S.
 struct JacobianParts {
-  const StencilWeights& weights;  ///< of S
+  const StencilWeights& weights;  ///< the stencils' coefficients and weights, which make up S
   const Eigen::VectorXd& D;       ///< one positive entry per unknown
   double h;                       ///< positive
 };
@@ -27,76 +28,80 @@ class JacobianSolver {
   JacobianSolver& operator=(const JacobianSolver&) = delete;
   virtual ~JacobianSolver() = default;
 
-  /// Takes another Jacobian with the same stencils. Throws FactorizationFailed, OutOfMemory.
+  /// Replaces the Jacobian by another one with the same stencils. Throws FactorizationFailed,
+  /// OutOfMemory.
   virtual void update(const JacobianParts& parts) = 0;
 
-  /// Y = J^-1 B, one row per unknown, Y being another place than B; iterative solvers begin along
-  /// what it holds, if that has as many rows, such as the step before, and leave a residual of
-  /// `FlowOptions::solver_tolerance`. The Jacobian is not exact either, and what one step leaves
-  /// the next one takes. On noisy tori a fiftieth gives the same root mean square error as the
-  /// default, to a per cent; with twice the default, a model with needles kept a sixth more of its
-  /// energy.
+  /// Y = J^-1 B, one row per unknown; Y and B must be different objects. Iterative solvers use the
+  /// old content of Y, such as the previous step, as their first search direction if it has as many
+  /// rows, and leave a relative residual of `FlowOptions::solver_tolerance`. That is enough because
+  /// the Jacobian is not exact either, and the next step removes the rest. On noisy tori a fiftieth
+  /// of the default tolerance gives the same root mean square error to within a per cent; with
+  /// twice the default, a model with needles kept a sixth more of its energy.
   virtual void solve(const Points& B, Points& Y) = 0;
 
-  /// As `solve`, and subtracts the seconds that it needs on one core, counted, not timed, from
-  /// `seconds`; false, with Y not solved for, where these are too few.
+  /// Solves like `solve`, and subtracts the estimated seconds of the solve on one core (from the
+  /// iteration count, not from a clock) from `seconds`. Returns false, without a solution in Y, if
+  /// `seconds` is too short.
   virtual bool solve_within(double& /*seconds*/, const Points& B, Points& Y) {
     solve(B, Y);
     return true;
   }
 
-  /// From now on iterative solvers leave a residual of no more than `tolerance`.
+  /// From now on iterative solvers leave a relative residual of at most `tolerance`.
   virtual void tighten(double /*tolerance*/) {}
 };
 
-/// What a backend works on; all outlive it.
+/// The input of a backend that stays constant; all of it must outlive the backend.
 struct JacobianShape {
-  const Points& start;  ///< where the vertices are at first, #V x 3
+  const Points& start;  ///< positions at the start of the flow, #V x 3
   const StencilTerms& terms;
   const Unknowns& unknowns;
   const FlowOptions& options;
-  FlowReport& report;  ///< counts and times are added to it
+  FlowReport& report;  ///< the backend adds its counts and times
 
   int solves_left() const { return std::max(0, options.solves() - report.solves); }
 };
 
-/// About how many iterations a solve takes from zero with the diagonal for a preconditioner, to the
-/// default tolerance.
+/// The estimated number of conjugate gradient iterations of a solve that starts from zero, with the
+/// diagonal as preconditioner, to the default tolerance.
 struct IterationForecast {
-  double of_cutoff = 0;   ///< more, the farther smoothing reaches
-  double of_needles = 0;  ///< in addition, however far that is
+  double of_cutoff = 0;   ///< increases with the cut-off wavelength
+  double of_needles = 0;  ///< additional iterations due to needles, for any cut-off
 
   double all() const { return of_cutoff + of_needles; }
 };
 
 /// A row of the table of backends.
 struct JacobianBackend {
-  std::string_view name;     ///< as the command line takes it
+  std::string_view name;     ///< the value of the command line option
   std::string_view summary;  ///< one line
   std::unique_ptr<JacobianSolver> (*make)(const JacobianShape& shape);
-  /// For the solves that are left, where each of them takes about so many iterations without a
-  /// factor.
+  /// The predicted cost of the remaining solves; `iterations` is the number of iterations that each
+  /// of them would take without a factorization.
   SolverForecast (*forecast)(const JacobianShape& shape, const IterationForecast& iterations);
   bool has_factor;
 };
 
-/// For a Jacobian of these parts.
+/// Estimates the iterations per solve for a Jacobian with these parts.
 IterationForecast forecast_iterations(const JacobianShape& shape, const JacobianParts& parts);
 
 /// All backends; options.solver names one of them, or "auto".
 std::span<const JacobianBackend> jacobian_backends();
 
-/// The backend of that name; throws BadOption, naming those there are.
+/// The backend called `name`. Throws BadOption, with the names of all backends, if there is none.
 const JacobianBackend& jacobian_backend(std::string_view name);
 
-/// The backend that options.solver names; for "auto", of those that fit into the memory the one
-/// that is predicted to take the least time for a Jacobian of these parts, those without a factor
-/// less of it, as they can be left. Throws OutOfMemory where the named one, or none of them, fits.
+/// The backend that options.solver names. For "auto": among the backends that fit into memory, the
+/// backend with the least predicted time for a Jacobian with these parts. Backends without
+/// factorization get a bonus, because they can be replaced during the flow. Throws OutOfMemory if
+/// the named backend does not fit, or for "auto" if no backend fits.
 const JacobianBackend& choose_backend(const JacobianShape& shape, const JacobianParts& parts);
 
-/// A backend with a factor, or one without, to go on with where the options leave the choice open
-/// and it fits; else null. Triangles with angles below 1e-8 are too much for a factor, not for the
-/// differences that a backend without one takes.
+/// A backend with (`has_factor`) or without factorization to replace the present one; null if the
+/// options name a backend or if no such backend fits into memory. Triangles with angles below 1e-8
+/// make factorizations fail, but not the differences of coordinates that a backend without
+/// factorization computes.
 const JacobianBackend* other_backend(const JacobianShape& shape, bool has_factor);
 
 }  // namespace ibmfair

@@ -1,4 +1,4 @@
-// How far spots that a flow slows down lag behind the rest of the mesh.
+// Measures by how much flow time the spots that a flow slows down lag behind the rest of the mesh.
 #pragma once
 
 #include <vector>
@@ -9,32 +9,32 @@ namespace ibmfair {
 
 class Lag {
  public:
-  /// Nothing lags behind. `memory`: the time after which what was held up for a while, and then
-  /// flows on, hardly shows it any more: spots are small, and catch up long before the flow has
-  /// smoothed what it is made to smooth.
+  /// Starts with no unknown lagging behind. `memory`: the flow time in which a spot that was slowed
+  /// down, and then flows at full speed, makes up for most of its lag. Spots are small, and catch
+  /// up long before the flow has smoothed everything up to the cut-off.
   Lag(Index unknowns, double memory) : unknowns_(unknowns), memory_(memory) {}
 
-  /// In the step that is being made, an unknown goes this part of its way, and of that before.
+  /// Scales the progress of this unknown in the current step by `part`; calls accumulate.
   void slow(Index unknown, double part);
 
-  /// The step has taken `time`. With each unknown's `damping`, at least 1, it went on for so much
-  /// less of it; but for those that were `stopped`, which went as far as they may.
+  /// Ends a step of length `time`. The progress of each unknown is divided by its `damping` (at
+  /// least 1). The `stopped` unknowns do not lag behind: they are at their bound on moves.
   void end_step(double time, const Eigen::VectorXd& damping, const std::vector<Index>& stopped);
 
-  /// The step is not made after all.
+  /// Discards the scales of the current step, as the step is not made.
   void forget_step() { part_.setOnes(); }
 
-  /// Whether nothing has been slowed or damped yet, so that there is nothing to keep.
+  /// Whether no unknown has been slowed or damped yet.
   bool is_empty() const { return part_.size() == 0; }
 
-  /// What each unknown has missed, as far as it still shows: time.
+  /// The flow time that each unknown has missed and not yet made up for (see `memory`).
   const Eigen::VectorXd& missed() {
     make_room();
     return missed_;
   }
 
  private:
-  /// Most flows slow nothing down.
+  /// Allocates the vectors on first use, because most flows slow nothing down.
   void make_room();
 
   Index unknowns_;

@@ -3,7 +3,7 @@
 namespace ibmfair {
 namespace {
 
-constexpr double tolerance = 1e-3;  // of solves: no later step takes what these leave
+constexpr double tolerance = 1e-3;  // of solves, as no later step removes their residual
 
 }  // namespace
 

@@ -9,17 +9,18 @@
 namespace ibmfair {
 namespace {
 
-/// Vertices of a mesh that a processor's cache holds well enough.
+/// A mesh with fewer vertices fits well enough into a processor's cache.
 constexpr Index fits_the_cache = 30000;
 
-/// Vertices whose numbers are not more than this apart are close in memory: scanned lines are not
-/// much longer. Hardly an edge of an ordered mesh is, and nine in ten of one in no order, which
-/// takes two to three times as long. In a mesh that was subdivided up to three in four are, but in
-/// an order that the processor foresees: that would save a tenth, for a second topology in memory.
+/// Vertices whose numbers differ by at most this are close in memory: lines of scans are not much
+/// longer. Of the edges of an ordered mesh hardly any is longer in memory; of a mesh in random
+/// order nine in ten are, and the flow takes two to three times as long. Of a subdivided mesh up to
+/// three in four are, but in an order that the processor can prefetch: renumbering would save a
+/// tenth of the time, at the price of a second topology in memory.
 constexpr Index near_in_memory = 2048;
-constexpr double most_far = 0.8;  // of the edges
+constexpr double most_far = 0.8;  // share of edges that are longer; above, the mesh is renumbered
 
-/// The vertices block by block, those without a triangle last.
+/// The vertices block by block; vertices without a triangle come last.
 std::vector<Index> blockwise(const Topology& topology) {
   std::vector<Index> order =
       vertex_blocks(topology, std::vector<std::uint8_t>(topology.F.rows(), 1)).value;
@@ -43,7 +44,7 @@ std::vector<Index> inverse(const std::vector<Index>& order) {
   return place;
 }
 
-/// These rows, or entries; none of none.
+/// The rows or entries of `list` with the numbers in `order`; an empty list stays empty.
 template <class List>
 List picked(const List& list, const std::vector<Index>& order) {
   const auto count = list.size() > 0 ? static_cast<std::int64_t>(order.size()) : 0;
@@ -63,7 +64,7 @@ List picked(const List& list, const std::vector<Index>& order) {
   return result;
 }
 
-/// The triangles, over vertices at new places, by the first of these.
+/// The triangles in the order of their first vertex in the new numbering.
 std::vector<Index> by_first_vertex(const Triangles& F, const std::vector<Index>& place) {
   std::vector<Index> first(static_cast<std::size_t>(F.rows()));
   parallel_for(F.rows(), [&](std::int64_t t) {
@@ -72,7 +73,7 @@ std::vector<Index> by_first_vertex(const Triangles& F, const std::vector<Index>&
   return positions_by_value(first, static_cast<Index>(place.size())).value;
 }
 
-/// Those of a sorted list, as numbers of the triangles that were picked.
+/// The positions in `triangles` of the triangles in the sorted list `listed`.
 std::vector<Index> places_of(const std::vector<Index>& listed,
                              const std::vector<Index>& triangles) {
   std::vector<Index> places;

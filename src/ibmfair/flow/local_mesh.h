@@ -1,7 +1,7 @@
-// A mesh for a flow under numbers of its own.
+// A copy of a mesh, or of a part of it, with a vertex numbering of its own.
 //
-// Meshes come with their vertices in any order. Where neighbours are far apart in memory, a flow
-// takes several times as long, most of it waiting for memory; so it numbers such a mesh anew.
+// Meshes come with their vertices in any order. If neighbouring vertices are far apart in memory, a
+// flow takes several times as long, mostly waiting for memory; so the flow renumbers such a mesh.
 #pragma once
 
 #include <cstdint>
@@ -12,14 +12,14 @@
 
 namespace ibmfair {
 
-/// Whether a flow had better number the mesh anew: nearly all of its edges are long in memory, and
-/// the cache does not hold it. Not where the mesh is not orientable: where the cut lies, along
-/// which its orientations disagree, depends on the numbers.
+/// Whether a flow should renumber the mesh: most edges join vertices that are far apart in memory,
+/// and the mesh does not fit into the cache. False if the mesh is not orientable, because the
+/// position of the cut along which the orientations disagree depends on the numbering.
 bool is_scattered(const Topology& topology);
 
-/// What a flow takes, of all of a mesh or some of it.
+/// The input of a flow for a renumbered mesh or a part of a mesh.
 struct LocalMesh {
-  std::vector<Index> vertex;  ///< #V, the mesh's own number of each
+  std::vector<Index> vertex;  ///< #V, the number of each vertex in the original mesh
   Points X;
   Topology topology;
   std::vector<std::uint8_t> held;
@@ -30,12 +30,14 @@ struct LocalMesh {
 LocalMesh local_mesh(const Points& X, const Topology& topology,
                      const std::vector<std::uint8_t>& held, const FlowOptions& options);
 
-/// Some of its triangles, over some of its vertices, in the order of these lists. `place`: #V,
-/// where each of these vertices stands in their list. All are held, and there are no options yet.
+/// A part of the mesh: the listed triangles and vertices, in the order of the lists. `place` (#V):
+/// the position of each listed vertex in `vertices`. All vertices of the result are fixed, and its
+/// options are defaults.
 LocalMesh some_of_mesh(const Points& X, const Topology& topology, std::vector<Index> vertices,
                        const std::vector<Index>& triangles, const std::vector<Index>& place);
 
-/// Of the lists in the options for the whole mesh, what belongs to these vertices and triangles.
+/// Copies the entries for these vertices and triangles from the lists in `options`, the options of
+/// the whole mesh, to `local`.
 void take_lists(const FlowOptions& options, const std::vector<Index>& vertices,
                 const std::vector<Index>& triangles, FlowOptions& local);
 

@@ -9,20 +9,21 @@
 namespace ibmfair {
 namespace {
 
-// Chosen on scans with needles and folds, like the settings of the guard.
-constexpr double little_lag = 0.1;  // of the time that has gone by, not worth a patch
-constexpr int rings_around = 2;     // what lags behind has held up its neighbours, too
+// Chosen on scans with needles and folds, in the same way as the settings of the guard.
+constexpr double little_lag = 0.1;  // relative to the time reached: a smaller lag is ignored
+constexpr int rings_around = 2;     // of vertices, which lagging vertices have slowed down as well
 
-// What is left of the normals' lengths when they are added: around flaps that noise made 0.9 to 1,
-// around claws of a scan that are inside out 0.6, around folds of 60 degrees a half.
+// The least value of `flat` (flow/unfolding.h) around a flap. The value is 0.9 to 1 around flaps
+// made by noise, 0.6 around claws of a scan that are inside out, and 0.5 around folds of 60
+// degrees.
 constexpr double flat_enough = 0.6;
-// Where the energy is no curvature's, less of it is no proof of a better surface.
+// For energies that do not measure curvature, a lower energy does not prove a better surface.
 constexpr double flat_enough_without_curvature = 0.88;
 
 using Flags = std::vector<std::uint8_t>;  // #V
 
-/// Lets the patches with a flag flow from where they are at X, each for the time that is asked for
-/// it; what the functions of this file return.
+/// Lets the patches of `wanted` vertices flow from their positions at X, each for the time
+/// time_of(patch). Writes the moves, and returns whether any vertex moves in any part of the mesh.
 template <class TimeOf>
 bool flow_in_patches(const FlowProblem& problem, const Rows& rings, const Flags& wanted,
                      const Points& X, const TimeOf& time_of, Points& move) {
@@ -55,7 +56,7 @@ bool catch_up_moves(const FlowProblem& problem, const Rows& rings, const Eigen::
     wanted = grow_one_ring(problem.topology, wanted);
   }
   const auto longest_lag = [&](const VertexPatch& patch) {
-    double longest = little;  // of a patch whose middle is in another part of the mesh
+    double longest = little;  // for a patch whose middle is in another part of the mesh
     for (const Index v : patch) {
       longest = std::max(longest, lag[problem.unknowns.unknown[v]]);
     }

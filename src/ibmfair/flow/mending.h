@@ -1,25 +1,25 @@
-// What a flow of the whole mesh leaves behind is brought up to the rest at its end, patch by patch:
-// what it had to slow down, and flaps that noise folded over for good. Energy and folds are looked
-// after by whoever makes the moves.
+// Repairs at the end of a flow, patch by patch: regions that had to be slowed down are flowed on,
+// and flaps (small groups of triangles that noise has folded over for good) are unfolded. These
+// functions only compute moves; the caller checks energy and foldovers when applying them.
 #pragma once
 
 #include "ibmfair/flow/patch_flow.h"
 
 namespace ibmfair {
 
-/// Lets those unknowns flow on that lag behind by more than a small share of the flow's time, and
-/// some vertices around them. `lag`: one entry per unknown, the time that it has missed. Writes the
-/// moves (one row per unknown, length; zero elsewhere); false, and nothing done, where none are
-/// made in any part of the mesh.
+/// Lets the unknowns that lag behind by more than a small share of the flow's time flow on,
+/// together with some vertices around them. `lag`: the time that each unknown has missed, one entry
+/// per unknown. Writes the moves to `move` (one row per unknown, length; zero elsewhere). Returns
+/// false if no vertex moves in any part of the mesh.
 bool catch_up_moves(const FlowProblem& problem, const Rows& rings, const Eigen::VectorXd& lag,
                     Points& move);
 
-/// Moves for patches whose hinges are folded over though the surface around is not bent much: such
-/// a patch is evened out first (flow/unfolding.h), then flows for the whole time, and moves where
-/// that leaves less energy than there is now.
+/// Computes moves that unfold flaps: patches whose hinges are folded over although the surrounding
+/// surface is nearly flat. Each patch is evened out first (flow/unfolding.h) and then flows for the
+/// whole time; its move is kept if that lowers the energy. Returns false if no vertex moves.
 bool unfolding_moves(FlowProblem& problem, const Rows& rings, Points& move);
 
-/// As `unfolding_moves`, for any patches.
+/// Evens out and flows the given patches, as `unfolding_moves` does with flaps.
 bool even_out_and_flow(const FlowProblem& problem, const Rows& rings,
                        const std::vector<VertexPatch>& patches, Points& move);
 

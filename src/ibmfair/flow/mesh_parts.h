@@ -1,8 +1,9 @@
-// A mesh that is spread over several processes, as the flow sees it from one of them.
+// A mesh that is spread over several processes, as seen from one process.
 //
-// Each process runs the same flow on a piece of the mesh: the vertices that belong to it, and
-// around them what their stencils and triangles reach, which belongs to others. What the flow asks
-// of the whole mesh goes through here, so that all processes decide alike.
+// Each process runs the same flow on a piece of the mesh: the vertices that belong to its part, and
+// the surrounding vertices that their stencils and triangles reach, which belong to other parts.
+// Quantities of the whole mesh are computed through this class, so that all processes take the same
+// decisions.
 #pragma once
 
 #include <cstdint>
@@ -16,8 +17,8 @@ namespace ibmfair {
 class JacobianSolver;
 struct JacobianShape;
 
-/// The mesh in one piece. A class derived from it knows of others; then its members are called by
-/// all processes, in the same order, and return the same on all.
+/// This base class is for a mesh in one piece. A derived class communicates with other processes:
+/// all processes must call its members in the same order, and get the same results.
 class MeshParts {
  public:
   MeshParts() = default;
@@ -28,31 +29,32 @@ class MeshParts {
   /// The whole mesh.
   static const MeshParts& one();
 
-  /// #V and #F of the piece: whether they belong to this part; empty: all do. Every vertex and
-  /// triangle of the mesh belongs to one part. Own vertices come before all others.
+  /// Flags of the vertices (#V) and triangles (#F) of the piece that belong to this part; empty if
+  /// all do. Every vertex and triangle of the mesh belongs to exactly one part. Own vertices come
+  /// before all others.
   const std::vector<std::uint8_t>& own_vertices() const { return own_vertices_; }
   const std::vector<std::uint8_t>& own_triangles() const { return own_triangles_; }
   bool owns_vertex(Index v) const { return own_vertices_.empty() || own_vertices_[v] != 0; }
   bool owns_triangle(Index t) const { return own_triangles_.empty() || own_triangles_[t] != 0; }
   bool is_whole() const { return is_whole_; }
 
-  /// Over all parts.
+  /// The sum and the maximum over all parts.
   virtual double sum(double x) const { return x; }
   virtual double max(double x) const { return x; }
   bool any(bool x) const { return max(x ? 1 : 0) > 0; }
 
-  /// Rows (#V x 3) of vertices that belong to other parts, from them.
+  /// Replaces the rows (#V x 3) of vertices that belong to other parts by those parts' values.
   virtual void refresh(Points& /*rows*/) const {}
 
-  /// Flags (#V) of vertices that belong to other parts, from them.
+  /// Replaces the flags (#V) of vertices that belong to other parts by those parts' values.
   void refresh(std::vector<std::uint8_t>& flags) const;
 
-  /// What solves with the Jacobian over all parts, and notes its name in the report; null where any
-  /// backend can.
+  /// Makes the solver for the Jacobian over all parts, and writes its name to the report; null if
+  /// any backend can be used.
   virtual std::unique_ptr<JacobianSolver> make_solver(const JacobianShape& shape) const;
 
  protected:
-  /// Of `vertices` the first `own` are this part's.
+  /// The first `own` of the `vertices` vertices belong to this part.
   MeshParts(Index own, Index vertices, std::vector<std::uint8_t> own_triangles);
 
  private:

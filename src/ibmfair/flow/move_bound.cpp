@@ -11,8 +11,8 @@ Vec3 MoveBound::within(Index v, const Vec3& p) const {
     return p;
   }
   offset *= radius_ / offset.norm();
-  // Rounding may leave the scaled point outside, by a digit or, far from the origin, by many; the
-  // bound is a promise.
+  // Rounding may leave the scaled point outside of the ball, by one unit in the last place or, far
+  // from the origin, by many; the bound is a promise all the same.
   Vec3 reached = centre + offset;
   for (double gap = std::numeric_limits<double>::epsilon(); (reached - centre).norm() > radius_;
        gap *= 2) {
@@ -22,7 +22,7 @@ Vec3 MoveBound::within(Index v, const Vec3& p) const {
 }
 
 bool MoveBound::stops(Index v, const Vec3& x, const Vec3& direction) const {
-  constexpr double contact = 1e-6;  // of the radius
+  constexpr double contact = 1e-6;  // relative to the radius
   const Vec3 offset = x - start_.row(v).transpose();
   return offset.norm() >= (1 - contact) * radius_ && direction.dot(offset) > 0;
 }

@@ -1,5 +1,6 @@
-// Sizes of a mesh in several parts (flow/mesh_parts.h), each from its piece: X is #V x 3. Of a mesh
-// in one piece they are those of mesh/geometry.h to the bit.
+// Sizes of a mesh in several parts (flow/mesh_parts.h), computed together by all processes, each
+// from its piece; X is #V x 3. For a mesh in one piece the results equal those of mesh/geometry.h
+// in every bit.
 #pragma once
 
 #include <span>
@@ -10,17 +11,18 @@
 
 namespace ibmfair {
 
-/// Length; 0 for a mesh without edges.
+/// The mean edge length, length; 0 for a mesh without edges.
 double mean_edge_length(const Points& X, const Topology& topology, const MeshParts& parts);
 
-/// Of the bounding box, length.
+/// The diagonal of the bounding box, length.
 double diagonal(const Points& X, const MeshParts& parts);
 
-/// Length^2.
+/// The surface area, length^2.
 double surface_area(const Points& X, const Topology& topology, const MeshParts& parts);
 
-/// How much of an element with these vertices belongs to the part: the share of those that do.
-/// Every part that has one of them has the element, so that the shares add up to 1.
+/// The share of an element (edge, triangle, stencil) with these vertices that belongs to this part:
+/// the share of its vertices that do. The piece of every part that owns one of these vertices
+/// contains the element, so that the shares of all parts add up to 1.
 double own_share(std::span<const Index> vertices, const MeshParts& parts);
 
 }  // namespace ibmfair

@@ -11,8 +11,8 @@
 namespace ibmfair {
 namespace {
 
-/// Of the mesh's flow, but for what there is one of for each vertex or triangle. Patches are solved
-/// for by the backend that the mesh took in the end, where any mesh may take it.
+/// The options of the flow of the mesh, without the lists per vertex and per triangle. Patches use
+/// the last backend of the mesh if it is in the table of backends.
 FlowOptions options_for_patches(const FlowProblem& problem) {
   const FlowOptions& options = problem.options;
   FlowOptions result;
@@ -78,7 +78,7 @@ bool PatchFlow::run(const VertexPatch& patch, const Points& X, double time, Poin
   local.options.total_time = time;
   local.options.steps =
       std::max(1, static_cast<int>(std::lround(whole.steps * time / whole.total_time)));
-  // A problem measures from where it is made how far vertices may move.
+  // FlowProblem measures the bound on moves from the positions that it is constructed with.
   FlowProblem problem(local.X, local.topology, local.held, local.options, MeshParts::one());
   Points Y = problem_.X(local.vertex, Eigen::all);
   problem.move_to(Y);
@@ -102,8 +102,8 @@ bool PatchFlow::run(const VertexPatch& patch, const Points& X, double time, Poin
   return true;
 }
 
-/// With all triangles at the patch and at its neighbours: nothing farther away is in a stencil
-/// that the patch moves, or in the mass of such a stencil.
+/// Cuts out all triangles at the patch and at its neighbours: no vertex farther away is in a
+/// stencil that the patch moves, or in the mass of such a stencil.
 LocalMesh PatchFlow::cut_out(const VertexPatch& patch) {
   const std::lock_guard lock(cutting_);
   const Topology& topology = problem_.topology;

@@ -1,5 +1,5 @@
-// A few vertices flow by themselves, and the rest of the mesh is held: next to nothing, beside a
-// step of the whole mesh, and free of all that goes on elsewhere.
+// The flow of a patch: a few vertices flow while the rest of the mesh is fixed. Compared with a
+// step of the whole mesh this costs next to nothing, and is independent of the rest of the mesh.
 #pragma once
 
 #include <cstdint>
@@ -12,22 +12,23 @@
 
 namespace ibmfair {
 
-/// Unknown vertices, each once.
+/// Vertices that are unknowns, each once.
 using VertexPatch = std::vector<Index>;
 
-/// Those with a flag in `wanted` (#V), in pieces that hang together. A vertex is left out that is
-/// held, or that touches one that belongs to another part of the mesh: not all around it is here.
+/// The connected components of the unknown vertices flagged in `wanted` (#V). Fixed vertices are
+/// left out, and so are neighbours of vertices that belong to another part of the mesh, because
+/// this piece does not contain all of their surroundings.
 std::vector<VertexPatch> patches_of(const std::vector<std::uint8_t>& wanted, const Rows& rings,
                                     const Unknowns& unknowns, const MeshParts& parts);
 
 class PatchFlow {
  public:
-  /// Refers to the problem and to `rings`, those of vertex_rings. The patches flow as its options
-  /// say, volume and area left free.
+  /// `problem` and `rings` (the result of vertex_rings) must outlive this object. The patches flow
+  /// with the options of the problem, except that volume and area are not kept.
   PatchFlow(const FlowProblem& problem, const Rows& rings);
 
-  /// Lets a patch flow for `time` from where it is at `X` (#V x 3). Where it then has less energy
-  /// than at the problem's state, writes its rows of the move that leads there from that state to
+  /// Lets a patch flow for `time`, starting at its positions in `X` (#V x 3). If the patch then has
+  /// less energy than at the problem's state, writes its moves from that state to the result to
   /// `move` (one row per unknown, length), and returns true. Patches that share no vertex may flow
   /// at the same time.
   bool run(const VertexPatch& patch, const Points& X, double time, Points& move);
@@ -37,8 +38,8 @@ class PatchFlow {
 
   const FlowProblem& problem_;
   const Rows& rings_;
-  FlowOptions options_;                // without what there is one of for each vertex or triangle
-  std::mutex cutting_;                 // what follows
+  FlowOptions options_;                // without the lists per vertex and per triangle
+  std::mutex cutting_;                 // guards the scratch below
   std::vector<std::uint8_t> is_near_;  // #V, scratch
   std::vector<Index> place_;           // #V, scratch
 };

@@ -5,7 +5,7 @@
 
 namespace ibmfair {
 
-/// Runs `options.steps` equal steps of `problem` with one factorization, whatever the energy does.
+/// Runs `options.steps` equal steps of `problem` with one factorization, even if the energy rises.
 void run_plain(FlowProblem& problem, const StepObserver& observer);
 
 }  // namespace ibmfair

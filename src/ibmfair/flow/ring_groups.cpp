@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::size_t longest = 12;
 
-/// Of so many vertices, which follow each other in memory, groups of each length are made.
+/// Groups are formed within runs of this many consecutive vertices, which are close in memory.
 constexpr std::size_t run_length = 512;
 
 /// The unknowns' vertices and their neighbours.

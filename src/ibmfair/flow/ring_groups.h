@@ -1,6 +1,6 @@
-// Vertices with rings of the same length in groups of four, side by side, for the kernels that go
-// round the vertices of a mesh in each step of a flow (flow/ring_kernels.h): vertex by vertex they
-// would take two to three times as long.
+// Vertices in groups of four whose rings (cycles of neighbours) have the same length. The kernels
+// that visit the ring of every vertex in each step of a flow (flow/ring_kernels.h) process a group
+// at a time; vertex by vertex they would take two to three times as long.
 #pragma once
 
 #include <algorithm>
@@ -13,28 +13,30 @@
 
 namespace ibmfair {
 
-/// Vertices in a group: as many as a kernel takes at a time (base/lanes.h).
+/// The number of vertices in a group: the number of lanes of a kernel (base/lanes.h).
 inline constexpr Index rings_per_group = 4;
 
-/// Groups in a part, at most.
+/// The largest number of groups in a part.
 inline constexpr std::int64_t groups_per_part = 32;
 
 struct RingGroup {
-  Index length = 0;  ///< of each of the rings
-  Index count = 0;   ///< of vertices; the group is filled up with the first of them
+  Index length = 0;  ///< number of neighbours in each of the rings
+  Index count = 0;   ///< number of vertices; a smaller group is padded with its first vertex
 };
 
 struct RingGroups {
-  /// Of the unknowns' vertices and their neighbours. Refers to `rings`, those of vertex_rings.
+  /// Groups the unknown vertices and their neighbours. `rings` (the result of vertex_rings) must
+  /// outlive this object.
   RingGroups(const Topology& topology, const Rows& rings, const Unknowns& unknowns);
 
   const Rows& rings;
   std::vector<RingGroup> group;
-  std::vector<Index> vertex;  ///< of the groups, in rows of four
-  std::vector<Index> others;  ///< the vertices that are in no group: where not is_ringed, where
-                              ///< many meet, and about the last one, as kernels read behind rows
+  std::vector<Index> vertex;  ///< the vertices of the groups, four per group
+  /// The vertices in no group: those without a closed ring (is_ringed), those with many neighbours,
+  /// and the last vertex of the mesh with its neighbours, as kernels read beyond the end of a row.
+  std::vector<Index> others;
 
-  /// The groups in parts, for as many tasks.
+  /// The number of parts into which the groups are split, one task each.
   std::int64_t parts() const {
     return (static_cast<std::int64_t>(group.size()) + groups_per_part - 1) / groups_per_part;
   }
@@ -43,18 +45,19 @@ struct RingGroups {
   }
 };
 
-/// Which of the groups.
+/// A range of the groups.
 struct RingRange {
   const RingGroups& rings;
   std::int64_t first, groups;
 
-  /// One of the parts.
+  /// The range of the groups of part number `part`.
   RingRange(const RingGroups& all, std::int64_t part)
       : rings(all),
         first(groups_per_part * part),
         groups(std::min(groups_per_part, static_cast<std::int64_t>(all.group.size()) - first)) {}
 
-  /// Calls act(v, i) for every vertex; i is its place in the groups' rows of four.
+  /// Calls act(v, i) for every vertex v of the range; i is its position in the range, counting four
+  /// per group.
   template <class Act>
   void for_each(const Act& act) const {
     for (std::int64_t g = 0; g < groups; ++g) {

@@ -7,8 +7,7 @@ namespace {
 
 static_assert(rings_per_group == lane_count);
 
-/// The vertices of a group, with rings of the same length, and the rows of a table that belong to
-/// them.
+/// The vertices of a group, whose rings have the same length, and their rows of a table.
 template <Index row_length>
 class Rings {
  public:
@@ -46,7 +45,7 @@ class Rings {
   const Index* ring_[lane_count];
 };
 
-/// The distance between the same rows of two results that follow each other.
+/// The distance, in doubles, between equal members of two consecutive results.
 template <class Result>
 constexpr std::ptrdiff_t stride = sizeof(Result) / sizeof(double);
 
@@ -95,7 +94,7 @@ struct UnsharedKernel {
   }
 };
 
-/// Kernel::find() for all vertices of the groups, over a table of rows of this length.
+/// Runs Kernel::find() for all groups of a range, on a table with rows of length `row_length`.
 template <class Kernel, Index row_length>
 struct AllRings {
   template <class Result>

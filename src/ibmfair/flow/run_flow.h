@@ -1,4 +1,4 @@
-// The parts of a flow, for those that want them one by one.
+// The parts of a flow, for callers that run them one by one.
 #pragma once
 
 #include <cstdint>
@@ -8,13 +8,13 @@
 
 namespace ibmfair {
 
-/// Throws BadOption or BadMesh where a flow from `X` cannot begin (flow/willmore_flow.h).
+/// Throws BadOption or BadMesh if a flow cannot start at `X` (flow/willmore_flow.h).
 void require_usable(const Points& X, const std::vector<std::uint8_t>& held,
                     const FlowOptions& options, const MeshParts& parts);
 
-/// Moves a problem that is at its start to where the first stage of its flow leads
-/// (flow/first_stage.h), where it has one, unless that is uphill. Returns what that took. Where the
-/// observer asks to stop, the problem's status says so.
+/// Runs the first stage of the flow (flow/first_stage.h), if it has one, from the problem's start.
+/// Moves the problem to the result unless that raises its energy. Returns the report of the stage.
+/// If the observer asks to stop, the problem's status is `interrupted`.
 FlowReport run_first_stage(FlowProblem& problem, const std::vector<std::uint8_t>& held,
                            const StepObserver& observer = {});
 

@@ -9,14 +9,15 @@
 namespace ibmfair {
 namespace {
 
-/// More of them see more of the mesh, and have longer rims.
+/// The number of patches. More patches would cover more regions of the mesh, but have longer rims.
 constexpr std::size_t patches = 2;
 
-/// Rings of vertices along a rim that feel it in a flow to the longest cut-offs.
+/// The number of rings of vertices along a rim that the rim affects in a flow to the longest
+/// cut-off.
 constexpr int felt_rings = 32;
 
-/// Marks `count` vertices around a seed, ring by ring, or as many as are connected with it.
-/// Returns how many that were.
+/// Marks `count` vertices around a seed, ring by ring, or fewer if fewer are connected with the
+/// seed. Returns the number of marked vertices.
 std::size_t grow(const Topology& topology, Index seed, std::size_t count,
                  std::vector<std::uint8_t>& taken) {
   std::vector<Index> queue{seed};
@@ -34,8 +35,8 @@ std::size_t grow(const Topology& topology, Index seed, std::size_t count,
   return queue.size();
 }
 
-/// #V, 1 for those of the sample. Seeds are spread over the list of those that move; where a
-/// patch ends early, another one begins further on.
+/// Flags (#V) of the vertices of the sample. Seeds are spread over the list `free` of vertices that
+/// move. If a patch stays too small, another patch starts further on in the list.
 std::vector<std::uint8_t> sampled(const Topology& topology, const std::vector<Index>& free,
                                   std::size_t count) {
   std::vector<std::uint8_t> taken(static_cast<std::size_t>(topology.vertex_count), 0);
@@ -55,7 +56,7 @@ std::vector<std::uint8_t> sampled(const Topology& topology, const std::vector<In
   return taken;
 }
 
-/// #V of the sample, 1 for the vertices near those where it was cut off from the rest.
+/// Flags (#V of the sample) of the vertices near the rims where the sample was cut out of the mesh.
 std::vector<std::uint8_t> near_rims(const Topology& whole, const LocalMesh& sample,
                                     const std::vector<std::uint8_t>& taken) {
   std::vector<std::uint8_t> near(sample.vertex.size());

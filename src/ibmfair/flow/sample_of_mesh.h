@@ -1,4 +1,4 @@
-// A part of a large mesh that is like the whole, for what the whole would take long to tell.
+// A representative part of a large mesh, for estimates that would take long on the whole mesh.
 #pragma once
 
 #include <cstdint>
@@ -10,14 +10,15 @@ namespace ibmfair {
 
 struct MeshSample {
   LocalMesh mesh;
-  std::vector<std::uint8_t> inner;  ///< #V, 1 for what moves, and so far from the rims that a flow
-                                    ///< up to some 32 edges does there as on the whole mesh
+  std::vector<std::uint8_t> inner;  ///< #V, 1 for vertices that are not fixed and so far from the
+                                    ///< rims that a flow with a cut-off up to some 32 edges has the
+                                    ///< same effect there as on the whole mesh
 };
 
-/// A few patches of neighbours spread over the vertices that are not held, together about `count`
-/// of them (at least 1), or all where there are fewer. Two rings of vertices are held along the
-/// rims, as along open boundaries, besides those that are held anyway. Deterministic; which patches
-/// depends on how the mesh numbers its vertices.
+/// A few connected patches, spread over the vertices that are not fixed, with about `count` (at
+/// least 1) vertices in total, or all vertices if there are fewer. In addition to the vertices
+/// fixed by `held`, two rings of vertices are fixed along the rims of the patches, as along open
+/// boundaries. Deterministic; the choice of the patches depends on the vertex numbering.
 MeshSample sample_of_mesh(const Points& X, const Topology& topology,
                           const std::vector<std::uint8_t>& held, const FlowOptions& options,
                           Index count);

@@ -16,10 +16,11 @@ namespace ibmfair {
 namespace {
 
 constexpr std::size_t most_of_a_speck = 19;  // a vertex and two rings
-constexpr double half_held = 0.5;    // of the sharp angle, from which on hinges hold in part
-constexpr double flat_around = 0.9;  // what normals keep of their lengths when they are added
+constexpr double half_held = 0.5;    // above this share of the sharp angle, hinges are partly kept
+constexpr double flat_around = 0.9;  // `flat` of is_flat_around
 
-/// `sharp_at`: #V, how many sharp hinges there are at each vertex.
+/// Whether the sharp hinges of a patch form open lines without branches, as a crease does.
+/// `sharp_at`: #V, the number of sharp hinges at each vertex.
 bool is_a_line(const VertexPatch& patch, const std::vector<Index>& sharp_at) {
   Index ends = 0;
   for (const Index v : patch) {
@@ -31,8 +32,8 @@ bool is_a_line(const VertexPatch& patch, const std::vector<Index>& sharp_at) {
   return ends > 0;
 }
 
-/// Whether sharp hinges lead on from a patch to vertices that are held, at a boundary or of another
-/// part.
+/// Whether sharp hinges continue from a patch to vertices outside of it, which are fixed, at a
+/// boundary or belong to another part.
 bool leads_on(const VertexPatch& patch, const Rows& rings, const std::vector<Index>& sharp_at) {
   return std::ranges::any_of(patch, [&](Index v) {
     return std::ranges::any_of(rings[v], [&](Index q) {

@@ -1,21 +1,23 @@
-// What noise leaves of a flow that keeps creases: where it was strongest, a few hinges turn
-// sharply, and hold.
+// Specks: after a flow that keeps creases, a few hinges (edges with their two triangles) still turn
+// sharply where the noise was strongest, because the flow took them for creases.
 #pragma once
 
 #include "ibmfair/flow/patch_flow.h"
 
 namespace ibmfair {
 
-/// Vertices of hinges that are held in part at least by `sharp_angle` (radians), in patches, where
-/// these are few, meet or go round, and all around them is nearly flat: a crease is a line, and a
-/// long one. `rings` are those of vertex_rings.
+/// The patches of vertices that are specks rather than creases, which are long lines. The hinges at
+/// a speck turn by more than half of `sharp_angle` (radians), so that the flow keeps them sharp at
+/// least in part; they are few, they branch or form a closed loop, and the surface around them is
+/// nearly flat. `rings`: the result of vertex_rings.
 std::vector<VertexPatch> find_specks(const Points& X, const Topology& topology, const Rows& rings,
                                      const Unknowns& unknowns, const MeshParts& parts,
                                      double sharp_angle);
 
-/// Evens them out at the end of a problem's flow by its own sharp angle, and lets them flow anew
-/// with what is around them. For meshes that were noisy: without noise, a speck is a detail. As the
-/// guarded flow promises, the energy does not rise, and no hinge folds over.
+/// Finds the specks at the end of a problem's flow (by the sharp angle of its options), evens them
+/// out, and lets them flow again together with their neighbours. Only for meshes that were noisy:
+/// without noise, a speck is a detail of the shape. The promises of the guarded flow hold: the
+/// energy does not rise, and no hinge folds over.
 void flatten_specks(FlowProblem& problem);
 
 }  // namespace ibmfair

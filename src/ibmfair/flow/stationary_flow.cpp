@@ -10,9 +10,9 @@
 namespace ibmfair {
 namespace {
 
-constexpr double accepted_share = 0.1;  // of the predicted decrease, to accept a step
-constexpr double growing_share = 0.5;   // above, the time step may grow
-constexpr double leap = 256;            // of the time step, and its inverse where a step fails
+constexpr double accepted_share = 0.1;  // least accepted decrease, relative to the predicted one
+constexpr double growing_share = 0.5;   // above this share, the time step may grow
+constexpr double leap = 256;            // the time step grows by this factor, and shrinks by it
 constexpr double longest_move = 2;      // along the normal in one step, in edge lengths
 constexpr int most_attempts = 12;
 constexpr int most_steps_with_jacobian = 10;
@@ -32,7 +32,8 @@ StationaryFlow::StationaryFlow(const Points& X, const Topology& topology,
   restart();
 }
 
-/// Without its tangential part, which would only shuffle vertices within the surface.
+/// With `normal_only`, removes the tangential part, which would only move vertices within the
+/// surface.
 void StationaryFlow::project(Points& field) const {
   if (normal_only_) {
     const Eigen::VectorXd along = field.cwiseProduct(normals_).rowwise().sum();
@@ -131,8 +132,8 @@ void StationaryFlow::accept(const Points& step, Points& Y, Points& gradient, dou
   g_.swap(gradient);
 }
 
-/// Far from the limit the time step grows and the Jacobian follows the state; at the limit it is
-/// kept while curvature pairs make up for its age.
+/// Below its limit the time step grows, and the Jacobian is renewed at each step. At the limit the
+/// Jacobian is kept for several steps, and curvature pairs make up for its age.
 void StationaryFlow::adapt(double fraction, double ratio) {
   if (fraction < 1 || ++steps_with_jacobian_ >= most_steps_with_jacobian) {
     stale_ = true;

@@ -1,4 +1,5 @@
-// The flow's limit of infinite time: Gauss-Newton on E_b itself, kept from rising by the time step.
+// The limit of the flow at infinite time: Gauss-Newton iteration on E_b. A finite time step keeps
+// the energy from rising.
 #pragma once
 
 #include <cstdint>
@@ -12,44 +13,48 @@
 
 namespace ibmfair {
 
-/// Seeks a stationary point of E_b over the free vertices of one connectivity, step by step.
+/// Seeks a stationary point of E_b over the free vertices of a mesh with fixed connectivity, step
+/// by step.
 ///
-/// Each step solves (D + h S(X_ref)) d = -h grad E_b(X) and goes along d as far as the energy falls
-/// well enough; h grows toward infinity, where the step is Gauss-Newton's, while steps keep what
-/// they promise, and shrinks when one does not. S is renewed at X when h changed, or when the
-/// last step with the old one brought the gradient down too little.
+/// Each step solves (D + h S(X_ref)) d = -h grad E_b(X) and goes along d as far as the energy
+/// decreases sufficiently. h grows toward infinity, where the step is that of Gauss-Newton, while
+/// steps reach the predicted decrease, and shrinks when a step fails. S is renewed at X when h has
+/// changed, when a step had to be shortened or failed, and after 10 steps.
 ///
-/// With `normal_only` a vertex moves by d_v n_v, and the same Jacobian acts on the lengths d_v: the
-/// squared Laplacian, which is the leading part of the second variation of the Willmore energy
-/// for normal displacements. Restricting S to them instead, S_uv <n_u, n_v>, would also charge for
-/// the change of the normals, which the energy does not: on a half sphere that takes twice as many
-/// steps.
+/// With `normal_only` a vertex moves by d_v n_v along its normal n_v, and the same Jacobian acts on
+/// the lengths d_v: S is then the squared Laplacian, the leading part of the second variation of
+/// the Willmore energy for normal displacements. Restricting S to normal displacements instead,
+/// S_uv <n_u, n_v>, would also penalize the change of the normals, which the energy does not do;
+/// on a half sphere that takes twice as many steps.
 class StationaryFlow {
  public:
-  /// `options` says which energy; its steps and time are not used. The flow starts at `X` with time
-  /// step `h`, which grows up to `h_limit` (length^4). Everything referred to must outlive it.
+  /// `options` chooses the energy; its steps and time are not used. The flow starts at `X` with
+  /// time step `h`, which grows up to `h_limit` (both length^4). The topology and the options must
+  /// outlive this object.
   StationaryFlow(const Points& X, const Topology& topology, const std::vector<std::uint8_t>& held,
                  const FlowOptions& options, double h, double h_limit, bool normal_only);
 
-  /// Takes one step that lowers the energy, in as many attempts as that needs; false, with the
-  /// state as it was, where no step does.
+  /// Takes one step that lowers the energy, in several attempts if necessary. Returns false, and
+  /// leaves the state as it was, if no attempt succeeds.
   bool advance();
 
-  /// sqrt(sum <g_v, n_v>^2 / D_v) at the state, in 1/length^2: the part of the gradient that
-  /// changes the surface. Zero at a stationary surface, whatever its triangles do.
+  /// sqrt(sum <g_v, n_v>^2 / D_v) at the state, in 1/length^2: the norm of the part of the gradient
+  /// that changes the surface. Zero at a stationary surface, even if moving vertices within the
+  /// surface would still lower the energy.
   double normal_gradient() const;
 
-  /// #V x 3.
+  /// The state, #V x 3.
   const Points& X() const { return problem_.X; }
 
-  /// Goes on from `X` instead, which may differ in the free vertices; `X` becomes the old state.
+  /// Continues from `X`, which may differ from the state in the free vertices; `X` then holds the
+  /// old state.
   void move_to(Points& X);
 
   double energy() const { return energy_; }
   double time_step() const { return h_; }
 
-  /// The largest move of a vertex along its normal in the last step, in mean lengths of the edges
-  /// there.
+  /// The largest move of a vertex along its normal in the last step, relative to the mean length of
+  /// the edges at the vertex.
   double last_normal_move() const { return last_move_; }
 
   const FlowReport& report() const { return problem_.report; }

@@ -14,29 +14,31 @@
 namespace ibmfair {
 namespace {
 
-// Seen along the normal, triangles that lean keep a part of their area: this much where they lean
-// by 45 degrees. A vertex sticks out where less is left of its own, as of flaps and spikes.
+// Seen along the vertex normal, tilted triangles keep only a share of their area: this share if
+// they are tilted by 45 degrees. A vertex can stick out only if its share is smaller, as at flaps
+// and spikes.
 constexpr double little_left = 0.7;
 
-/// What the neighbours keep of their normals' lengths where the surface is the edge of a wedge and
-/// the vertex keeps this share: two of six lie on the edge, too.
+/// The length of the sum of the neighbours' normals over the sum of their lengths, for a vertex
+/// with the share `left` on the edge of a wedge: two of its six neighbours lie on the edge, too.
 double left_around_edge(double left) {
   return 3 * left / (2 + left);
 }
-constexpr double more_left = 1.02;  // times that, where the neighbours are no wedge
+constexpr double more_left = 1.02;  // beyond this times that value, the surface is no wedge
 
-/// The squared normals around a vertex, each as often as its triangle's angle there, across the
-/// mean one over those along it, on a crease that turns by 80 degrees: no vertex moves across such
-/// a one, and in part across those that turn by less. From half of that on, folds of noise would
-/// stay, too; from 90 degrees on, creases are rounded.
+/// Let the triangles' unit normals n at a vertex be weighted by the triangles' angles there. This
+/// is the sum of their squared components across the mean normal, over that along the mean normal,
+/// on a crease that turns by 80 degrees. No vertex moves across such a crease, and vertices move in
+/// part across creases that turn by less. With half of this limit, folds made by noise would stay,
+/// too; with the limit for 90 degrees or more, creases would be rounded.
 constexpr double crease = 0.7;  // tan^2 of half the angle
 
-/// Where more is left than of normals that lean by 2 degrees, there is no crease to look for.
+/// Normals tilted by 2 degrees have about this share; above it, there is no crease to look for.
 constexpr double all_left = 0.9995;
 
-constexpr double needle = radians(1);  // the smallest angle of wider triangles
+constexpr double needle = radians(1);  // triangles with a smaller angle are needles
 
-/// What of a step is across the normal, or 0 where that is 0.
+/// The part of a step perpendicular to the normal, or 0 if the normal is 0.
 Vec3 across(const Vec3& normal, const Vec3& step) {
   const double squared = normal.squaredNorm();
   return squared > 0 ? Vec3(step - normal * (normal.dot(step) / squared)) : Vec3(Vec3::Zero());

@@ -1,9 +1,10 @@
-// Moves vertices within the surface toward even spacing. Noise displaces vertices tangentially,
-// too, which a curvature energy hardly sees. What noise has folded over the energy does see, but
-// has no force to turn it back: the curvature of a hinge is largest where it is folded. There,
-// where a vertex has no tangent plane but its neighbours have, the sweep moves it off whatever it
-// is in. Where creases are to stay, it moves nothing off and no vertex across a crease, which step
-// by step would round it.
+// Moves vertices within the surface toward even spacing. Noise also displaces vertices
+// tangentially, which hardly changes a curvature energy. Triangles that noise has folded over do
+// have a large energy, but no force unfolds them: the curvature of a folded hinge is at its
+// maximum. A vertex of such triangles has no tangent plane while its neighbours have one ("sticks
+// out"), and is moved toward its neighbours without projection. If creases are kept, vertices that
+// stick out stay in their surface too, and no vertex moves across a crease, which would gradually
+// round the crease.
 #pragma once
 
 #include "ibmfair/energy/unknowns.h"
@@ -13,34 +14,36 @@
 
 namespace ibmfair {
 
-/// Relaxes unknown interior vertices; those on a cut without orientation have no normal to project
-/// with and stay.
+/// Relaxes unknown interior vertices. Vertices on the cut of a mesh that is not orientable have no
+/// normal to project off and stay.
 class TangentialRelaxation {
  public:
-  /// Refers to all that it is given.
+  /// All arguments must outlive this object.
   TangentialRelaxation(const Topology& topology, const RingGroups& rings, const Unknowns& unknowns,
                        const MeshParts& parts, bool keeps_creases);
 
   /// The moves of one sweep at `X` (one row per unknown, length): half way to the mean of the
-  /// neighbours, projected off the area-weighted vertex normal unless the vertex sticks out; where
-  /// creases are kept, off all directions in which the triangles there face.
+  /// neighbours, projected off the area-weighted vertex normal unless the vertex sticks out. If
+  /// creases are kept, moves are also projected off the directions across a crease.
   void moves(const Points& X, Points& move);
 
-  /// The moves of the corners of needles, triangles with an angle of less than a degree; zero for
-  /// all others. False, and nothing done, where no part of the mesh has any.
+  /// The moves of the corners of needles (triangles with an angle of less than one degree); zero
+  /// for all other vertices. Returns false, with `move` unchanged, if no part of the mesh has
+  /// needles.
   bool moves_at_needles(const Points& X, Points& move);
 
  private:
-  /// find_surroundings() for one vertex, whatever its ring.
+  /// find_surroundings() for one vertex, with a ring of any kind.
   Surroundings look_around(const Points& X, Index v) const;
 
-  /// Keeps the normal of v, and gives its move, as long as it does not stick out.
+  /// Stores the normal of v, and computes its move under the assumption that v does not stick out.
   void take(const Points& X, Index v, const Surroundings& around, Points& move);
 
-  /// Whether vertex v has hardly a tangent plane, and its neighbours agree on one.
+  /// Whether the triangles at v hardly have a common tangent plane, while its neighbours have one.
   bool sticks_out(Index v) const;
 
-  /// What of a step is along all triangles at v, however little there is of one side of a crease.
+  /// The part of a step that is parallel to all triangles at v, even if the triangles on one side
+  /// of a crease are small.
   Vec3 along_creases(const Points& X, Index v, const Vec3& step) const;
 
   const Topology& topology_;
@@ -48,8 +51,8 @@ class TangentialRelaxation {
   const Unknowns& unknowns_;
   const MeshParts& parts_;
   const bool keeps_creases_;
-  Points normals_;  // #V x 3, of the rings' vertices: the sum of the triangles' double area vectors
-  PerVertex left_;  // #V, of the rings' vertices: its share of the sum of their lengths
+  Points normals_;  // #V x 3, Surroundings::normal.xyz of the vertices in `rings`
+  PerVertex left_;  // #V, Surroundings::normal.w of the vertices in `rings`
 };
 
 }  // namespace ibmfair

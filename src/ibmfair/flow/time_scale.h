@@ -1,4 +1,4 @@
-// From the length that a user thinks in to the time that the flow runs for.
+// Converts the cut-off wavelength, a length, to the time for which the flow runs.
 #pragma once
 
 #include "ibmfair/base/types.h"
@@ -12,9 +12,10 @@ namespace ibmfair {
 /// (cutoff / 2 pi)^4, of unit length^4. A ripple obeys du/dt = -Laplacian^2 u.
 double time_for_cutoff(double cutoff);
 
-/// Converts `time` (length^4, as above) to the unit of the flow that `options` describe, by the
-/// mean masses of the mesh: the identity metric leaves out the mass of a vertex, an energy without
-/// mass matrix that of a stencil. On evenly sampled meshes all variants then smooth alike.
+/// Converts `time` (length^4, as above) to the time unit of the flow that `options` describe. The
+/// identity metric lacks the mass of a vertex, and an energy without mass matrix lacks the mass of
+/// a stencil; the mean masses over the mesh make up for both. On evenly sampled meshes all variants
+/// then smooth alike.
 double time_in_flow_units(double time, const Points& X, const Topology& topology,
                           const FlowOptions& options, const MeshParts& parts = MeshParts::one());
 

@@ -10,7 +10,7 @@
 namespace ibmfair {
 namespace {
 
-constexpr int most_halvings = 2;  // of what is put back, until the energy is low enough
+constexpr int most_halvings = 2;  // of the added move, until the energy is low enough
 
 class Twicing {
  public:
@@ -19,7 +19,7 @@ class Twicing {
     p_.jacobian().damping().setOnes();
   }
 
-  /// False where nothing could be put back.
+  /// Makes one pass; false if nothing could be added back.
   bool pass() {
     try {
       linearise();
@@ -30,7 +30,8 @@ class Twicing {
   }
 
  private:
-  /// Heights are smoothed over the surface that they stand on, moves of all passes alike.
+  /// Heights are smoothed over the present surface, so that each pass linearises anew; moves are
+  /// smoothed by the same linearised flow in all passes.
   void linearise() {
     if (p_.report.twicings == 0 || !p_.options.put_back_slides) {
       linearise_flow(p_, p_.options.total_time, p_.options.twicing_steps());
@@ -46,7 +47,7 @@ class Twicing {
     }
   }
 
-  /// What the flow would make of the move from the state to the start.
+  /// The move from the state to the start, smoothed by the linearised flow.
   Points smooth_move() {
     Points move(p_.unknowns.size(), 3);
     for (Index u = 0; u < p_.unknowns.size(); ++u) {
@@ -57,7 +58,7 @@ class Twicing {
     return move;
   }
 
-  /// Smooths the height of the start over the state, along the normals.
+  /// The height of the start over the state, smoothed by the linearised flow, along the normals.
   Points smooth_height() {
     find_normals();
     Points heights = Points::Zero(p_.unknowns.size(), 3);
@@ -83,7 +84,7 @@ class Twicing {
   FlowProblem& p_;
   FoldWatch folds_;
   Points normals_;  // one row per unknown
-  Points Y_;        // where the move leads
+  Points Y_;        // the state after the move
 };
 
 }  // namespace

@@ -1,25 +1,26 @@
-// Twicing: what a smoother took away is smoothed, too, and put back (J. W. Tukey, "Exploratory Data
-// Analysis", 1977).
+// Twicing: the residual of a smoother (the part that it removed) is smoothed as well and added back
+// (J. W. Tukey, "Exploratory Data Analysis", 1977).
 //
-// A flow of time T leaves the share g = exp(-T k^4) of a ripple of wave number k, and so takes a
-// little off every ripple that it is to keep: a sphere shrinks, a bump flattens. Its residual holds
-// that and the noise. Smoothed in its turn, by the linearised flow at the result, it is what the
-// flow should not have taken. Put back n times, the share that is left is 1 - (1 - g)^(n + 1): flat
-// to the order k^(4 n + 4) at k = 0, and steeper at the cut-off.
+// A flow of time T leaves the share g = exp(-T k^4) of a ripple of wave number k. So it also
+// removes a little of every ripple that should stay: spheres shrink, bumps flatten. The residual
+// consists of this loss and of the noise. The residual smoothed by the flow linearised at the
+// result is an estimate of the loss. After it has been added back n times, the share of the ripple
+// is 1 - (1 - g)^(n + 1): flat to the order k^(4 n + 4) at k = 0, and steeper at the cut-off.
 #pragma once
 
 #include "ibmfair/flow/flow_problem.h"
 
 namespace ibmfair {
 
-/// Does that `options.twicing` times to the state of a flow that is complete. The residual is taken
-/// as a height over the surface, so that no vertex slides back, or with `options.put_back_slides`
-/// as a move: where the flow is linear in the coordinates, as the umbrella's is, that makes it the
-/// filter above of each of them, if volume and area are not kept on the way but brought back at the
-/// end (willmore_flow): a flow that keeps them goes another way. What the guarded flow promises
-/// holds: no hinge folds over that was not folded at the flow's end, the energy stays below that at
-/// its start, bounds on moves, volume and area are kept. A pass that cannot be done ends them; the
-/// report counts those that were.
+/// Applies `options.twicing` passes of twicing to the state of a completed flow. The residual is
+/// the height of the start over the surface along the normals, so that no vertex slides back within
+/// the surface; with `options.put_back_slides` it is the whole move. If the flow is linear in the
+/// coordinates, as that of the umbrella operator is, whole moves make twicing the filter above for
+/// each coordinate. That needs volume and area to be restored only at the end (willmore_flow),
+/// because a flow that keeps them is not linear. The promises of the guarded flow hold: no hinge
+/// folds over that was not folded at the end of the flow, the energy stays below that at the start,
+/// and bounds on moves, volume and area are kept. If a pass fails, the passes end; the report
+/// counts the completed passes.
 void twice(FlowProblem& problem);
 
 }  // namespace ibmfair

@@ -11,7 +11,7 @@
 namespace ibmfair {
 namespace {
 
-constexpr std::size_t most_vertices = 200;  // of a patch: flaps are small, and noise is all around
+constexpr std::size_t most_vertices = 200;  // of a flap: larger patches are noise, not flaps
 constexpr int sweeps = 40;                  // over a patch of a few rings
 
 class FlapFinder {
@@ -43,7 +43,7 @@ class FlapFinder {
 
   void want(Index v) { wanted_[v] = may_move(v) ? 1 : 0; }
 
-  /// And their neighbours.
+  /// Flags the vertices at foldovers and their neighbours.
   void want_vertices_at_folds() {
     const std::vector<std::uint8_t> folded = folded_hinges(X_, topology_, fold_to_undo);
     for (auto fold = std::find(folded.begin(), folded.end(), 1); fold != folded.end();

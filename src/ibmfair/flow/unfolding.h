@@ -1,6 +1,6 @@
-// Finds what noise has folded over for good: a flap of a few triangles that lies on its back costs
-// a curvature energy less than the way out would, and the sweeps of tangential relaxation hold it
-// only in balance.
+// Finds foldovers that the flow cannot undo. A flap (a few triangles that noise has turned over)
+// has less curvature energy than the states on the way to unfolding it, and tangential relaxation
+// alone does not unfold it either.
 #pragma once
 
 #include <numbers>
@@ -9,23 +9,25 @@
 
 namespace ibmfair {
 
-/// The largest dihedral angle, in radians, of the hinges that find_flaps looks at.
+/// The largest dihedral angle (radians) of a hinge, an edge with its two triangles, at which
+/// find_flaps looks for a flap.
 inline constexpr double fold_to_undo = std::numbers::pi / 3;
 
-/// Vertices of hinges that are folded over, though the surface around is nearly flat, and the
-/// neighbours of these, in patches. Sharp edges, the rims of sheets and thin tips are not among
-/// them, as what is around them is not flat; nor is what is at a boundary or on several parts.
-/// `flat`: what the normals around keep of their lengths when they are added, at least, up to 1.
-/// `rings` are those of vertex_rings.
+/// Finds flaps: patches of the vertices of hinges that are folded over although the surface around
+/// is nearly flat, and of their neighbours. Sharp edges, the rims of thin sheets and thin tips are
+/// not flaps, because the surface around them is not flat. Foldovers at a boundary or across parts
+/// of the mesh are left out. `flat`: the least length of the sum of the surrounding triangles' area
+/// vectors, relative to the sum of their lengths (1 for a plane). `rings`: the result of
+/// vertex_rings.
 std::vector<VertexPatch> find_flaps(const Points& X, const Topology& topology, const Rows& rings,
                                     const Unknowns& unknowns, const MeshParts& parts, double flat);
 
-/// Whether the triangles around a patch that it does not move are so flat.
+/// Whether the triangles around a patch that touch none of its vertices are flat (`flat` as above).
 bool is_flat_around(const VertexPatch& patch, const Points& X, const Topology& topology,
                     const Rows& rings, double flat);
 
-/// Brings each vertex of a patch to the mean of its neighbours: a map that folds nothing over where
-/// the rim is convex (Tutte 1963).
+/// Moves each vertex of a patch to the mean of its neighbours by repeated sweeps. The limit is
+/// foldover-free if the rim of the patch is convex (Tutte 1963).
 void even_out(const VertexPatch& patch, const Rows& rings, Points& X);
 
 }  // namespace ibmfair

@@ -9,12 +9,12 @@
 
 namespace ibmfair {
 
-/// Area-weighted normals of the unknown vertices, one row each: unit length, or zero where there is
-/// none.
+/// Area-weighted normals of the unknown vertices, one row each: unit length, or zero if a vertex
+/// has no normal.
 Points unknown_normals(const Points& X, const Topology& topology, const Unknowns& unknowns);
 
-/// How far the unknown vertices of `Y` stand above those of `X` along these normals, length: one
-/// number each.
+/// The heights of the unknown vertices of `Y` over those of `X` along these normals, length: one
+/// number per unknown.
 Eigen::VectorXd heights_along(const Points& normals, const Points& Y, const Points& X,
                               const Unknowns& unknowns);
 

@@ -12,7 +12,7 @@
 namespace ibmfair {
 namespace {
 
-/// `took_noise`: in a first stage.
+/// Flattens specks and applies twicing after the flow. `took_noise`: a first stage removed noise.
 void finish(FlowProblem& problem, bool took_noise) {
   const FlowOptions& options = problem.options;
   if (took_noise && options.mend) {
@@ -23,7 +23,8 @@ void finish(FlowProblem& problem, bool took_noise) {
   }
 }
 
-/// Brings back the volume and area that were not kept on the way; or the start, where that fails.
+/// Restores the volume and area that the steps did not keep. If that fails, the result is the
+/// start.
 void restore_quantities(FlowProblem& problem) {
   FoldWatch folds(problem.X, problem.topology, problem.unknowns);
   Points move = problem.resume_quantities(), Y;
@@ -62,7 +63,7 @@ FlowReport flow_as_numbered(Points& X, const Topology& topology,
   return std::move(problem.report);
 }
 
-/// With the numbers of neighbours close together.
+/// Renumbers the mesh for the flow if neighbours are far apart in memory.
 FlowReport flow_by_places(Points& X, const Topology& topology,
                           const std::vector<std::uint8_t>& held, const FlowOptions& options,
                           const StepObserver& observer, const MeshParts& parts) {
