@@ -20,7 +20,7 @@ void lower_limit(__rlimit_resource resource, rlim_t soft, rlim_t hard) {
   setrlimit(resource, &limit);
 }
 
-// Landlock as linux/landlock.h has it; many systems' copy of that is older than their kernel.
+// The definitions of linux/landlock.h; on many systems this header is older than the kernel.
 struct RulesetAttributes {
   std::uint64_t file_rights;
   std::uint64_t network_rights;
@@ -40,7 +40,7 @@ constexpr std::uint64_t lowest_bits(int count) {
   return (std::uint64_t{1} << count) - 1;
 }
 
-/// Everything that this version of Landlock can forbid.
+/// All access rights that this version of Landlock can restrict.
 RulesetAttributes all_rights(long version) {
   RulesetAttributes all{};
   all.file_rights = lowest_bits(version >= 5 ? 16 : version >= 3 ? 15 : version == 2 ? 14 : 13);
@@ -53,12 +53,13 @@ RulesetAttributes all_rights(long version) {
 
 void limit_resources(std::uint64_t cpu_seconds, [[maybe_unused]] std::uint64_t address_space) {
   prctl(PR_SET_PDEATHSIG, SIGKILL);
-  // Only the soft limit has a signal of its own, SIGXCPU; the hard one is SIGKILL as so much is.
+  // The soft limit raises SIGXCPU, which identifies the cause; the hard limit raises SIGKILL, which
+  // has many possible causes.
   lower_limit(RLIMIT_CPU, cpu_seconds, cpu_seconds + 1);
   for (const auto resource : {RLIMIT_FSIZE, RLIMIT_NPROC, RLIMIT_CORE}) {
     lower_limit(resource, 0, 0);
   }
-#ifndef IBMFAIR_SANITIZED  // which needs all of it
+#ifndef IBMFAIR_SANITIZED  // the sanitizers need the whole address space
   lower_limit(RLIMIT_AS, address_space, address_space);
 #endif
 }

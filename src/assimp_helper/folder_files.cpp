@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Importers put this before the names of what they refer to, too.
+/// Importers put this prefix before the names of files that the main file refers to.
 constexpr const char* folder_as_seen = "./";
 
 std::string with_extension(const fs::path& path, const std::string& extension) {
@@ -37,7 +37,7 @@ struct OpenFile {
   }
 };
 
-/// Reads what there is; a file that shrinks meanwhile ends early.
+/// Reads the whole file; if the file shrinks meanwhile, the stream ends early.
 Assimp::IOStream* read_into_stream(const OpenFile& file) {
   struct stat status {};
   fstat(file.fd, &status);
@@ -69,11 +69,12 @@ FolderFiles::~FolderFiles() {
   if (folder_ >= 0) close(folder_);
 }
 
-/// The kernel itself resolves the name within the folder, so that nobody can exchange a link
-/// between a check and its use. Negative: there is no such file, or it must not be read.
+/// Opens a file of the folder; returns a negative number if the file does not exist or must not be
+/// read. The kernel itself enforces that the name stays in the folder, so that no link can be
+/// exchanged between a check and its use.
 int FolderFiles::open_beneath(const char* name) const {
   struct open_how how {};
-  how.flags = O_RDONLY | O_CLOEXEC | O_NOCTTY | O_NONBLOCK;  // a pipe must not make it wait
+  how.flags = O_RDONLY | O_CLOEXEC | O_NOCTTY | O_NONBLOCK;  // opening a pipe must not block
   how.resolve = RESOLVE_BENEATH | RESOLVE_NO_MAGICLINKS;
   const auto opened = syscall(SYS_openat2, folder_, name, &how, sizeof how);
   if (opened < 0) {

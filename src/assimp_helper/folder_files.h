@@ -1,4 +1,4 @@
-// The files that an importer gets to see.
+// The files that an importer is allowed to read.
 #pragma once
 
 #include <cstdint>
@@ -10,26 +10,27 @@
 
 namespace ibmfair {
 
-/// The main file's bytes, and regular files within the folder that it stands in, to be read.
-/// Everything else is refused: writing, and names that lead out of the folder as absolute names,
-/// `..` and symbolic links may.
+/// Read access to the bytes of the main file and to regular files in the folder of the main file.
+/// Everything else is refused: writing, and names that lead out of the folder, for example absolute
+/// names, names with `..`, and symbolic links.
 class FolderFiles : public Assimp::IOSystem {
  public:
-  /// `path` is the main file's; empty: it has none, and there is no folder. `bytes` must outlive
-  /// this. The main file is shown under a name that ends in `.extension`.
+  /// `path` is the path of the main file; if `path` is empty, there is no folder to read from.
+  /// `bytes`, the content of the main file, must outlive this object. The importer sees the main
+  /// file under a name that ends in `.extension`.
   FolderFiles(const std::string& path, const std::string& extension,
               std::span<const std::uint8_t> bytes);
   ~FolderFiles() override;
   FolderFiles(const FolderFiles&) = delete;
   FolderFiles& operator=(const FolderFiles&) = delete;
 
-  /// The folder, opened as a place to look from; negative where there is none.
+  /// The descriptor of the folder, for openat2(); negative if there is no folder.
   int folder() const { return folder_; }
 
   /// The name by which the importer knows the main file.
   const std::string& main_name() const { return main_name_; }
 
-  /// The first name asked for that leads out of the folder; empty: none.
+  /// The first requested name that leads out of the folder; empty if there was no such request.
   const std::string& outside() const { return outside_; }
 
   bool Exists(const char* name) const override;

@@ -24,7 +24,8 @@ constexpr std::size_t most = static_cast<std::size_t>(std::numeric_limits<std::i
 
 using Transform = Eigen::Matrix4d;
 
-/// assimp multiplies matrices in float32; a chain of nodes keeps more digits here.
+/// Products of the transforms along a chain of nodes are computed in double, because assimp's
+/// float32 would lose digits.
 Transform to_double(const aiMatrix4x4& matrix) {
   Transform result;
   for (unsigned row = 0; row < 4; ++row) {
@@ -35,7 +36,7 @@ Transform to_double(const aiMatrix4x4& matrix) {
   return result;
 }
 
-/// Strings all meshes together, once for every node that shows them.
+/// Concatenates all meshes, each mesh once for every node that refers to the mesh.
 class SceneReader {
  public:
   SceneReader(const aiScene& scene, ImportedScene& result) : scene_(scene), result_(result) {
@@ -47,7 +48,7 @@ class SceneReader {
       any_colours_ = any_colours_ || scene.mMeshes[i]->HasVertexColors(0);
       result_.normals = result_.normals || scene.mMeshes[i]->HasNormals();
     }
-    // Enough where every mesh is shown once and consists of triangles.
+    // These sizes are sufficient if every mesh occurs once and consists of triangles.
     result_.positions.reserve(3 * vertices);
     result_.first.reserve(faces + 1);
     result_.corner.reserve(3 * faces);
@@ -139,8 +140,8 @@ class SceneReader {
   bool any_colours_ = false;
 };
 
-/// Leaves only the importers that declare this extension: assimp would otherwise try all of them on
-/// a file that its own importer does not recognise.
+/// Removes all importers that do not declare this extension. Otherwise assimp would try all of its
+/// importers on a file that the importer for this extension does not recognise.
 void keep_importers_of(const std::string& extension, Assimp::Importer& importer) {
   for (std::size_t i = importer.GetImporterCount(); i-- > 0;) {
     std::istringstream declared(importer.GetImporterInfo(i)->mFileExtensions);
@@ -152,17 +153,17 @@ void keep_importers_of(const std::string& extension, Assimp::Importer& importer)
   }
 }
 
-/// assimp makes a message of every exception, this one too.
+/// Rethrows an exception for lack of memory, because assimp turns all exceptions into messages.
 void rethrow_want_of_memory(const std::exception_ptr& exception) {
   if (exception == nullptr) return;
   try {
     std::rethrow_exception(exception);
   } catch (const std::bad_alloc&) {
     throw;
-  } catch (const std::length_error&) {  // a vector of more than any memory holds
+  } catch (const std::length_error&) {  // a vector larger than any memory
     throw std::bad_alloc();
   } catch (...) {
-    return;  // told by its message
+    return;  // the importer's message reports all other exceptions
   }
 }
 
@@ -176,20 +177,20 @@ ImportedScene import_scene(FolderFiles& files, const std::string& extension) {
     result.error = "assimp was built without this format";
     return result;
   }
-  // No post-processing: every step of it renumbers or merges something.
+  // No post-processing, because every step of it renumbers or merges vertices or faces.
   constexpr unsigned no_steps = 0;
-  // A file without meshes would get some that show its bones.
+  // Without this setting assimp adds meshes that show the bones of a file without meshes.
   importer.SetPropertyBool(AI_CONFIG_IMPORT_NO_SKELETON_MESHES, true);
   importer.SetIOHandler(&files);
   const aiScene* scene = importer.ReadFile(files.main_name(), no_steps);
-  importer.SetIOHandler(nullptr);  // takes it away from the importer, which would delete it
+  importer.SetIOHandler(nullptr);  // else the importer would delete `files`
   if (scene == nullptr) {
     rethrow_want_of_memory(importer.GetException());
     result.error = std::string("assimp cannot read it: ") + importer.GetErrorString();
     return result;
   }
   SceneReader(*scene, result).run();
-  // A facet's normal says nothing that its corners do not.
+  // The normals of STL facets are redundant, because they follow from the corners.
   if (extension == "stl") result.normals = false;
   return result;
 }

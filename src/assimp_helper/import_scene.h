@@ -1,4 +1,4 @@
-// What assimp is asked to do.
+// Reading a scene with assimp.
 #pragma once
 
 #include <string>
@@ -9,9 +9,9 @@ namespace ibmfair {
 
 class FolderFiles;
 
-/// Reads the main file with the importers that declare `extension`, and no others, and strings all
-/// of its meshes together, once for every node that shows them. Throws std::bad_alloc for want of
-/// memory.
+/// Reads the main file, only with importers that declare `extension`, and concatenates all meshes
+/// of the scene, each mesh once for every node that refers to the mesh. Throws std::bad_alloc if
+/// memory runs out.
 ImportedScene import_scene(FolderFiles& files, const std::string& extension);
 
 }  // namespace ibmfair

@@ -1,4 +1,4 @@
-// A scene as assimp read it, strung together into one mesh.
+// A scene that assimp has read, concatenated into one mesh.
 #pragma once
 
 #include <cstdint>
@@ -7,15 +7,15 @@
 
 namespace ibmfair {
 
-/// Laid out as io/import_reply.h sends it.
+/// The arrays have the layout in which io/import_reply.h sends them.
 struct ImportedScene {
-  std::string error;                        ///< not empty: nothing was read
-  std::vector<double> positions;            ///< 3 a vertex, node transforms applied
+  std::string error;                        ///< if not empty, nothing was read
+  std::vector<double> positions;            ///< 3 per vertex, node transforms applied
   std::vector<std::int64_t> first{0};       ///< face f has corners first[f] .. first[f + 1] - 1
   std::vector<std::int32_t> corner;         ///< vertex numbers
-  std::vector<double> texture_coordinates;  ///< 2 a vertex; empty: none
-  std::vector<double> colours;              ///< 4 a vertex; empty: none
-  std::int64_t left_out_faces = 0;          ///< points and lines
+  std::vector<double> texture_coordinates;  ///< 2 per vertex, or empty
+  std::vector<double> colours;              ///< 4 per vertex, or empty
+  std::int64_t left_out_faces = 0;          ///< number of points and lines that were left out
   bool normals = false;
 
   std::size_t vertex_count() const { return positions.size() / 3; }

@@ -1,5 +1,5 @@
-// The process in which assimp reads a file for the library: what goes wrong in it ends nothing but
-// this process. io/assimp_import.cpp starts it, io/import_reply.h says what it replies.
+// The process in which assimp reads a file for the library, so that a crash in assimp ends only
+// this process. io/assimp_import.cpp starts the process, and io/import_reply.h describes its reply.
 #include <cerrno>
 #include <cstdlib>
 #include <memory>
@@ -18,7 +18,7 @@
 namespace ibmfair {
 namespace {
 
-/// Nobody is left to tell.
+/// Ends without a message, because the parent process no longer reads from the socket.
 [[noreturn]] void give_up() {
   _exit(EXIT_FAILURE);
 }
@@ -97,5 +97,5 @@ int main(int argc, char** argv) {
     const ibmfair::ImportHeader header{.status = ibmfair::ImportStatus::out_of_memory};
     ibmfair::send_bytes(&header, sizeof header);
   }
-  _exit(EXIT_SUCCESS);  // what assimp holds need not be taken apart
+  _exit(EXIT_SUCCESS);  // skips the destructors of assimp's data, which would only take time
 }

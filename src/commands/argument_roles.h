@@ -1,5 +1,5 @@
-// What a command's arguments mean to somebody who does not know the command: which files it reads
-// and writes, and how a job file calls them.
+// The meaning of arguments for code that does not know the command: which arguments name files that
+// are read or written, and the keys of the arguments in a job file.
 #pragma once
 
 #include <cstdint>
@@ -13,35 +13,35 @@ class Option;
 
 namespace ibmfair::commands {
 
-/// The type names by which an argument's declaration says that it names a file. The arguments IN
-/// and OUT need none.
+/// The type names that declare an argument as the name of a file. The arguments IN and OUT need no
+/// such type name.
 inline constexpr const char* file_to_read = "FILE";
 inline constexpr const char* name_or_file_to_read = "NAME|FILE";
 inline constexpr const char* file_to_write = "OUTFILE";
 
 enum class Role : std::uint8_t {
   value,
-  reads,       ///< a file
-  might_read,  ///< a file if there is one of that name
-  writes
+  reads,       ///< names a file that is read
+  might_read,  ///< names a file that is read if the file exists
+  writes       ///< names a file that is written
 };
 
 Role role_of(const CLI::Option& option);
 
-/// Its name in a job file: `input` and `output` for IN and OUT, other positional arguments in lower
-/// case, options without dashes.
+/// The key of an argument in a job file: `input` and `output` for IN and OUT, the name in lower
+/// case for other positional arguments, the name without dashes for options.
 std::string key_of(const CLI::Option& option);
 
-/// Whether it takes no value.
+/// Whether the option takes no value.
 bool is_flag(const CLI::Option& option);
 
-/// The first positional argument that names a file to read, and the one that names a file to write;
-/// null where the command has none.
+/// The first positional argument that names a file to read, and the first that names a file to
+/// write; null if the command has no such argument.
 CLI::Option* input_argument(CLI::App& command);
 CLI::Option* output_argument(CLI::App& command);
 
-/// The argument (`positional`) or the option of that key; null where there is none that a job may
-/// set.
+/// The argument (if `positional`) or the option with this key; null if there is none, or if a job
+/// must not set it.
 const CLI::Option* find_argument(const CLI::App& command, std::string_view key, bool positional);
 
 }  // namespace ibmfair::commands

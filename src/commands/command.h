@@ -1,5 +1,5 @@
-// What a command is. A new one is one file that defines a `declare_...` function, and one row in
-// table.cpp.
+// The interface of a command. A new command is one file that defines a `declare_...` function, and
+// one row in table.cpp.
 #pragma once
 
 #include <functional>
@@ -15,18 +15,18 @@ class App;
 
 namespace ibmfair::commands {
 
-/// Does a command's work with the arguments that were parsed before. Reports failure by throwing
-/// one of the library's exceptions.
+/// Runs a command with the arguments that were parsed before. Reports failure by throwing one of
+/// the library's exceptions.
 using Runner = std::function<ExitCode(Console& console)>;
 
 struct Command {
   std::string_view name;
   std::string_view summary;  ///< one line for the list of commands
 
-  /// Declares the command's arguments and options; they are stored in an object that the returned
-  /// runner shares, and documents them with examples (commands/documentation.h): everything that
-  /// lists options is made from that. Options that every command has (--quiet, -v, --threads) are
-  /// not declared here.
+  /// Declares the command's arguments and options, and documents them with examples
+  /// (commands/documentation.h); help, man pages and completions are made from this documentation.
+  /// The parsed values are stored in an object that the returned runner shares. Options that every
+  /// command has (--quiet, -v, --threads) are not declared here.
   Runner (*declare)(CLI::App& app);
 };
 

@@ -1,4 +1,4 @@
-// The command line: the table of commands, declared and ready to parse.
+// The command line: a parser for the commands of the table.
 #pragma once
 
 #include <memory>
@@ -12,7 +12,8 @@
 
 namespace ibmfair::commands {
 
-/// Arguments that do not fit any command's declaration; the help tells more.
+/// Arguments that do not match the declaration of a command. The message should be followed by a
+/// hint to the help.
 class Misuse : public BadOption {
  public:
   using BadOption::BadOption;
@@ -20,35 +21,37 @@ class Misuse : public BadOption {
 
 class CommandLine {
  public:
-  /// Of every command, each declared when it is named or asked about. With `many_files`, those that
-  /// map one mesh to one mesh take any number of them and --out-dir (commands/many_files.h).
+  /// A parser for all commands. The options of a command are declared only when the command is
+  /// named or asked about. With `many_files`, the commands that map one mesh to one mesh take any
+  /// number of input meshes and --out-dir (commands/many_files.h).
   explicit CommandLine(bool many_files = false);
 
-  /// Declares the command of this name alone. Throws BadOption with a suggestion where there is
-  /// none.
+  /// Declares only the command with this name. If there is no such command, throws BadOption with a
+  /// suggestion.
   explicit CommandLine(std::string_view command);
 
-  /// Declares this command alone, which has to outlive the line.
+  /// Declares only this command, which must outlive the CommandLine.
   explicit CommandLine(const Command& command);
 
   ~CommandLine();
   CommandLine(const CommandLine&) = delete;
   CommandLine& operator=(const CommandLine&) = delete;
 
-  /// Parses the program's arguments, once: the command's name first. Returns the text to print
-  /// where --help or --version ask for one. Throws Misuse and, for values, BadOption.
+  /// Parses the program's arguments, of which the first is the command's name; may be called once.
+  /// If an option such as --help or --version asks for a text, returns the text to print. Throws
+  /// Misuse, and BadOption for unacceptable values.
   std::optional<std::string> parse(std::vector<std::string> words);
 
-  /// The command that the arguments named; before parsing, the only one there is.
+  /// The command that the arguments named. Before parsing there must be only one command.
   CLI::App& command();
 
-  /// Where the help is that would have told what to write.
+  /// A sentence that names the help command to type, for messages about misuse.
   std::string help_hint() const;
 
-  /// After a Misuse without a command: the commands that most people need; else empty.
+  /// If the arguments named no command: examples of the most common commands; else empty.
   std::string first_commands() const;
 
-  /// Does what the parsed arguments ask for.
+  /// Runs the command with the parsed arguments.
   ExitCode run(Console& console);
 
  private:

@@ -44,14 +44,14 @@ struct CompareArguments {
   bool overwrite = false;
 };
 
-/// A mesh with what is needed of it more than once.
+/// A mesh with derived data that is used more than once.
 struct Side {
   Mesh mesh;
-  Triangles F;  // with the file's own orientation
+  Triangles F;  // with the orientation of the file
   MeshSummary summary;
 };
 
-/// What the command found out, in words and for machines.
+/// The results of the command, as JSON and as text.
 struct Comparison {
   ordered_json& json;
   FigureList list;

@@ -75,8 +75,9 @@ void Console::say(std::string_view label, std::string_view colour, std::string_v
   std::transform(parts.begin(), parts.end(), pieces.begin(), [](std::string_view part) {
     return iovec{const_cast<char*>(part.data()), part.size()};
   });
-  // One call a line, so that lines of several programs on one terminal do not mix, and no memory,
-  // of which there may be none left. There is nobody to tell where it fails.
+  // Each message is written by one call, so that the lines of several programs on one terminal do
+  // not mix, and without allocation, because memory may have run out. An error cannot be reported
+  // anywhere.
   [[maybe_unused]] const ssize_t written = writev(STDERR_FILENO, pieces.data(), pieces.size());
 }
 

@@ -1,4 +1,4 @@
-// What the program says to a person: always on standard error, standard output is for data.
+// Messages to the user. They go to standard error; standard output is for data.
 #pragma once
 
 #include <cstdint>
@@ -10,11 +10,11 @@ class Console {
  public:
   enum class Level : std::uint8_t {
     quiet,   ///< errors only
-    normal,  ///< warnings and notes, too
-    verbose  ///< details, too
+    normal,  ///< also warnings and notes
+    verbose  ///< also details
   };
 
-  /// Colours are used on a terminal, or where CLICOLOR_FORCE is set and not 0, and never where
+  /// Colours are used on a terminal, or if CLICOLOR_FORCE is set and not 0; they are never used if
   /// NO_COLOR is set or TERM is "dumb".
   Console();
 
@@ -24,11 +24,12 @@ class Console {
   /// Whether standard error is a terminal: progress is shown only there.
   bool on_terminal() const { return terminal_; }
 
-  // Each says one line, whatever names of files hold: see commands/printable.h.
+  // Each function prints one line; line breaks and control characters in the text, for example from
+  // file names, are escaped (commands/printable.h).
   void error(std::string_view text) const;    ///< `ibmfair: error: text`
   void warning(std::string_view text) const;  ///< `ibmfair: warning: text`
-  void detail(std::string_view text) const;   ///< `ibmfair: text`, with -v only
-  /// `ibmfair: text`, and below it the lines of a table that are printable as they are.
+  void detail(std::string_view text) const;   ///< `ibmfair: text`, only with -v
+  /// `ibmfair: text`, and below it the lines of `table`, which must be printable.
   void note(std::string_view text, std::string_view table = {}) const;
 
  private:
@@ -40,8 +41,8 @@ class Console {
   bool coloured_;
 };
 
-/// Writes data to standard output. Throws CannotWrite, also where standard output is closed or its
-/// reader is gone.
+/// Writes data to standard output. Throws CannotWrite, also if standard output is closed or its
+/// reader has ended.
 void write_standard_output(std::string_view bytes);
 
 }  // namespace ibmfair::commands

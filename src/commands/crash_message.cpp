@@ -13,7 +13,7 @@ namespace ibmfair::commands {
 
 namespace {
 
-/// Text in memory that is there from the start; what does not fit is left out.
+/// Text in static memory, without allocation; text beyond the capacity is dropped.
 template <std::size_t capacity>
 class FixedText {
  public:
@@ -31,7 +31,8 @@ class FixedText {
   std::size_t size_ = 0;
 };
 
-// A crash may come while the stage is written: the one that is shown is never written to.
+// Two buffers, because a crash can happen while a stage is being written: the shown buffer is never
+// written to.
 std::array<FixedText<100>, 2> stages;
 std::atomic<std::size_t> shown_stage{0};
 static_assert(std::atomic<std::size_t>::is_always_lock_free);

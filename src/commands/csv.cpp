@@ -32,7 +32,7 @@ void flatten(const ordered_json& object, const std::string& prefix, ordered_json
   }
 }
 
-/// `pick` says what of a column stands in the line.
+/// A line with the value `pick(name)` for each column.
 template <class Pick>
 std::string csv_line(const ordered_json& columns, const Pick& pick) {
   std::string line;

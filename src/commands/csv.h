@@ -9,15 +9,15 @@
 namespace ibmfair::commands {
 
 struct Table {
-  nlohmann::ordered_json columns = nlohmann::ordered_json::object();  ///< only names count
-  std::vector<nlohmann::ordered_json> rows;  ///< flat objects; their further names are columns, too
+  nlohmann::ordered_json columns = nlohmann::ordered_json::object();  ///< only the keys are used
+  std::vector<nlohmann::ordered_json> rows;  ///< flat objects; other keys become further columns
 };
 
-/// `{"after": {"energy": 1}}` as `{"after.energy": 1}`, without lists.
+/// Turns `{"after": {"energy": 1}}` into `{"after.energy": 1}`. Lists are left out.
 nlohmann::ordered_json flattened(const nlohmann::ordered_json& object);
 
-/// A line with the names of the columns and one for each row; a value that a row does not have, is
-/// null or not finite is empty.
+/// A line with the names of the columns, and one line for each row. A value that is missing, null
+/// or not finite is an empty field.
 std::string csv_text(const Table& table);
 
 }  // namespace ibmfair::commands

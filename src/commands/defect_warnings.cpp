@@ -16,9 +16,9 @@ namespace {
 using nlohmann::ordered_json;
 
 struct Kind {
-  const char* what;   // for a person
-  const char* one;    // for a person, with the element's name
-  const char* field;  // of the report
+  const char* what;   // text for a number of defects
+  const char* one;    // text for a single defect, with the element's name
+  const char* field;  // field of the report
   const std::vector<Index> Defects::*list;
 };
 
@@ -36,7 +36,7 @@ constexpr std::array<Kind, 5> kinds{{
      &Defects::bow_tie_vertices},
 }};
 
-/// An edge is named by its two vertices, everything else by its number.
+/// The name of an element: for an edge its two vertices, for other elements the number.
 std::string name(const Topology& topology, const Kind& kind, Index i) {
   return kind.list == &Defects::non_manifold_edges
              ? fmt::format("{}-{}", topology.E(i, 0), topology.E(i, 1))
@@ -66,7 +66,7 @@ std::vector<Index> vertices_of(const Topology& topology, const Kind& kind, Index
   return {topology.F(i, 0), topology.F(i, 1), topology.F(i, 2)};
 }
 
-/// As large as the element and the triangles around it.
+/// A place that covers the element and the triangles around it.
 ScenePlace place_of_element(const Points& X, const Topology& topology, const Kind& kind, Index i) {
   const std::vector<Index> vertices = vertices_of(topology, kind, i);
   ScenePlace place;
@@ -127,7 +127,8 @@ void warn_of_defects(const Topology& topology, bool strict, const Console& conso
 }
 
 ordered_json defects_json(const Topology& topology) {
-  // Not null: the library crashes where it makes an object of that and there is no memory.
+  // An object from the start: the JSON library crashes if it converts null into an object and
+  // memory has run out.
   ordered_json json = ordered_json::object();
   for (const Kind& kind : kinds) {
     ordered_json& list = json[kind.field] = ordered_json::array();

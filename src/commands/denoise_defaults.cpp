@@ -19,10 +19,11 @@ struct DefaultValue {
   const char *option, *value, *with_creases;
 };
 
-constexpr const char* crease_laplacian = "crouzeix-raviart";  // which alone can keep any
+constexpr const char* crease_laplacian = "crouzeix-raviart";  // only this one keeps creases
 
-// More steps leave the same error (by 1 % on all of the table's meshes) and take longer; with
-// fewer, what the choice of the cut-off has done for one is of no use for the next.
+// With more steps the error is the same (within 1 % on all meshes of the table) and the run takes
+// longer. With fewer steps, the choice of the cut-off cannot continue the flow of one trial for the
+// next trial.
 constexpr std::array defaults{DefaultValue{"--cutoff", "auto", "auto"},
                               DefaultValue{"--laplacian", "umbrella", crease_laplacian},
                               DefaultValue{"--twicing", "1", "0"},
@@ -30,7 +31,8 @@ constexpr std::array defaults{DefaultValue{"--cutoff", "auto", "auto"},
 
 using Value = const char* DefaultValue::*;
 
-/// As on a command line; of two columns, what differs in the second one.
+/// The options with the values of a column, as on a command line. If `other` is given, only the
+/// options for which the columns differ.
 std::string words(Value value, Value other = nullptr) {
   std::string text;
   for (const DefaultValue& set : defaults) {
@@ -49,7 +51,7 @@ bool is_given(const CLI::App& app, const char* option) {
 
 void add_denoise_flag(CLI::App& app, SmoothArguments& arguments) {
   const auto set_defaults = [&app, &arguments](std::int64_t times) {
-    arguments.denoise = times > 0;  // not for --denoise=false
+    arguments.denoise = times > 0;  // false for --denoise=false
     if (!arguments.denoise) {
       return;
     }
@@ -59,7 +61,7 @@ void add_denoise_flag(CLI::App& app, SmoothArguments& arguments) {
       arguments.finds_creases = arguments.finds_creases && !is_given(app, option);
     }
     for (const auto& [name, value, with_creases] : defaults) {
-      if (!is_given(app, name)) {  // as if it had been: reports and jobs have it, too
+      if (!is_given(app, name)) {  // set as if given, so that reports and jobs contain the value
         app.get_option(name)->add_result(keeps_sharp ? with_creases : value);
       }
     }

@@ -1,6 +1,5 @@
-// What `smooth --denoise` is shorthand for: the options that remove noise of unknown strength from
-// meshes of which nothing else is known. tools/denoise_table tries them on scans, parts and round
-// shapes.
+// The options that `smooth --denoise` is shorthand for. They remove noise of unknown strength from
+// arbitrary meshes. tools/denoise_table tests them on scans, mechanical parts and round shapes.
 #pragma once
 
 #include <string>
@@ -17,18 +16,18 @@ namespace ibmfair::commands {
 
 struct SmoothArguments;
 
-/// Declares the flag. It must be declared before the options that it sets. Options that are given
-/// on the command line, too, keep what is given.
+/// Declares --denoise, which must be declared before the options that it sets. An option that is
+/// also given on the command line keeps the given value.
 void add_denoise_flag(CLI::App& app, SmoothArguments& arguments);
 
 /// Lines for the help: the options that the flag is shorthand for.
 std::string denoising_text();
 
-/// Whether the volume is kept: where the mesh has one, and moves are not bounded, which would keep
-/// it from being held exactly.
+/// Whether --denoise keeps the volume: if the mesh is closed and orientable and --max-move is not
+/// given, because with bounded moves the volume cannot be kept exactly.
 bool keeps_volume_of(const Topology& topology, const SmoothArguments& arguments);
 
-/// The options of a flow in place of these, but for the angle, where there are creases.
+/// The options of the flow that replace `options` if the mesh has creases, except for the angle.
 FlowOptions crease_options(const SmoothArguments& arguments, FlowOptions options);
 
 }  // namespace ibmfair::commands

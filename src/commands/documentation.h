@@ -1,5 +1,5 @@
-// What is said of a command besides what its parser knows: units, defaults in words, examples.
-// Help, man pages, completions and JSON are made of both: usage/usage.h.
+// The documentation of a command that its parser does not have: units, defaults in words, examples.
+// Help, man pages, completions and JSON are made from parser and documentation (usage/usage.h).
 #pragma once
 
 #include <map>
@@ -11,7 +11,7 @@
 
 namespace ibmfair::commands {
 
-/// The groups of options that several commands have, which stand behind a command's own.
+/// The groups of options that several commands share. They are listed after a command's own groups.
 namespace groups {
 inline constexpr const char* energy_and_flow = "Energy and flow";
 inline constexpr const char* solver_and_memory = "Solver and memory";
@@ -21,31 +21,31 @@ inline constexpr const char* many_files = "Many files";
 inline constexpr const char* every_command = "Every command";
 }  // namespace groups
 
-/// A command line that works, and one line on what it is good for.
+/// A working command line, and one line that says what it does.
 struct Example {
   std::string command;
   std::string meaning;
 };
 
-/// A part of the help with lines of its own.
+/// An additional section of the help text.
 struct Section {
   std::string title;
   std::string text;      ///< ends in a line feed
-  bool further = false;  ///< belongs to options that few people need
+  bool further = false;  ///< about options that few users need
 };
 
-/// What the parser does not know of an option or argument.
+/// The documentation of an option or argument that the parser does not have.
 struct OptionNote {
   std::string unit = {};
-  std::string default_text = {};             ///< in words, where no value says it
-  std::vector<std::string> offers = {};      ///< values for a shell to offer, not all there are
-  std::vector<std::string> extensions = {};  ///< of the files it names, those to offer first
+  std::string default_text = {};             ///< in words, if there is no default value
+  std::vector<std::string> offers = {};      ///< some values, for completion in a shell
+  std::vector<std::string> extensions = {};  ///< extensions of the files to offer first
 };
 
 struct Documentation {
   std::vector<Example> examples;
   std::vector<Section> sections;
-  std::map<std::string, OptionNote> notes;  ///< by the option's names as declared
+  std::map<std::string, OptionNote> notes;  ///< key: the option's names as declared
 };
 
 /// A command's parser with its documentation.
@@ -55,14 +55,14 @@ class DocumentedApp : public CLI::App {
   Documentation documentation;
 };
 
-/// Of a command of the table.
+/// The documentation of `app`, which must be a command of the table.
 Documentation& documentation_of(CLI::App& app);
 const Documentation& documentation_of(const CLI::App& app);
 
-/// The note of an option that `app` has, empty at first.
+/// The note of an option of `app`; it is created empty if there is none.
 OptionNote& note_of(CLI::App& app, const CLI::Option& option);
 
-/// Options declared from here on belong to the group of this name.
+/// Options that are declared after this call belong to the group with this name.
 void begin_group(CLI::App& app, const std::string& name);
 
 }  // namespace ibmfair::commands

@@ -15,7 +15,7 @@ namespace {
 
 using nlohmann::ordered_json;
 
-/// A number where that is written the same way, so that it reads back as the text it was.
+/// A JSON number if its text equals `text`, else a JSON string, so that `text` can be restored.
 ordered_json value_json(const std::string& text) {
   ordered_json number = ordered_json::parse(text, nullptr, false);
   return number.is_number() && number.dump() == text ? number : ordered_json(text);
@@ -36,8 +36,8 @@ ordered_json values_json(const CLI::Option& option) {
   return list;
 }
 
-/// Giving a default as if it had been chosen would clash with an option that takes its place, and
-/// ask for one that it needs.
+/// Whether the default value of the option must not be written: if an excluded option is given, or
+/// if a needed option is not given, the parser would reject the job.
 bool gives_way(const CLI::Option& option) {
   const auto excluded = option.get_excludes();
   const auto needed = option.get_needs();
@@ -46,7 +46,7 @@ bool gives_way(const CLI::Option& option) {
          !std::all_of(needed.begin(), needed.end(), is_given);
 }
 
-/// Adds the argument or option with what it stands for, if that is known.
+/// Adds the argument or option with its given or default value, if there is one.
 void add_value(const CLI::Option& option, ordered_json& place) {
   if (is_flag(option)) {
     place[key_of(option)] = option.count() > 0;

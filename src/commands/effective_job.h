@@ -12,16 +12,17 @@ class App;
 
 namespace ibmfair::commands {
 
-/// `{"command": ..., "input": ..., "output": ..., "options": {...}}` with what was given and every
-/// default that is known beforehand. Running it is running the command with these arguments.
+/// The job `{"command": ..., "input": ..., "output": ..., "options": {...}}` with the given
+/// arguments and every default value that is known before the run. Running the job is equivalent to
+/// running the command with its arguments.
 nlohmann::ordered_json effective_job(const CLI::App& command);
 
-/// Every option in force by name, also those that a job file does not take: what was given, and
-/// defaults that are known beforehand. Without --json and --threads, which a batch adds to its jobs
-/// and which change nothing that a report tells.
+/// The values of all options, given or default, by name, including options that a job file does not
+/// take. --json and --threads are left out, because a batch adds them to its jobs and they do not
+/// change the content of a report.
 nlohmann::ordered_json options_in_force(const CLI::App& command);
 
-/// The job file that holds these jobs. Throws BadOption for a text that is not UTF-8.
+/// The text of a job file with these jobs. Throws BadOption if a name or value is not UTF-8.
 std::string job_file_text(const std::vector<nlohmann::ordered_json>& jobs);
 
 }  // namespace ibmfair::commands

@@ -1,5 +1,5 @@
-// Engines: what a run of `smooth` is computed by. A mesh that is shared among the processes of
-// mpirun is the business of a program of its own, so that this one does not link MPI.
+// Engines, the programs that compute a run of `smooth`. A separate program distributes a mesh over
+// the processes of mpirun, so that this program does not link MPI.
 #pragma once
 
 #include <string>
@@ -10,11 +10,11 @@ namespace ibmfair::commands {
 inline constexpr const char* single_engine = "single";
 inline constexpr const char* petsc_engine = "petsc";
 
-/// Where the arguments (`words`, without the program's name) ask for the PETSc engine and it is
-/// installed, this process goes on as that; otherwise the function returns.
+/// If the arguments (`words`, without the program's name) select the PETSc engine and that program
+/// is installed, this process executes it (and the function does not return); otherwise returns.
 void become_engine(const std::vector<std::string>& words, const char* const* argv);
 
-/// Throws BadOption that tells what is missing, unless the engine is the single process.
+/// Throws BadOption unless `engine` is the single process; the message says what is missing.
 void require_single_engine(const std::string& engine);
 
 }  // namespace ibmfair::commands

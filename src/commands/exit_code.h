@@ -1,4 +1,4 @@
-// What the program tells its caller, and the one place where failures are mapped to it.
+// The exit codes of the program, and the only place where exceptions are mapped to exit codes.
 #pragma once
 
 #include <span>
@@ -10,17 +10,17 @@ namespace ibmfair::commands {
 
 enum class ExitCode {
   done = 0,
-  not_reached = 1,  ///< ran, but did not reach what was asked
+  not_reached = 1,  ///< ran, but did not achieve the requested result
   usage = 2,        ///< an option or argument that cannot be used
   bad_file = 3,     ///< an input that cannot be read or is malformed
   bad_mesh = 4,     ///< geometry that cannot be processed
   out_of_memory = 5,
   cannot_write = 6,
-  internal_error = 70,  ///< a mistake in the program itself
+  internal_error = 70,  ///< a bug in the program
   interrupted = 130
 };
 
-/// What the help says of a code; the codes of signals share a row.
+/// A row of the help about exit codes; the codes of signals share one row.
 struct ExitCodeMeaning {
   std::string_view code;
   std::string_view meaning;
@@ -28,11 +28,12 @@ struct ExitCodeMeaning {
 
 std::span<const ExitCodeMeaning> exit_code_meanings();
 
-/// The code of the exception being handled; call it in a catch block only. It needs no memory.
+/// The exit code of the exception being handled. Must be called in a catch block. Allocates no
+/// memory.
 ExitCode exit_code_of_current_exception();
 
-/// Says what the exception being handled is about, and returns its exit code; call it in a catch
-/// block only. It needs no memory.
+/// Prints the message of the exception being handled, and returns its exit code. Must be called in
+/// a catch block. Allocates no memory.
 ExitCode tell_of_current_exception(const Console& console);
 
 }  // namespace ibmfair::commands

@@ -1,4 +1,4 @@
-// Figures for a person to read: labels on the left, values in a column.
+// A list of figures (numbers of a report) as text: labels on the left, values in a column.
 #pragma once
 
 #include <string>
@@ -14,17 +14,18 @@ class FigureList {
   /// Adds the value with eight significant digits.
   void add(std::string label, double value);
 
-  /// One line a figure, whatever its value holds: see commands/printable.h.
+  /// One line per figure; control characters in values are escaped (commands/printable.h).
   std::string text() const;
 
  private:
   std::vector<std::pair<std::string, std::string>> lines_;
 };
 
-/// Eight significant digits.
+/// The value with eight significant digits.
 std::string figure(double value);
 
-/// From `before` to `after`, in per cent, or as a factor where that is large.
+/// The change from `before` to `after` in per cent, or as a factor if it is 1000 % or more; `-` if
+/// `before` is 0.
 std::string change_text(double before, double after);
 
 /// "1 face", "2 faces".

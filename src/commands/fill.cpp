@@ -27,10 +27,10 @@
 namespace ibmfair::commands {
 namespace {
 
-/// The region of all vertices but the two rings along open boundaries.
+/// The region that contains all vertices except the two rings along open boundaries.
 constexpr const char* everything = "@all";
 
-/// What both ways of running share.
+/// The input of both ways of running: filling holes and fairing a region.
 struct Input {
   MeshFile file;
   Triangulation triangulation;
@@ -58,8 +58,9 @@ HoleChoice hole_choice(const FillArguments& arguments, const Points& X, const To
   return choice;
 }
 
-/// A file of vertex numbers, or the name of something in the mesh file. The vertices of an OBJ
-/// group include those that it shares with its neighbours: they are the inner ring that stays.
+/// Reads the region from a file of vertex numbers, or from the mesh file by its name there. An OBJ
+/// group also contains the vertices that it shares with neighbouring groups; these vertices are the
+/// inner ring of fixed vertices, so they are left out of the region.
 std::vector<std::uint8_t> region_of(const FillArguments& arguments, const Input& input) {
   if (arguments.region == everything) {
     std::vector<std::uint8_t> region = held_vertices(input.topology, BoundaryCondition::fixed);
@@ -91,7 +92,7 @@ Extension extension_of(const Filling& filling, const Triangulation& triangulatio
   return extension;
 }
 
-/// What was asked for and not achieved, as one sentence; empty if everything was.
+/// A sentence that lists the requested results that were not achieved; empty if there are none.
 std::string shortfall(const Filling& filling, bool allow_intersections) {
   std::int64_t open = 0, rough = 0, folds = 0, intersections = 0;
   for (const HoleReport& hole : filling.holes) {
@@ -127,7 +128,7 @@ void draw(const FillArguments& arguments, const Points& before, const Topology& 
   draw_picture(arguments.picture, arguments.output.write.overwrite, states, topology.F.rows());
 }
 
-/// The filled mesh, where a picture or a page shows it; else empty.
+/// The filled mesh if a picture or page shows it; else empty.
 struct ShownMesh {
   Points X;
   Topology topology;
@@ -143,13 +144,13 @@ ShownMesh shown_mesh(const FillArguments& arguments, const Topology& topology,
   return {std::move(filled.X), std::move(filled_topology)};
 }
 
-/// One of the two states that a page and the report beside it tell of.
+/// The figures of one of the two states (before and after) that a page shows.
 nlohmann::ordered_json state_json(const FillArguments& arguments, const SceneState& state) {
   const FlowOptions options = fill_options(arguments).fairing.flow_options();
   return mesh_state_json(*state.X, *state.topology, options);
 }
 
-/// Gives the report its end and writes it. `after` has the input's vertices and triangles first.
+/// Completes and writes the report. `after` begins with the vertices and triangles of the input.
 void deliver(const FillArguments& arguments, const Input& input, const SceneState& after,
              const SceneSource& marks, Report& report, const Console& console) {
   const SceneState before{"before", &input.file.mesh().X, &input.topology};

@@ -66,7 +66,7 @@ void add_region_options(CLI::App& app, FillArguments& a) {
                      "that triangles become even (relax); new patches are always relaxed")
           ->check(CLI::IsMember({"relax", "none"}))
           ->needs(region);
-  note_of(app, *tangential).default_text = "none";  // no value: a job without a region has none
+  note_of(app, *tangential).default_text = "none";  // no value: it needs --region
 }
 
 void add_patch_options(CLI::App& app, FillArguments& a) {

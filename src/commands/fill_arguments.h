@@ -1,4 +1,4 @@
-// What the command line of `fill` can say.
+// The command-line arguments of `fill`.
 #pragma once
 
 #include <optional>
@@ -33,7 +33,7 @@ struct FillArguments {
   std::string tangential = "none";
 };
 
-/// Declares the arguments and options, which are stored in `a`.
+/// Declares the arguments and options; their values are stored in `a`.
 void add_fill_arguments(CLI::App& app, FillArguments& a);
 
 }  // namespace ibmfair::commands

@@ -69,7 +69,7 @@ Warning warning_of(const Points& X, const Hole& rim, const HoleReport& hole) {
 
 constexpr const char* hole_columns = "  {:>6}  {:<14}{:>9}{:>10}{:>11}{:>10}{:>10}{:>8}{:>8}  {}";
 
-/// Why it is not filled, or what is wrong with how it is.
+/// The reason why the hole is not filled, or the flaws of its filling.
 std::string remarks(const HoleReport& hole) {
   std::vector<std::string> parts;
   if (!hole.reason.empty()) {
@@ -102,7 +102,7 @@ std::string hole_line(const HoleReport& hole) {
   return line + "\n";
 }
 
-/// Names and units of the columns: energies and ratios have none, angles are degrees.
+/// Names and units of the columns; energies and ratios have no unit, angles are in degrees.
 std::string hole_heading() {
   std::string text = fmt::format(hole_columns, "hole", "status", "vertices", "triangles", "energy",
                                  "change", "gradient", "seam", "around", "");

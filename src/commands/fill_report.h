@@ -1,4 +1,4 @@
-// What `fill` tells of a run: a line a hole for people, JSON for programs.
+// The report of a run of `fill`: one line per hole for people, JSON for programs.
 #pragma once
 
 #include <string>
@@ -14,12 +14,12 @@ struct FillSeconds {
   double read = 0, topology = 0, fill = 0, audit = 0, write = 0;
 };
 
-/// A table with a line for each hole: all of them and all stages with `detailed`, else the first
-/// few and those that took long.
+/// A table with one line per hole, and the seconds of the stages. If `detailed`, lists all holes
+/// and all stages; otherwise only the first holes, and the stages that took long.
 std::string fill_text(const Filling& filling, const FillSeconds& seconds, bool detailed);
 
-/// Adds the fields that the holes fill, the holes as a table, and warnings of those that were not
-/// filled as they should.
+/// Adds to the report the fields about holes, the table of holes, and warnings about holes that
+/// were not filled properly.
 void add_filling(const Filling& filling, const std::vector<Hole>& holes, const FillSeconds& seconds,
                  Report& report);
 

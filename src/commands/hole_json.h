@@ -1,4 +1,4 @@
-// Holes in reports.
+// JSON of a hole, for reports.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>

@@ -46,10 +46,10 @@ struct Energy {
   double value;
 };
 
-/// The members whose energies are told unasked.
+/// The members of the family whose energies are always reported.
 constexpr std::array<std::string_view, 2> usual_models{"crouzeix-raviart", "lagrange"};
 
-/// Of the Laplacian that was asked for.
+/// The data about the Laplacian that --laplacian selects.
 struct Operator {
   std::string laplacian;
   const MassMatrix* mass;
@@ -57,7 +57,7 @@ struct Operator {
   SpectrumEnds spectrum;
 };
 
-/// Everything that the command tells.
+/// All results of the command.
 struct Findings {
   MeshSummary summary;
   std::vector<Energy> energies;

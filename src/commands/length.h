@@ -19,16 +19,16 @@ struct Length {
   double value = 0;
   Unit unit = Unit::edges;
 
-  /// In the units of the coordinates.
+  /// The length in the units of the coordinates X.
   double on(const Points& X, const Topology& topology,
             const MeshParts& parts = MeshParts::one()) const;
 };
 
-/// A positive number followed by `e`, `%`, `u` or nothing, which means `unit`. Throws BadOption
-/// that starts with `name`.
+/// Parses a positive number followed by `e`, `%` or `u`; without suffix the unit is `unit`. Throws
+/// BadOption with a message that starts with `name`.
 Length parse_length_option(std::string_view name, std::string_view text, Length::Unit unit);
 
-/// Tells the help which units the option takes.
+/// Documents for the help which units the option takes.
 void note_units_of_length(CLI::App& app, const CLI::Option& option, Length::Unit unit);
 
 /// Declares an option for a length; Target is Length or std::optional<Length>.

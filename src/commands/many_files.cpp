@@ -48,7 +48,7 @@ std::string output_pattern(const ManyFiles& many) {
   return literal_pattern(many.folder) + (many.folder.ends_with('/') ? "" : "/") + many.name;
 }
 
-/// The command's own options, as they were given.
+/// The command's own options that were given.
 std::vector<Setting> given_settings(const CLI::App& command) {
   std::vector<Setting> settings;
   for (const CLI::Option* option : command.get_options()) {
@@ -99,7 +99,8 @@ Runner take_many_files(CLI::App& command, Runner run, bool asked) {
   if (input == nullptr || output == nullptr || key_of(*input) != "input") {
     return run;
   }
-  // With many files it is the commands that a dry run prints, and whole files that are kept.
+  // With many files, --dry-run prints the commands of the batch, and an interrupted batch keeps
+  // finished files only; so the command's own options of these names are removed.
   for (const char* name : {"--dry-run", "--checkpoint"}) {
     if (CLI::Option* own = command.get_option_no_throw(name); asked && own != nullptr) {
       command.remove_option(own);
@@ -117,7 +118,7 @@ Runner take_many_files(CLI::App& command, Runner run, bool asked) {
   begin_group(command, groups::every_command);
   command.add_flag("--dump-config", many->options.dump_config,
                    "print these arguments and all defaults as a job, without running it");
-  // The command's own arguments live as long as its runner.
+  // The lambda holds `run`, because the command's own arguments live as long as its runner.
   return [run = std::move(run), many, &command](Console& console) {
     return run_many_files(command, *many, console);
   };

@@ -1,4 +1,4 @@
-// `ibmfair COMMAND IN... --out-dir DIR`: the short way to run one command over many files.
+// `ibmfair COMMAND IN... --out-dir DIR`: runs one command on many files, without a job file.
 #pragma once
 
 #include <string>
@@ -8,16 +8,16 @@
 
 namespace ibmfair::commands {
 
-/// Whether the program's arguments ask for it.
+/// Whether the program's arguments contain --out-dir.
 bool asks_for_many_files(const std::vector<std::string>& words);
 
-/// Declares --out-dir and what goes with it, where the command maps one mesh (its argument IN) to
-/// one mesh (OUT). If this was `asked` for, IN becomes any number of files, OUT vanishes, and the
-/// runner returned does a batch; otherwise it is `run`.
+/// If the command maps one mesh (its argument IN) to one mesh (OUT), declares --out-dir and the
+/// options of a batch. If also `asked`, IN takes any number of files, OUT is removed, and the
+/// returned runner runs a batch; otherwise the returned runner calls `run`.
 Runner take_many_files(CLI::App& command, Runner run, bool asked);
 
-/// For a message about an argument too many: ` (--out-dir DIR takes many files)`, or nothing where
-/// the command does not.
+/// A hint for messages about an argument too many: ` (--out-dir DIR takes many files)`, or an empty
+/// string if the command has no --out-dir, or if it was given.
 std::string many_files_hint(const CLI::App& command);
 
 }  // namespace ibmfair::commands

@@ -1,5 +1,5 @@
-// Options that take numbers. Every one is checked to its last character and against its range, and
-// messages name the option.
+// Options that take numbers. The whole text must be a number within the range of the option;
+// messages about errors name the option.
 #pragma once
 
 #include <cstdint>
@@ -17,43 +17,44 @@ class Option;
 
 namespace ibmfair::commands {
 
-/// The numbers an option takes; infinities and NaN never belong to it.
+/// The numbers that an option takes. Infinities and NaN never belong to a range.
 struct Range {
   double smallest = -std::numeric_limits<double>::infinity();
   double largest = std::numeric_limits<double>::infinity();
-  bool above_smallest = false;  ///< `smallest` itself does not belong to it
+  bool above_smallest = false;  ///< `smallest` itself does not belong to the range
 };
 
 constexpr Range any_real{};
 constexpr Range positive{0.0, std::numeric_limits<double>::infinity(), true};
 constexpr Range not_negative{0.0};
 
-/// The finite number that `text` is as a whole. Throws BadOption that starts with `name`.
+/// Parses the whole text as a finite number. Throws BadOption with a message that starts with
+/// `name`.
 double parse_real_option(std::string_view name, std::string_view text, const Range& range);
 
-/// The integer that `text` is as a whole, between `smallest` and `largest`. Throws BadOption that
-/// starts with `name`.
+/// Parses the whole text as an integer between `smallest` and `largest`. Throws BadOption with a
+/// message that starts with `name`.
 std::int64_t parse_integer_option(std::string_view name, std::string_view text,
                                   std::int64_t smallest, std::int64_t largest);
 
-/// The `count` numbers, separated by commas, that `text` consists of. Throws BadOption that starts
-/// with `name`.
+/// Parses the whole text as `count` numbers separated by commas. Throws BadOption with a message
+/// that starts with `name`.
 std::vector<double> parse_reals_option(std::string_view name, std::string_view text,
                                        std::size_t count, const Range& range);
 
-/// Declares an option whose text goes to `set`, which throws BadOption where it does not like it.
+/// Declares an option whose text is passed to `set`, which throws BadOption for an invalid text.
 CLI::Option* add_parsed_option(CLI::App& app, const std::string& name, const std::string& type,
                                const std::string& help,
                                const std::function<void(const std::string&)>& set);
 
-/// Tells `ibmfair COMMAND --dump-config` what the option is where it is not given; a value that the
-/// option itself would not take stands for none.
+/// Sets the default value that `ibmfair COMMAND --dump-config` and the help show. A value outside
+/// the range of the option means that there is no default.
 void show_default(CLI::Option& option, double value, const Range& range);
 void show_default(CLI::Option& option, std::int64_t value, std::int64_t smallest,
                   std::int64_t largest);
 
-/// Declares an option for a number; Target is a number, which is its default, or std::optional of
-/// one.
+/// Declares an option for a number. Target is a number type, and the value of `target` is then the
+/// default; or Target is std::optional of a number type.
 template <class Target>
 CLI::Option* add_real(CLI::App& app, const std::string& name, Target& target, Range range,
                       const std::string& help) {
@@ -66,12 +67,12 @@ CLI::Option* add_real(CLI::App& app, const std::string& name, Target& target, Ra
   return option;
 }
 
-/// Declares an option for an amount of memory in bytes: a number, or one with k, M, G or T behind
-/// it for its thousands.
+/// Declares an option for an amount of memory in bytes: a number, optionally followed by k, M, G or
+/// T for the powers 10^3, 10^6, 10^9 and 10^12.
 CLI::Option* add_bytes(CLI::App& app, const std::string& name, double& target,
                        const std::string& help);
 
-/// Declares an option for an integer that `Integer`, the type of `smallest`, can hold.
+/// Declares an option for an integer of the type `Integer`, the type of `smallest`.
 template <class Target, class Integer>
 CLI::Option* add_integer(CLI::App& app, const std::string& name, Target& target, Integer smallest,
                          Integer largest, const std::string& help) {

@@ -1,4 +1,4 @@
-// The files that one run writes.
+// The output files of one run.
 #pragma once
 
 #include <string>
@@ -7,18 +7,19 @@
 namespace ibmfair::commands {
 
 struct OutputFile {
-  std::string option;  ///< that names it, as `--report`; empty for the argument OUT
+  std::string option;  ///< option that names the file, as `--report`; empty for OUT
   std::string path;
 };
 
-/// The one name of a file that has many, as `a/../b` and `b`.
+/// A unique name of a file that several paths can refer to, as `a/../b` and `b`.
 std::string file_identity(const std::string& path);
 
-/// Whether the path names a device or a pipe, which can be written by everybody.
+/// Whether the path names a device or a pipe, which several items or options may write.
 bool is_special_file(const std::string& path);
 
-/// What can be wrong before the work starts: throws BadOption where two of them are one file, and
-/// what `require_writable` (ibmfair/io/atomic_file.h) throws. Those without a path are left out.
+/// Checks the output files before the work starts. Throws BadOption if two entries are the same
+/// file, and the exceptions of `require_writable` (ibmfair/io/atomic_file.h). Entries with an empty
+/// path are ignored.
 void check_output_files(const std::vector<OutputFile>& files, bool overwrite);
 
 }  // namespace ibmfair::commands

@@ -1,4 +1,4 @@
-// The picture that commands draw of what they did.
+// The picture of a result that commands draw with --picture.
 #pragma once
 
 #include <span>
@@ -13,15 +13,16 @@ class App;
 namespace ibmfair::commands {
 
 struct PictureOptions {
-  std::string path;             ///< of a PNG file; empty: none
-  std::string colour = "none";  ///< a name from surface_fields(), or none
+  std::string path;             ///< path of a PNG file; empty: no picture
+  std::string colour = "none";  ///< a name from surface_fields(), or "none"
 };
 
-/// --picture, --picture-colour. `what` says what is drawn.
+/// Declares --picture and --picture-colour. `what` names the drawn object in the help.
 void add_picture_options(CLI::App& app, const std::string& what, PictureOptions& options);
 
-/// The states beside each other, in colours if the options want some; without, triangles from
-/// `patch_from` on are marked. Does nothing where no picture is wanted.
+/// Draws the states beside each other, coloured by the quantity that the options name. Without a
+/// quantity, marks the triangles from number `patch_from` on. Does nothing if no picture was
+/// requested.
 void draw_picture(const PictureOptions& options, bool overwrite, std::span<const FieldState> states,
                   Eigen::Index patch_from);
 

@@ -10,7 +10,7 @@ namespace {
 
 using Character = char32_t;
 
-/// Decodes the first character; returns its length, 0 where it is no UTF-8.
+/// Decodes the first character; returns its length in bytes, or 0 if it is not UTF-8.
 std::size_t decode(std::string_view text, Character& character) {
   const auto first = static_cast<unsigned char>(text.front());
   const std::size_t length = first < 0x80                    ? 1

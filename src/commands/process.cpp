@@ -18,7 +18,8 @@ namespace {
 
 void keep_open(int descriptor, int unusable_mode) {
   if (fcntl(descriptor, F_GETFD) == -1) {
-    // The lowest free number is taken, and lower ones have been seen to before.
+    // open() returns the lowest free descriptor, which is this one, because the lower standard
+    // descriptors have been opened before.
     [[maybe_unused]] const int taken = open("/dev/null", unusable_mode);
   }
 }
@@ -27,7 +28,7 @@ void end_with_parent() {
   const char* parent = std::getenv(parent_variable);
   if (parent != nullptr) {
     prctl(PR_SET_PDEATHSIG, SIGKILL);
-    if (std::to_string(getppid()) != parent) {  // it was gone before the kernel was asked
+    if (std::to_string(getppid()) != parent) {  // the parent had ended before the call of prctl()
       _exit(128 + SIGKILL);
     }
   }
@@ -37,7 +38,7 @@ void end_with_parent() {
 
 void prepare_process() {
   end_with_parent();
-  // The mode is the one that the stream is not used with, so that using it still fails.
+  // Each placeholder has the opposite mode of its stream, so that using the stream still fails.
   keep_open(STDIN_FILENO, O_WRONLY);
   keep_open(STDOUT_FILENO, O_RDONLY);
   keep_open(STDERR_FILENO, O_RDONLY);

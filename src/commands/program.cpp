@@ -32,7 +32,7 @@ ExitCode parse_and_run(const std::vector<std::string>& words, Console& console) 
   return line.run(console);
 }
 
-/// For libraries that promise not to throw, and run out of memory all the same.
+/// The terminate handler: libraries may throw std::bad_alloc from a noexcept function.
 [[noreturn]] void end_by_exception() {
   if (!std::current_exception()) {
     std::abort();

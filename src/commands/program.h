@@ -1,10 +1,10 @@
-// The program: from its arguments to its exit code.
+// The main function of the program.
 #pragma once
 
 namespace ibmfair::commands {
 
-/// Parses the arguments by the table of commands, runs the one that they name, and tells on
-/// standard error what went wrong. Returns the exit code.
+/// Parses the arguments, runs the command that they name, and prints errors to standard error.
+/// Returns the exit code.
 int run_program(int argc, const char* const* argv);
 
 }  // namespace ibmfair::commands

@@ -21,9 +21,9 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr auto pause_between_frames = 100ms;
-constexpr double seconds_to_mention = 2;  // a stage that is over sooner needs no clock
+constexpr double seconds_to_mention = 2;  // shorter stages show no time
 constexpr int bar_width = 24;
-constexpr std::size_t usual_columns = 80;  // of a terminal that does not say
+constexpr std::size_t usual_columns = 80;  // if the terminal does not report its width
 
 std::string bar(double share) {
   const int filled = static_cast<int>(std::clamp(share, 0.0, 1.0) * bar_width);
@@ -91,7 +91,7 @@ Progress::Progress(const Console& console)
     try {
       drawer_ = std::thread(&Progress::draw_until_end, this);
     } catch (const std::system_error&) {
-      visible_ = false;  // no thread is to be had: then without
+      visible_ = false;  // without a thread nothing is drawn
     }
   }
 }
@@ -144,11 +144,13 @@ void Progress::advance(const std::string& stage, double share) {
 
 void Progress::advance(const StepRecord& step, int steps, double total_time) {
   change([&] {
-    if (step.step == 1) {  // what came before it, such as the factor, tells nothing of the others
+    // The time before the first step, for example for a factorization, says nothing about the
+    // remaining steps.
+    if (step.step == 1) {
       start_ = Clock::now();
       state_.first_share = step.time / total_time;
     }
-    // A guarded flow may take more steps than were asked for, as it shortens them.
+    // A guarded flow can shorten steps, and then takes more steps than were requested.
     state_.stage = step.step > 0
                        ? fmt::format("step {} of {}", step.step, std::max(step.step, steps))
                        : "first stage";
@@ -165,7 +167,7 @@ void Progress::draw_until_end() {
   try {
     draw_frames();
   } catch (const std::bad_alloc&) {
-    // What the program is there for may still find enough.
+    // Drawing ends silently; the computation itself may still have enough memory.
   }
 }
 
@@ -176,7 +178,7 @@ void Progress::draw_frames() {
       ProgressState state = state_;
       state.seconds = std::chrono::duration<double>(Clock::now() - start_).count();
       lock.unlock();
-      // What a terminal echoes of Ctrl-C stays within the line, too.
+      // Three columns stay free, so that the terminal's echo of Ctrl-C fits into the line.
       const std::size_t known = terminal_columns(STDERR_FILENO);
       const std::size_t columns = known > 0 ? known : usual_columns;
       show_terminal_line(progress_line(state, columns > 3 ? columns - 3 : 0));

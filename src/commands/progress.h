@@ -1,4 +1,4 @@
-// What a command is doing, in a line at the bottom of the terminal.
+// A progress line at the bottom of the terminal.
 #pragma once
 
 #include <chrono>
@@ -13,22 +13,23 @@
 
 namespace ibmfair::commands {
 
-/// Where a command is.
+/// The progress of a command.
 struct ProgressState {
   std::string stage;             ///< "read", "step 5 of 16", "hole 3 of 12"
-  std::string detail;            ///< of a stage that is part of another: "factor"
-  std::optional<double> share;   ///< done of a work whose size is known, 0 to 1
-  double first_share = 0;        ///< done when the clock was started
-  std::optional<double> energy;  ///< reached
-  double seconds = 0;            ///< since the stage, or that work, began
+  std::string detail;            ///< a part of the stage: "factor"
+  std::optional<double> share;   ///< done share, 0 to 1, of a task of known size
+  double first_share = 0;        ///< done share when the clock was started
+  std::optional<double> energy;  ///< energy after the last step
+  double seconds = 0;            ///< since the start of the stage or of the task
 };
 
-/// One line of at most `columns` bytes: what fits of bar, stage, energy and the time that is left.
+/// One line of at most `columns` bytes, with as many of bar, stage, remaining time and energy as
+/// fit.
 std::string progress_line(const ProgressState& state, std::size_t columns);
 
-/// Draws on standard error where that is a terminal that can go back in its line (not TERM=dumb)
-/// and the console is not quiet, ten times a second at most, and clears the line in the end.
-/// Everywhere it notes the stage for the message of a crash (commands/crash_message.h).
+/// Draws the progress line, at most ten times a second, and clears it at the end. Draws only if the
+/// console is not quiet and standard error is a terminal that supports carriage return (TERM is not
+/// "dumb"). In all cases stores the stage for the crash message (commands/crash_message.h).
 class Progress {
  public:
   explicit Progress(const Console& console);
@@ -36,18 +37,18 @@ class Progress {
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
-  /// A stage of which nobody knows how long it takes.
+  /// Starts a stage of unknown duration.
   void begin(const std::string& stage);
 
-  /// A work of known size starts; what comes next are shares of it.
+  /// Starts a task of known size; the following calls of advance() report the share that is done.
   void begin_work(const std::string& stage);
   void advance(const std::string& stage, double share);
 
-  /// A step of a flow of `steps` steps, which lasts for `total_time`.
+  /// Reports a step of a flow of `steps` steps that ends at the time `total_time`.
   void advance(const StepRecord& step, int steps, double total_time);
   void enter(FlowStage stage);
 
-  /// Nothing is drawn any more.
+  /// Clears the line and stops drawing.
   void end();
 
  private:
@@ -63,7 +64,7 @@ class Progress {
   ProgressState state_;
   Clock::time_point start_ = Clock::now();
   bool ended_ = false;
-  std::thread drawer_;  // so that a stage that takes long shows its time
+  std::thread drawer_;  // updates the time during long stages
 };
 
 }  // namespace ibmfair::commands

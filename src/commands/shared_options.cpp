@@ -17,12 +17,12 @@ namespace ibmfair::commands {
 namespace {
 
 std::string dumped(const nlohmann::ordered_json& json, int indentation) {
-  // File names need not be UTF-8; JSON must be.
+  // Bytes that are not UTF-8, as file names can contain, are replaced, because JSON must be UTF-8.
   return printable_json(
       json.dump(indentation, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
 }
 
-/// The names and extensions of the formats, but for the row of the many others.
+/// The names and extensions of the formats, without the last row, which stands for many others.
 struct FormatWords {
   std::vector<std::string> names, extensions;
 };
@@ -135,7 +135,7 @@ void add_strict_option(CLI::App& app, bool& strict) {
 void add_report_options(CLI::App& app, ReportOptions& options) {
   begin_group(app, groups::reports_and_pictures);
   app.add_flag("--json", options.json, "write the results as JSON to standard output")
-      ->configurable(false);  // a batch reads them there itself
+      ->configurable(false);  // a batch adds --json to its jobs itself
   CLI::Option* report =
       app.add_option("--report", options.paths,
                      "also write the results to this file: .html is a page that shows the mesh, "

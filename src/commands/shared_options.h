@@ -1,4 +1,4 @@
-// Groups of options that several commands have, and what they mean for every one of them.
+// Groups of options that have the same meaning for several commands.
 #pragma once
 
 #include <string>
@@ -16,10 +16,10 @@ class Option;
 
 namespace ibmfair::commands {
 
-/// The positional IN: a mesh to read.
+/// Declares the positional argument IN: a mesh to read.
 void add_input_argument(CLI::App& app, std::string& path);
 
-/// The file names of a mesh that shells offer first for this argument or option.
+/// Sets the extensions of mesh files that shells offer first for this argument or option.
 void offer_meshes_to_read(CLI::App& app, const CLI::Option& option);
 void offer_meshes_to_write(CLI::App& app, const CLI::Option& option);
 
@@ -28,55 +28,55 @@ struct InputOptions {
   ReadOptions read;
 };
 
-/// --input-format, --weld.
+/// Declares --input-format and --weld.
 void add_input_options(CLI::App& app, InputOptions& options);
 
-/// Reads a mesh file ("-": standard input) and passes on what the reader has to say.
+/// Reads a mesh file ("-": standard input), and prints the remarks of the reader to the console.
 MeshFile read_input(const std::string& path, const InputOptions& options, const Console& console);
 
-/// Where a mesh is written and how.
+/// Path and format of the mesh to write.
 struct OutputOptions {
   std::string path;
   WriteOptions write;
 };
 
-/// The positional OUT and --format. Whether files may be replaced is add_overwrite_option's.
+/// Declares the positional argument OUT and --format, but not --overwrite (add_overwrite_option).
 void add_output_options(CLI::App& app, OutputOptions& options);
 
-/// --overwrite, for everything that the command writes.
+/// Declares --overwrite, which applies to all files that the command writes.
 void add_overwrite_option(CLI::App& app, bool& overwrite);
 
-/// --laplacian: a member of the family of energies.
+/// Declares --laplacian, which selects a member of the family of energies.
 CLI::Option* add_laplacian_option(CLI::App& app, std::string& name, const std::string& help);
 
-/// Which mass matrix is in the energy.
+/// The mass matrix of the energy.
 struct MassOptions {
   std::string name;      ///< from mass_matrices(); empty: the default of the Laplacian
-  bool without = false;  ///< the short form of "none"
+  bool without = false;  ///< --no-mass, the short form of --mass none
 
   bool mass() const { return !without && name != "none"; }
 };
 
-/// --mass.
+/// Declares --mass.
 CLI::Option* add_mass_option(CLI::App& app, std::string& name);
 
-/// --mass and --no-mass.
+/// Declares --mass and --no-mass.
 void add_mass_options(CLI::App& app, MassOptions& options);
 
-/// --strict.
+/// Declares --strict.
 void add_strict_option(CLI::App& app, bool& strict);
 
-/// Where a command's figures go.
+/// The destinations of a command's report.
 struct ReportOptions {
-  bool json = false;                ///< on standard output
-  std::vector<std::string> paths;   ///< of files, whose endings name the format
-  std::string option = "--report";  ///< that names them
+  bool json = false;                ///< write JSON to standard output
+  std::vector<std::string> paths;   ///< files, whose extensions select the format
+  std::string option = "--report";  ///< name of the option that takes the paths
 };
 
-/// --json, --report.
+/// Declares --json and --report.
 void add_report_options(CLI::App& app, ReportOptions& options);
 
-/// JSON as text that a terminal shows as it is (commands/printable.h): indented, or in one line.
+/// JSON as printable text (commands/printable.h): text_of() is indented, line_of() is one line.
 std::string text_of(const nlohmann::ordered_json& json);
 std::string line_of(const nlohmann::ordered_json& json);
 

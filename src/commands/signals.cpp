@@ -21,7 +21,8 @@ std::atomic<bool> end_is_postponed{false};
 std::atomic<int> postponed_signal{0};
 static_assert(std::atomic<bool>::is_always_lock_free && std::atomic<int>::is_always_lock_free);
 
-/// Where nobody listens, the exit code tells: a pipe that is full must not hold up the end.
+/// Writes to standard error only if this does not block, so that a full pipe cannot delay the end
+/// of the process; the caller still gets the exit code.
 void tell(std::string_view text) {
   pollfd listener{STDERR_FILENO, POLLOUT, 0};
   if (poll(&listener, 1, 0) == 1) {
@@ -44,7 +45,8 @@ extern "C" void end_on_request(int signal_number) {
   _exit(128 + signal_number);
 }
 
-/// Then the signal takes its usual course: it is no longer handled, and held back until the return.
+/// Prints the message, and then lets the signal have its default effect: SA_RESETHAND has removed
+/// this handler, and the raised signal is blocked until this function returns.
 extern "C" void tell_of_crash(int signal_number) {
   remove_temporary_files();
   end_terminal_line();
@@ -56,7 +58,7 @@ void handle(int signal_number, void (*handler)(int), int flags) {
   struct sigaction before {};
   sigaction(signal_number, nullptr, &before);
   if (before.sa_handler != SIG_DFL) {
-    return;  // ignored by nohup or a background job, or a sanitizer's
+    return;  // ignored (nohup, background job), or handled by a sanitizer
   }
   struct sigaction action {};
   action.sa_handler = handler;
@@ -64,7 +66,7 @@ void handle(int signal_number, void (*handler)(int), int flags) {
   sigaction(signal_number, &action, nullptr);
 }
 
-/// The stack may be what has run out.
+/// Installs the crash handlers on a separate stack, because a stack overflow can be the crash.
 void handle_crashes_on_another_stack() {
   alignas(16) static char memory[1 << 16];
   stack_t stack{};

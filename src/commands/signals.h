@@ -1,16 +1,18 @@
-// Signals: how the program ends when somebody or something wants it to.
+// Signal handlers: how the program ends on request or after a crash.
 #pragma once
 
 namespace ibmfair::commands {
 
-/// Makes a write to a closed pipe or beyond the limit of a file's size an error instead of the end
-/// of the process. A request to end (SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGXCPU) removes temporary
-/// files and ends it with exit code 128 + signal; a crash removes them, too, and says so. Signals
-/// that are ignored, as under nohup, stay so.
+/// Ignores SIGPIPE and SIGXFSZ, so that a write to a closed pipe or beyond the file size limit is
+/// an error and does not end the process. A request to end (SIGINT, SIGTERM, SIGHUP, SIGQUIT,
+/// SIGXCPU) removes the temporary files and ends the process with exit code 128 + signal. A crash
+/// removes the temporary files and prints a message. Signals that are already ignored, as under
+/// nohup, stay ignored.
 void handle_signals();
 
-/// While it exists, the first request to end is only noted, for work that can stop at a good place
-/// and keep what it has; the second one ends the process. One of a kind at a time.
+/// While this object exists, the first request to end is only recorded, so that the computation can
+/// stop between two steps and keep its result; the second request ends the process. Only one such
+/// object may exist at a time.
 class PostponedEnd {
  public:
   PostponedEnd();
@@ -18,7 +20,7 @@ class PostponedEnd {
   PostponedEnd(const PostponedEnd&) = delete;
   PostponedEnd& operator=(const PostponedEnd&) = delete;
 
-  /// The signal that was noted, by this or an earlier one of these; 0: none.
+  /// The signal that was recorded during the life of this or an earlier object; 0: none.
   static int signal_number();
 };
 

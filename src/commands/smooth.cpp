@@ -55,11 +55,11 @@ void check_formats(const SmoothArguments& arguments, const MeshFile& file) {
   }
 }
 
-/// The mesh and what becomes of it.
+/// The mesh before and after smoothing, with the results.
 struct Smoothing {
   MeshFile file;
   Topology topology;
-  Points X;  // after
+  Points X;  // positions after smoothing
   std::vector<std::uint8_t> held;
   SmoothFigures figures;
 
@@ -103,7 +103,7 @@ ExitCode forecast(const SmoothArguments& arguments, Smoothing& s, Report& report
   return ExitCode::done;
 }
 
-/// The mesh before and after, and the border of what was held.
+/// The scene of the mesh before and after, with the border of the fixed vertices.
 std::optional<Scene> smooth_scene(const SmoothArguments& arguments, const Smoothing& s,
                                   const std::vector<Warning>& warnings, const Console& console) {
   SceneSource source{arguments.input,
@@ -116,7 +116,7 @@ std::optional<Scene> smooth_scene(const SmoothArguments& arguments, const Smooth
   return mesh_scene(std::move(source), warnings, console);
 }
 
-/// Writes the mesh that was reached, and says so.
+/// Writes the smoothed mesh, and prints the results.
 void write_and_tell(const SmoothArguments& arguments, const OutputOptions& output, Smoothing& s,
                     Report& report, const Console& console, Progress& progress) {
   WriteReport written;
@@ -131,7 +131,7 @@ void write_and_tell(const SmoothArguments& arguments, const OutputOptions& outpu
   tell_of_smoothing(arguments, s.figures, output.path, written, "", console, report);
 }
 
-/// The options of the flow as the mesh and other options have them.
+/// The options of the flow, completed from the mesh and from other options.
 FlowOptions flow_options(const SmoothArguments& arguments, const Smoothing& s) {
   FlowOptions options = arguments.flow;
   set_flow_options(arguments, options);
@@ -145,7 +145,8 @@ FlowOptions flow_options(const SmoothArguments& arguments, const Smoothing& s) {
   return options;
 }
 
-/// Of the mesh before and after. A flow that could move every vertex has found the energies.
+/// Computes the figures of the mesh before and after. If no vertex was fixed, the energies of the
+/// whole mesh are known from the flow.
 void measure(Smoothing& s, const FlowOptions& options) {
   const Stopwatch watch(s.figures.seconds_measure);
   const bool known =

@@ -182,7 +182,7 @@ void add_file_options(CLI::App& app, SmoothArguments& a) {
                      "this file instead of OUT, and print the command that continues; a second "
                      "signal ends the program at once")
           ->type_name(file_to_write)
-          ->configurable(false);  // a batch starts its files again
+          ->configurable(false);  // a batch starts an interrupted file again
   offer_meshes_to_write(app, *checkpoint);
   add_overwrite_option(app, a.output.write.overwrite);
   add_report_options(app, a.report);

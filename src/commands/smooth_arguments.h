@@ -1,4 +1,4 @@
-// What the command line of `smooth` can say.
+// The command-line arguments of `smooth`.
 #pragma once
 
 #include <optional>
@@ -26,14 +26,14 @@ struct SmoothArguments {
 
   std::string engine;
   bool denoise = false;
-  bool finds_creases = false;  // with --denoise, and keeps them
+  bool finds_creases = false;  // with --denoise: find creases, and keep them
   bool textured = false;       // the mesh has texture coordinates
   FlowOptions flow;
   std::optional<double> time_step;
   std::optional<Length> cutoff;
-  bool cutoff_auto = false;  // chosen by the noise of the mesh
+  bool cutoff_auto = false;  // chosen from the noise of the mesh
   std::optional<Length> max_move;
-  std::vector<double> anisotropy;    // X, Y, Z, FACTOR, or none
+  std::vector<double> anisotropy;    // X, Y, Z, FACTOR; or empty
   std::optional<double> keep_sharp;  // degrees
   bool plain = false, dry_run = false;
   MassOptions mass;
@@ -41,7 +41,7 @@ struct SmoothArguments {
   std::string fix_file, mask, weights, h0;
 };
 
-/// Declares the arguments and options, which are stored in `a`.
+/// Declares the arguments and options; their values are stored in `a`.
 void add_smooth_arguments(CLI::App& app, SmoothArguments& a);
 
 }  // namespace ibmfair::commands

@@ -106,7 +106,7 @@ StageTimes stage_times(const SmoothFigures& figures) {
   return times;
 }
 
-/// The energy at the start and after each step.
+/// The energy at the start and after each step, as a curve.
 std::string curve(const FlowReport& flow) {
   constexpr std::size_t columns = 60;
   std::vector<double> energies{flow.energy_before};
@@ -127,7 +127,7 @@ double expected_distance(const CutoffTrial& trial) {
   return std::sqrt(std::max(trial.risk, 0.0));
 }
 
-/// What the linear systems took.
+/// The numbers of iterations and factorizations for the linear systems.
 std::string effort(const FlowReport& flow) {
   const std::string factorizations =
       fmt::format("{} factorization{}", flow.factorizations, flow.factorizations == 1 ? "" : "s");
@@ -137,7 +137,8 @@ std::string effort(const FlowReport& flow) {
              : fmt::format("{} iterations, {}", flow.iterations, factorizations);
 }
 
-/// What a run that goes on from here measures from here, although it means the start.
+/// A remark about options that refer to the original mesh, but that a continued run would apply to
+/// the mesh written here.
 std::string_view what_begins_anew(const SmoothArguments& arguments) {
   const bool bounded = arguments.max_move.has_value(), put_back = arguments.flow.twicing > 0;
   return bounded && put_back ? "; --max-move and --twicing then refer to that mesh"
@@ -146,7 +147,7 @@ std::string_view what_begins_anew(const SmoothArguments& arguments) {
                              : "";
 }
 
-/// What is left of the flow, in time steps of about the same length.
+/// The options that continue the flow, with time steps of about the same length.
 std::string way_on(const SmoothFigures& figures, const SmoothArguments& arguments) {
   const double left = figures.total_time - figures.flow.time_reached;
   const double share = left / figures.total_time;
@@ -163,8 +164,9 @@ double length_reached(const SmoothFigures& figures) {
   return figures.cutoff * std::pow(figures.flow.time_reached / figures.total_time, 0.25);
 }
 
-/// Nobody sees a hundredth of a length; and where thin triangles hold a flow up to its last solve,
-/// it is a matter of rounding.
+/// Whether the flow has reached 99 % of the cut-off. A missing hundredth of the length is
+/// invisible, and if thin triangles delay a flow until its last solve, the hundredth depends on
+/// rounding.
 bool is_nearly_done(const SmoothFigures& figures) {
   return length_reached(figures) >= 0.99 * figures.cutoff;
 }

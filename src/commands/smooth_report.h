@@ -1,4 +1,4 @@
-// What `smooth` tells of a run: as a table for people, as JSON for programs.
+// The report of a run of `smooth`: a table for people, JSON for programs.
 #pragma once
 
 #include <optional>
@@ -23,21 +23,21 @@ struct MeshFigures {
   std::int64_t folds = 0;     ///< hinges sharper than fold_angle
 };
 
-/// Creases that are kept as that leaves less error.
+/// Creases that are kept because this reduces the expected error.
 struct FoundCreases {
   double sharp_angle = 0;  ///< radians
-  CutoffChoice without;    ///< keeping any
+  CutoffChoice without;    ///< the best cut-off if no creases are kept
 };
 
 struct SmoothFigures {
   MeshFigures before, after;
-  double largest_move = 0, rms_move = 0;  ///< of all vertices, length
-  double mean_edge_length = 0;            ///< before
-  double cutoff = 0;                      ///< length that the total time corresponds to
-  std::optional<CutoffChoice> choice;     ///< of this length, with --cutoff auto
+  double largest_move = 0, rms_move = 0;  ///< over all vertices, length
+  double mean_edge_length = 0;            ///< before the flow
+  double cutoff = 0;                      ///< length that corresponds to the total time
+  std::optional<CutoffChoice> choice;     ///< how `cutoff` was chosen, with --cutoff auto
   std::optional<FoundCreases> creases;    ///< with --denoise
-  double diagonal = 0;                    ///< of the bounding box, before
-  double total_time = 0;                  ///< that the flow was to run for, in its unit
+  double diagonal = 0;                    ///< of the bounding box, before the flow
+  double total_time = 0;                  ///< requested time of the flow, in its unit
   std::int64_t vertices = 0, triangles = 0;
   bool closed = true;
   double seconds_read = 0, seconds_topology = 0, seconds_choice = 0, seconds_directions = 0;
@@ -48,35 +48,38 @@ struct SmoothFigures {
 /// E_b, area, volume and quality of `X`.
 MeshFigures mesh_figures(const Points& X, const Topology& topology, const FlowOptions& options);
 
-/// As above, where E_b is known: the energy takes longer to bind to a mesh than all the rest.
+/// Like above, if E_b is already known: to bind the energy to a mesh takes longer than everything
+/// else.
 MeshFigures mesh_figures(const Points& X, const Topology& topology, double energy);
 
-/// They as an object, with the counts of a mesh whose connectivity a run may change.
+/// The figures of `X` as a JSON object, with the numbers of vertices, triangles and boundary loops,
+/// for runs that change the connectivity.
 nlohmann::ordered_json mesh_state_json(const Points& X, const Topology& topology,
                                        const FlowOptions& options);
 
-/// Aligned lines, ending in a line feed: figures before and after, and what the run took. With
-/// `detailed`, the energy after each step as a curve, too, and all stages.
+/// A table of aligned lines, ending in a line feed: the figures before and after, and the effort of
+/// the run. If `detailed`, also a curve of the energy after each step, and the times of all stages.
 std::string smooth_table(const SmoothFigures& figures, bool detailed);
 
-/// The cut-off, and where it was chosen the noise by which; with `detailed`, all that was tried.
+/// Lines with the cut-off and, if it was chosen automatically, the noise that it was chosen from.
+/// If `detailed`, also all cut-offs that were tried.
 std::string cutoff_lines(const SmoothFigures& figures, bool detailed);
 
-/// What is to be said about the end of the flow, whose state is in the file `output`; empty: it
-/// went as it should.
+/// A remark if the flow did not end as requested; else empty. The final state of the flow is in the
+/// file `output`.
 std::string remark_on(const SmoothFigures& figures, const std::string& output,
                       const SmoothArguments& arguments);
 
 ExitCode exit_code_of(const SmoothFigures& figures);
 
-/// What a run would take, as aligned lines and as JSON.
+/// The forecast of time and memory of a run, as aligned lines and as JSON.
 std::string forecast_table(const FlowForecast& forecast);
 nlohmann::ordered_json forecast_json(const FlowForecast& forecast);
 
-/// What the choice of the cut-off was by, if there was one.
+/// Adds to the report how the cut-off was chosen, if it was chosen automatically.
 void add_cutoff_choice(const SmoothFigures& figures, Report& report);
 
-/// The fields of the report that the run fills, and its steps as a table.
+/// Adds to the report the figures of the run, and its steps as a table.
 void add_smooth_figures(const SmoothFigures& figures, const FlowOptions& options, Report& report);
 
 }  // namespace ibmfair::commands

@@ -22,11 +22,13 @@
 namespace ibmfair::commands {
 namespace {
 
-/// Without --cutoff and --time-step, this many steps make this cut-off, and more smooth more.
+/// Without --cutoff and --time-step, the time step is such that `default_steps` steps reach the
+/// default cut-off; more steps smooth more.
 constexpr int default_steps = 16;
 constexpr double default_cutoff_edges = 8;
 
-/// The total time in the flow's unit. Its step is --time-step, or what spreads --cutoff evenly.
+/// The total time in the flow's unit: the number of steps times --time-step, or the time for
+/// --cutoff.
 double total_time(const SmoothArguments& arguments, const Points& X, const Topology& topology,
                   const MeshParts& parts) {
   if (arguments.time_step) {
@@ -49,7 +51,7 @@ double cutoff_of(double time, double unit) {
   return std::pow(time / unit, 0.25) / std::pow(time_for_cutoff(1), 0.25);
 }
 
-/// What is to be said where nobody has said how much to smooth, and that was a lot; or empty.
+/// A remark if the default cut-off has smoothed the mesh strongly; else empty.
 std::string remark_on_default_cutoff(const SmoothFigures& figures) {
   if (figures.cutoff > figures.diagonal / 2) {
     return fmt::format(
@@ -58,7 +60,7 @@ std::string remark_on_default_cutoff(const SmoothFigures& figures) {
         figures.cutoff, figures.diagonal);
   }
   constexpr double large_change = 0.01;
-  constexpr double solid = 0.05;  // of a ball's volume with the same area: not a sheet
+  constexpr double solid = 0.05;  // share of the volume of a ball of equal area; below: a sheet
   const double volume = std::abs(figures.before.volume);
   const double ball = std::pow(figures.before.area, 1.5) / (6 * std::sqrt(std::numbers::pi));
   const double change = std::abs(figures.after.volume) / volume - 1;
@@ -72,7 +74,7 @@ std::string remark_on_default_cutoff(const SmoothFigures& figures) {
   return {};
 }
 
-/// Where keeping creases leaves less than the choice among the figures, makes that the choice.
+/// If keeping creases leaves less error than the choice stored in `figures`, replaces the choice.
 void resolve_creases(SmoothArguments& arguments, const Points& X, const Topology& topology,
                      const std::vector<std::uint8_t>& held, const FlowOptions& without,
                      const CutoffSearch& search, SmoothFigures& figures) {
@@ -86,7 +88,7 @@ void resolve_creases(SmoothArguments& arguments, const Points& X, const Topology
   }
 }
 
-/// What became of the texture, or empty.
+/// A remark about the texture coordinates; empty if there is nothing to say.
 std::string remark_on_texture(const SmoothArguments& arguments) {
   const FlowOptions& options = arguments.flow;
   if (!arguments.textured) {
@@ -163,7 +165,7 @@ void resolve_cutoff(SmoothArguments& arguments, const Points& X, const Topology&
                     const std::vector<std::uint8_t>& held, SmoothFigures& figures,
                     Progress& progress) {
   if (!arguments.cutoff_auto || std::find(held.begin(), held.end(), 0) == held.end()) {
-    return;  // or where nothing moves, whatever the cut-off is
+    return;  // not requested, or no vertex can move
   }
   const Stopwatch watch(figures.seconds_choice);
   FlowOptions options = arguments.flow;
@@ -193,7 +195,8 @@ void lay_directions(SmoothArguments& arguments, const Points& X, const Topology&
   FlowOptions& flow = arguments.flow;
   FlowOptions options = flow;
   flow.material_directions = laid_onto(X);
-  bending_model(flow.laplacian).bind(topology, flow.energy_options());  // throws in good time
+  // Throws now, and not after a long flow, if the options are invalid.
+  bending_model(flow.laplacian).bind(topology, flow.energy_options());
   if (flow.steps == 0 || arguments.dry_run) {
     return;
   }

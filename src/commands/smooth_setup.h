@@ -1,4 +1,4 @@
-// What `smooth` does alike on a mesh and on a piece of one in several parts.
+// The parts of `smooth` that are the same for a whole mesh and for one piece of a distributed mesh.
 #pragma once
 
 #include <cstdint>
@@ -16,58 +16,61 @@
 
 namespace ibmfair::commands {
 
-/// Throws where a file that the arguments name could not be written.
+/// Throws as check_reports does if an output file that the arguments name cannot be written.
 void check_outputs(const SmoothArguments& arguments);
 
-/// Where the state goes that an interrupted run has reached.
+/// The file to which the state of an interrupted run is written.
 OutputOptions checkpoint_of(const SmoothArguments& arguments);
 
-/// Sets the options of the flow that other arguments name in words, but for those that are a value
-/// for every vertex or triangle.
+/// Sets the options of the flow that the arguments give as names, angles and flags, but not the
+/// options with one value per vertex or triangle.
 void set_flow_options(const SmoothArguments& arguments, FlowOptions& options);
 
-/// Those of them that --tangential names. Without it, vertices slide within the surface unless that
-/// would drag a texture over it.
+/// Sets the options of the flow for --tangential. Without --tangential, vertices slide within the
+/// surface, except on a textured mesh, where the texture would shift.
 void set_relaxation(const SmoothArguments& arguments, FlowOptions& options);
 
-/// Sets the total time and the bound on moves of `options`, and the cut-off among the figures.
-/// Throws BadMesh where edges are too long or short for the flow's time to be a number.
+/// Sets the total time and the bound on moves in `options`, and the cut-off in `figures`. Throws
+/// BadMesh if the edges are so long or short that the time of the flow overflows or underflows.
 void set_scale(const SmoothArguments& arguments, const Points& X, const Topology& topology,
                const MeshParts& parts, FlowOptions& options, SmoothFigures& figures);
 
-/// With --cutoff auto, chooses the cut-off where vertices move, which becomes that of the
-/// arguments, and whether creases are kept; notes why among the figures. Throws as set_scale and
-/// choose_cutoff.
+/// With --cutoff auto, and if any vertex can move, chooses the cut-off and whether creases are
+/// kept. Stores the choice in the arguments, and its reasons in the figures. Throws like set_scale
+/// and choose_cutoff.
 void resolve_cutoff(SmoothArguments& arguments, const Points& X, const Topology& topology,
                     const std::vector<std::uint8_t>& held, SmoothFigures& figures,
                     Progress& progress);
 
-/// With --anisotropy, lays the direction onto the surface as the same flow leaves it without one,
-/// and from there back onto the mesh: triangles that noise has turned and stretched would each
-/// bring a direction of their own. With --dry-run, onto the mesh as it is. Throws as set_scale,
-/// willmore_flow and material_directions.
+/// With --anisotropy, computes the material direction of every triangle. The direction is projected
+/// onto the surface that the same flow without anisotropy produces, and carried back to the mesh
+/// with its triangles. The triangles of the noisy mesh, turned and stretched by the noise, would
+/// each give a different direction. With --dry-run or without steps, the direction is projected
+/// onto the mesh as it is. Throws like set_scale, willmore_flow and material_directions.
 void lay_directions(SmoothArguments& arguments, const Points& X, const Topology& topology,
                     const std::vector<std::uint8_t>& held, const MeshParts& parts,
                     SmoothFigures& figures, Progress& progress);
 
-/// #V, 1 for the vertices that do not move: those that --boundary holds, those of the list, and
-/// those that `mask` or `weights` (#V, or empty) leave out.
+/// #V, 1 for fixed vertices: vertices that --boundary fixes, vertices of the list, and vertices for
+/// which `mask` or `weights` (#V, or empty) is 0.
 std::vector<std::uint8_t> held_by(const SmoothArguments& arguments, const Topology& topology,
                                   const std::vector<Index>& listed,
                                   const std::vector<std::uint8_t>& mask,
                                   const Eigen::VectorXd& weights);
 
-/// Moves X by `arguments.flow` and notes what comes of it. With --checkpoint, a request to end is
-/// heeded between two steps. Throws as set_scale and willmore_flow.
+/// Moves X by the flow with the options `arguments.flow`, and stores the flow's report in the
+/// figures. With --checkpoint, a request to end stops the flow between two steps. Throws like
+/// set_scale and willmore_flow.
 void run_flow(const SmoothArguments& arguments, Points& X, const Topology& topology,
               const std::vector<std::uint8_t>& held, const MeshParts& parts, SmoothFigures& figures,
               Progress& progress);
 
-/// Notes how far vertices have moved.
+/// Stores the largest and the root-mean-square move of the vertices in the figures.
 void measure_moves(const Points& before, const Points& after, SmoothFigures& figures);
 
-/// Says what was done and written to `output`, and notes it in the report. `by` tells by whom,
-/// after the count of moved vertices; empty: by this process.
+/// Prints the results and the name of the written file `output`, and adds them to the report. `by`
+/// is a text that follows the number of moved vertices and says which processes did the work; it is
+/// empty for this process alone.
 void tell_of_smoothing(const SmoothArguments& arguments, const SmoothFigures& figures,
                        const std::string& output, const WriteReport& written, std::string_view by,
                        const Console& console, Report& report);

@@ -45,7 +45,7 @@ std::string sparkline(const std::vector<double>& values, std::size_t columns, bo
   const std::size_t count = std::min(columns, values.size());
   std::vector<double> heights;
   for (std::size_t i = 0; i < count; ++i) {
-    // The first and the last value are among those that are shown.
+    // The selection includes the first and the last value.
     const std::size_t at = count == 1 ? 0 : i * (values.size() - 1) / (count - 1);
     heights.push_back(logarithmic ? std::log(values[at]) : values[at]);
   }

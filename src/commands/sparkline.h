@@ -6,15 +6,17 @@
 
 namespace ibmfair::commands {
 
-/// A bar for each of the values, which are finite, lowest to highest; on a logarithmic scale where
-/// they are positive and the highest is more than five times the lowest. More than `columns` values
-/// share their bars. In ASCII digits (0 lowest, 9 highest) unless `unicode`.
+/// Draws one bar per value; the values must be finite. The scale reaches from the lowest to the
+/// highest value, and is logarithmic if drawn_logarithmically(). If there are more than `columns`
+/// values, an even selection that includes the first and the last value is drawn. Bars are ASCII
+/// digits (0 lowest, 9 highest) unless `unicode`.
 std::string sparkline(const std::vector<double>& values, std::size_t columns, bool unicode);
 
-/// Whether the values are drawn on a logarithmic scale.
+/// Whether the values are drawn on a logarithmic scale: if they are positive and the highest value
+/// is more than five times the lowest.
 bool drawn_logarithmically(const std::vector<double>& values);
 
-/// Whether the locale that the environment asks for is UTF-8.
+/// Whether the locale in the environment uses UTF-8.
 bool locale_is_utf8();
 
 }  // namespace ibmfair::commands

@@ -6,7 +6,7 @@ namespace ibmfair::commands {
 
 int edit_distance(std::string_view a, std::string_view b) {
   const std::size_t width = b.size() + 1;
-  // Rows of the table of distances between prefixes: two back, one back, current.
+  // Three rows of the table of distances between prefixes: the last but one, the last, the current.
   std::vector<int> before(width);
   std::vector<int> last(width);
   std::vector<int> current(width);

@@ -13,7 +13,7 @@ namespace ibmfair::commands {
 
 namespace {
 
-constexpr std::size_t echo = 2;  // columns that a terminal writes `^C` to behind the text
+constexpr std::size_t echo = 2;  // columns of the `^C` that a terminal writes behind the text
 
 constexpr auto blanks = [] {
   std::array<char, 512> line{};
@@ -22,7 +22,7 @@ constexpr auto blanks = [] {
 }();
 
 std::mutex drawing;
-std::string shown_text;  // by the last call, perhaps cleared since
+std::string shown_text;  // text of the last call; may have been cleared since
 std::atomic<std::size_t> shown_columns{0};
 std::atomic<bool> shows_no_more{false};
 static_assert(std::atomic<std::size_t>::is_always_lock_free);

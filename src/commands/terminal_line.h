@@ -1,4 +1,4 @@
-// The line of a terminal that shows progress: drawn over again, and never left behind.
+// The progress line of a terminal, which is overwritten at every update and cleared at the end.
 #pragma once
 
 #include <cstddef>
@@ -7,20 +7,21 @@
 
 namespace ibmfair::commands {
 
-/// The columns of the terminal that a file descriptor is; 0 where it is none, or does not say.
+/// The number of columns of the terminal at a file descriptor; 0 if the descriptor is not a
+/// terminal or the terminal does not report its width.
 std::size_t terminal_columns(int descriptor);
 
-/// Shows the text, which has to fit, in the line of the cursor, in place of what was shown before.
-/// It takes no escape codes, only blanks and carriage returns.
+/// Replaces the text in the line of the cursor. The new text must fit into the line. Uses no escape
+/// codes, only blanks and carriage returns.
 void show_terminal_line(std::string_view text);
 
-/// Clears the line where something is shown. Safe in a signal handler.
+/// Clears the line if it shows a text. Async-signal-safe.
 void clear_terminal_line();
 
-/// Clears the line, and shows nothing from here on. Safe in a signal handler.
+/// Clears the line, and makes later calls of show_terminal_line() show nothing. Async-signal-safe.
 void end_terminal_line();
 
-/// While it exists, the line is clear for something else to be printed.
+/// While this object exists, the line stays clear, so that other text can be printed.
 class TerminalPause {
  public:
   TerminalPause();

@@ -1,4 +1,4 @@
-// Text files of words, as people write lists.
+// Reads text files that contain lists of words.
 #pragma once
 
 #include <cstdint>
@@ -8,8 +8,8 @@
 
 namespace ibmfair::commands {
 
-/// Calls take(word, line number) for all words of a file, which white space or commas separate; `#`
-/// starts a comment. Throws BadFile where the file cannot be read.
+/// Calls take(word, line number) for every word of a file. Words are separated by white space or
+/// commas; `#` starts a comment. Throws BadFile if the file cannot be read.
 void for_words(const std::string& path,
                const std::function<void(std::string_view word, std::int64_t line)>& take);
 

@@ -1,4 +1,4 @@
-// Options that give every vertex a number.
+// The values of options that take one number per vertex.
 #pragma once
 
 #include <cstdint>
@@ -11,23 +11,24 @@
 
 namespace ibmfair::commands {
 
-/// The number that all of the word says; nothing where it says none, or one that is not finite.
+/// Parses the whole word as a number; returns nothing if the word is not a finite number.
 std::optional<double> finite_number(std::string_view word);
 
-/// #V numbers out of the text file `source`, one for each vertex in their order, separated as in
-/// for_words; or, where there is no such file, the vertex property of the mesh of this name.
-/// `option` starts the messages of what is thrown: BadOption where `source` is neither, BadFile
-/// that names line and text of what is not a number from `least` on, or where there are not #V.
+/// Returns #V numbers, one per vertex in order, from the text file `source` (separated as in
+/// for_words) or, if there is no such file, from the vertex property `source` of the mesh. Throws
+/// BadOption if `source` is neither. Throws BadFile, with line and text, for a word that is not a
+/// finite number of at least `least`, and if there are not exactly #V numbers. All messages start
+/// with `option`.
 Eigen::VectorXd vertex_values(const MeshFile& file, const std::string& source, double least,
                               const std::string& option);
 
-/// As `vertex_values`, for any finite numbers; `source` may also be a single number, for all
-/// vertices.
+/// Like `vertex_values`, without a lower bound. `source` may also be a single number, which applies
+/// to all vertices.
 Eigen::VectorXd vertex_values_or_number(const MeshFile& file, const std::string& source,
                                         const std::string& option);
 
-/// Throws BadFile, in the words of these, where the value that the property has at a vertex of the
-/// file is not a finite number from `least` on.
+/// Throws BadFile, with a message as from `vertex_values`, if `value`, the property's value at this
+/// vertex of the file, is not a finite number of at least `least`.
 void require_vertex_value(double value, double least, std::int64_t vertex, const std::string& file,
                           const std::string& property, const std::string& option);
 

@@ -30,7 +30,7 @@ struct ViewArguments {
   bool overwrite = false;
 };
 
-/// A mesh that is looked at.
+/// A mesh to be shown.
 struct ViewedMesh {
   MeshFile file;
   Topology topology;
@@ -45,8 +45,8 @@ ViewedMesh read_viewed(const std::string& path, const ViewArguments& arguments,
   return mesh;
 }
 
-/// The second mesh, with the triangles of the first: how quadrilaterals are cut depends on where
-/// their corners are.
+/// Reads the second mesh, and gives it the triangles of the first mesh, because the triangulation
+/// of a quadrilateral depends on the positions of its corners.
 ViewedMesh read_other(const ViewArguments& arguments, const ViewedMesh& first,
                       const Console& console) {
   ViewedMesh other{read_input(arguments.with, arguments.reading, console), {}};

@@ -1,4 +1,4 @@
-// Rows of a file, dealt out to the ranks in equal blocks: before anybody knows where they belong.
+// Rows of a file, distributed to the ranks in equal blocks before the mesh has been partitioned.
 #pragma once
 
 #include <algorithm>
@@ -10,7 +10,7 @@
 
 namespace ibmfair::petsc {
 
-/// Rows 0 .. total - 1: rank r holds first(r) .. first(r + 1) - 1.
+/// The distribution of rows 0 .. total - 1: rank r holds rows first(r) .. first(r + 1) - 1.
 struct Blocks {
   std::int64_t total = 0;
   int ranks = 1;
@@ -20,10 +20,10 @@ struct Blocks {
   int owner(std::int64_t row) const { return static_cast<int>(((row + 1) * ranks - 1) / total); }
 };
 
-/// The rows that each rank names of the others' blocks.
+/// The rows that each rank requests from the blocks of the other ranks.
 struct Route {
-  Parcels<Index> asked;   ///< by this rank
-  Parcels<Index> wanted;  ///< of this rank
+  Parcels<Index> asked;   ///< row numbers that this rank requests, sorted by owner
+  Parcels<Index> wanted;  ///< row numbers that the other ranks request from this rank
 
   /// Collective.
   Route(const Communicator& comm, const Blocks& blocks, const std::vector<Index>& rows)
@@ -31,8 +31,8 @@ struct Route {
         wanted(comm.exchange(asked)) {}
 };
 
-/// For each of the rows (in any order, also several times) the value that the rank which holds it
-/// has there. Collective.
+/// Returns the value of each of `rows`, which may be in any order and contain duplicates, from the
+/// rank that holds the row. Collective.
 template <class T>
 std::vector<T> fetch(const Communicator& comm, const Blocks& blocks, const std::vector<T>& values,
                      const std::vector<Index>& rows) {
@@ -54,8 +54,9 @@ std::vector<T> fetch(const Communicator& comm, const Blocks& blocks, const std::
   return result;
 }
 
-/// The reverse: the values of `rows`, which no other rank has, in the block of this rank. Rows that
-/// nobody names keep what `block` holds. Collective.
+/// The reverse of fetch(): sends each value to the rank that holds its row, and stores the received
+/// values in `block`. No row may be named by two ranks. Rows that no rank names keep their value in
+/// `block`. Collective.
 template <class T>
 void deliver(const Communicator& comm, const Blocks& blocks, const std::vector<Index>& rows,
              const std::vector<T>& values, std::vector<T>& block) {

@@ -1,11 +1,11 @@
-// What PETSc and MPI report as codes, as exceptions.
+// Turns the error codes of PETSc and MPI into exceptions.
 #pragma once
 
 #include <petscsys.h>
 
 namespace ibmfair::petsc {
 
-/// Throws OutOfMemory, or std::runtime_error with what PETSc has to say.
+/// If `code` is an error, throws OutOfMemory, or std::runtime_error with PETSc's message.
 void check(PetscErrorCode code);
 
 }  // namespace ibmfair::petsc

@@ -10,7 +10,7 @@
 namespace ibmfair::petsc {
 namespace {
 
-/// The exception that is being handled, as a failure.
+/// Converts the exception being handled into a Failure.
 Failure current_failure() {
   std::string message;
   try {

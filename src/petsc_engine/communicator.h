@@ -1,5 +1,5 @@
-// MPI as C++ calls it. All members are collective: every process of the run calls them, in the same
-// order.
+// A C++ interface to MPI. All members that communicate are collective: every process of the run
+// must call them, in the same order.
 #pragma once
 
 #include <cstdint>
@@ -13,14 +13,14 @@
 
 namespace ibmfair::petsc {
 
-/// Items for each rank, or from each, one rank's behind the other's.
+/// Items to be sent to each rank, or received from each rank, in the order of the ranks.
 template <class T>
 struct Parcels {
   std::vector<T> items;
-  std::vector<int> counts;  ///< one a rank
+  std::vector<int> counts;  ///< number of items for (from) each rank
 };
 
-/// What goes wrong on one rank, with the words and the exit code that all ranks end with.
+/// The error of one rank, with the message and the exit code with which all ranks end.
 class Failure {
  public:
   Failure(int code, std::string message) : code_(code), message_(std::move(message)) {}
@@ -32,7 +32,7 @@ class Failure {
   std::string message_;
 };
 
-/// An MPI type of as many bytes as T.
+/// An MPI type of sizeof(T) bytes.
 template <class T>
 class BytesType {
  public:
@@ -50,7 +50,7 @@ class BytesType {
   MPI_Datatype type_ = MPI_DATATYPE_NULL;
 };
 
-/// Where each rank's items start.
+/// The index of the first item of each rank: the exclusive prefix sums of `counts`.
 inline std::vector<int> first_places(const std::vector<int>& counts) {
   std::vector<int> first;
   first.reserve(counts.size());
@@ -71,20 +71,22 @@ class Communicator {
   int size() const { return size_; }
   bool is_first() const { return rank_ == 0; }
 
-  /// The sum over all ranks, added up in their order, so that all ranks get the same bits.
+  /// The sum over all ranks. The terms are added in the order of the ranks, so that all ranks get
+  /// the same bits.
   double sum(double x) const;
   std::int64_t sum(std::int64_t x) const;
   double max(double x) const;
   bool any(bool x) const;
 
-  /// The first rank's text, on all.
+  /// Returns the text of the first rank on all ranks.
   std::string from_first(std::string text) const;
 
-  /// Runs work on every rank, alone; where it throws on some, throws Failure on all, with what the
-  /// lowest of them had to say. `work` itself must not communicate.
+  /// Runs `work` on every rank. If `work` throws on some ranks, throws Failure on all ranks, with
+  /// the message of the lowest rank that threw. `work` itself must not communicate.
   void together(const std::function<void()>& work) const;
 
-  /// Every rank's items for every other, sent there.
+  /// Sends the items of each parcel to its rank, and returns the items that all ranks have sent to
+  /// this rank.
   template <class T>
   Parcels<T> exchange(const Parcels<T>& sent) const {
     Parcels<T> received;
@@ -96,7 +98,7 @@ class Communicator {
     return received;
   }
 
-  /// As above, where `received` already has its counts, and room.
+  /// Like exchange(), if the counts are known: `received` has its counts set and its items resized.
   template <class T>
   void exchange_known(const Parcels<T>& sent, Parcels<T>& received) const {
     const BytesType<T> type;
@@ -105,7 +107,8 @@ class Communicator {
                   received.items.data(), received.counts.data(), to.data(), type.get(), comm_);
   }
 
-  /// All ranks' items on the first one, in the order of the ranks.
+  /// Returns the items of all ranks, in the order of the ranks, on the first rank; on the other
+  /// ranks returns nothing.
   template <class T>
   std::vector<T> gather_to_first(const std::vector<T>& items) const {
     Parcels<T> sent{items, std::vector<int>(static_cast<std::size_t>(size_), 0)};
@@ -118,7 +121,7 @@ class Communicator {
   int rank_ = 0, size_ = 1;
 };
 
-/// The items as parcels for the ranks that `rank_of` names, in their order.
+/// Sorts the items by the rank that `rank_of` returns for them; the sort is stable.
 template <class T, class RankOf>
 Parcels<T> sort_by_rank(const std::vector<T>& items, int ranks, const RankOf& rank_of) {
   Parcels<T> parcels{std::vector<T>(items.size()), std::vector<int>(ranks, 0)};

@@ -1,5 +1,5 @@
-// The part of ibmfair that shares a mesh among the processes of mpirun: `ibmfair smooth ...
-// --engine petsc` goes on as this program.
+// The part of ibmfair that distributes a mesh over the processes of mpirun. `ibmfair smooth ...
+// --engine petsc` executes this program.
 #include <chrono>
 #include <cstdlib>
 #include <iostream>
@@ -16,7 +16,7 @@
 namespace ibmfair::petsc {
 namespace {
 
-/// The one that the command's declaration, a plain function, reaches.
+/// Global because the declaration of the command is a plain function without this argument.
 const Communicator* world = nullptr;
 
 constexpr commands::Command shared_smooth{
@@ -42,7 +42,8 @@ commands::ExitCode parse_and_run(const std::vector<std::string>& words,
   return line.run(console);
 }
 
-/// Whether all ranks get to this place, or some have stopped at another.
+/// Whether all ranks reach this function within 5 s. Otherwise some ranks wait for a message
+/// elsewhere.
 bool all_get_here() {
   using namespace std::chrono_literals;
   const auto deadline = std::chrono::steady_clock::now() + 5s;
@@ -56,8 +57,8 @@ bool all_get_here() {
   return done != 0;
 }
 
-/// Tells of the exception being handled: once where all ranks have met it. One that a single rank
-/// has met ends all of them.
+/// Prints the exception being handled and returns its exit code. If all ranks have thrown, only the
+/// first rank prints. If only some ranks have thrown, these print, and abort all ranks.
 int tell_or_abort(const commands::Console& console) {
   const auto code = static_cast<int>(commands::exit_code_of_current_exception());
   const bool agreed = all_get_here();
@@ -116,5 +117,5 @@ int run_with_petsc(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   const int code = ibmfair::petsc::run_with_petsc(argc, argv);
-  std::_Exit(code);  // as tools/ibmfair.cpp
+  std::_Exit(code);  // for the same reason as in tools/ibmfair.cpp
 }

@@ -7,7 +7,7 @@ namespace ibmfair::petsc {
 namespace {
 
 struct NumberedTriangle {
-  Index number = 0;  // in the file
+  Index number = 0;  // number in the file
   std::array<Index, 3> corners{};
 
   bool operator<(const NumberedTriangle& other) const { return number < other.number; }
@@ -57,7 +57,7 @@ class Distribution {
   }
 
  private:
-  /// Every vertex's number goes to its rank.
+  /// Sends the number of every vertex to the rank that the vertex belongs to.
   void send_vertices() {
     std::vector<Index> numbers(rank_of_.size());
     const auto first = static_cast<Index>(mesh_.vertices.first(comm_.rank()));
@@ -70,7 +70,7 @@ class Distribution {
     std::sort(own_.begin(), own_.end());
   }
 
-  /// Every triangle goes to the ranks of its corners.
+  /// Sends every triangle to the ranks of its corners.
   std::vector<NumberedTriangle> send_triangles() const {
     struct Letter {
       int rank;
@@ -112,7 +112,7 @@ class Distribution {
     return values;
   }
 
-  /// Adds the triangles at other ranks' vertices that share a triangle with one of this rank's.
+  /// Adds all triangles at the neighbours of this rank's vertices that belong to other ranks.
   void add_stars_of_neighbours(std::vector<NumberedTriangle>& triangles) const {
     std::vector<Index> neighbours = corners_of(triangles);
     std::erase_if(neighbours, [&](Index v) { return contains(own_, v); });
@@ -141,7 +141,7 @@ class Distribution {
     sort_uniquely(triangles);
   }
 
-  /// This rank's vertices, then the others of its triangles.
+  /// Numbers this rank's vertices first, then the other corners of its triangles.
   void number_vertices(const std::vector<NumberedTriangle>& triangles) {
     others_ = corners_of(triangles);
     std::erase_if(others_, [&](Index v) { return contains(own_, v); });

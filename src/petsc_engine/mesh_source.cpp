@@ -10,7 +10,7 @@
 namespace ibmfair::petsc {
 namespace {
 
-/// Whether the file can be read and written in pieces as far as its names tell.
+/// Whether file names and options allow that all ranks read and write the file in pieces.
 bool may_be_shared(const std::string& input, const std::string& output,
                    const commands::InputOptions& options) {
   std::error_code error;

@@ -13,9 +13,10 @@ namespace {
 
 constexpr std::int64_t largest_piece = std::int64_t{1} << 26;  // bytes at a time
 
-/// Calls step(at, size, status) for pieces of `count` bytes that MPI can count, up to the first
-/// that fails. Each rank for itself: where a rank fails in one of MPI's collective accesses, others
-/// wait for it. Open MPI calls it a success where the disk is full; its status tells.
+/// Splits `count` bytes into pieces whose size fits into an int of MPI, and calls
+/// step(at, size, status) for each piece until a call fails. The accesses are not collective: if
+/// one rank failed in a collective access, the other ranks would wait for it. On a full disk Open
+/// MPI returns success, so the status is checked as well.
 template <class Step>
 int in_pieces(std::int64_t count, const Step& step) {
   int code = MPI_SUCCESS;
@@ -47,7 +48,7 @@ MpiFile::~MpiFile() {
   }
 }
 
-/// Fails on all ranks where one has this code.
+/// Throws Failure on all ranks if `code` is an error on any rank.
 void MpiFile::require(int code) const {
   comm_.together([&] {
     if (code == MPI_SUCCESS) {

@@ -1,5 +1,5 @@
-// One file that all ranks read or write, each its own bytes. All members are collective and throw
-// Failure on all ranks where they fail on one.
+// One file of which each rank reads or writes its own bytes. All members are collective; if a
+// member fails on one rank, it throws Failure on all ranks.
 #pragma once
 
 #include <cstdint>
@@ -14,7 +14,7 @@ class MpiFile {
  public:
   enum class Mode : std::uint8_t { read, write };
 
-  /// The file exists. `name` is what messages call it.
+  /// Opens an existing file. `name` is the name of the file in messages.
   MpiFile(const Communicator& comm, const std::string& path, std::string name, Mode mode);
   ~MpiFile();
   MpiFile(const MpiFile&) = delete;
@@ -22,14 +22,14 @@ class MpiFile {
 
   std::int64_t size() const;
 
-  /// From byte `offset` on; ranks may have different places and numbers of bytes.
+  /// Read and write bytes from `offset` on; offset and number of bytes may differ between ranks.
   std::string read(std::int64_t offset, std::int64_t count);
   void write(std::int64_t offset, std::string_view bytes);
 
-  /// Bytes first .. last - 1 of another file, to `offset`, each rank its share.
+  /// Copies bytes first .. last - 1 of another file to `offset`; each rank copies a share of them.
   void copy(MpiFile& from, std::int64_t first, std::int64_t last, std::int64_t offset);
 
-  /// What was written reaches the disk.
+  /// Flushes all written bytes to the disk.
   void sync();
 
  private:

@@ -9,8 +9,9 @@
 namespace ibmfair::petsc {
 namespace {
 
-/// A smaller mesh is cut into blocks: partitioners stumble over parts of a few vertices.
-constexpr std::int64_t worth_partitioning = 64;  // vertices a rank
+/// Meshes with fewer vertices per rank are divided into blocks, because partitioners can fail for
+/// parts of a few vertices.
+constexpr std::int64_t worth_partitioning = 64;  // vertices per rank
 
 struct Edge {
   Index from, to;
@@ -39,7 +40,7 @@ std::vector<Edge> edges_of_block(const Communicator& comm, const Blocks& vertice
   return edges;
 }
 
-/// The graph of the edges. It takes hold of arrays that PETSc frees.
+/// The adjacency graph of the edges. PETSc takes ownership of the arrays and frees them.
 Mat adjacency(const Communicator& comm, const Blocks& vertices, const std::vector<Edge>& edges) {
   const auto rows = static_cast<PetscInt>(vertices.count(comm.rank()));
   PetscInt *first = nullptr, *neighbour = nullptr;

@@ -1,4 +1,4 @@
-// Which rank a vertex belongs to.
+// Partitioning of the vertices among the ranks.
 #pragma once
 
 #include <array>
@@ -9,10 +9,10 @@
 
 namespace ibmfair::petsc {
 
-/// For each vertex of this rank's block the rank that it shall belong to: parts of about the same
-/// size between which few edges run, by PETSc's MatPartitioning (`-mat_partitioning_type`;
-/// PT-Scotch by default). `triangles` are this rank's, with the vertices' numbers in the file.
-/// Collective.
+/// Returns, for each vertex of this rank's block, the rank that the vertex shall belong to. The
+/// parts have about the same size and few edges between them; they are computed by PETSc's
+/// MatPartitioning (`-mat_partitioning_type`; PT-Scotch by default). `triangles` are the triangles
+/// of this rank's block, with the file's vertex numbers. Collective.
 std::vector<int> partition_vertices(const Communicator& comm, const Blocks& vertices,
                                     const std::vector<std::array<Index, 3>>& triangles);
 

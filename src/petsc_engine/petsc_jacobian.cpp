@@ -13,11 +13,11 @@
 namespace ibmfair::petsc {
 namespace {
 
-/// With the diagonal for a preconditioner: from here on BoomerAMG's set-up and its longer
-/// iterations pay (tools/ranks_table).
+/// Forecast number of iterations, with the diagonal as preconditioner, from which on BoomerAMG is
+/// faster in spite of its set-up and its longer iterations (tools/ranks_table).
 constexpr double many_iterations = 120;
 
-/// One coordinate of the rows, in a vector and back.
+/// Calls `copy` with the entries of the vector that this rank stores.
 template <class Copy>
 void with_entries(Vec vector, const Copy& copy) {
   PetscScalar* entries = nullptr;
@@ -150,8 +150,8 @@ void PetscJacobian::update(const JacobianParts& parts) {
     make_solver(parts);
   }
   SetUp result = set_up();
-  // MUMPS works in a space that it estimates, with 20 % to spare; what it needs depends on when the
-  // messages of other ranks arrive.
+  // MUMPS estimates its work space and adds a margin of 20 %. The space that it needs depends on
+  // the arrival times of messages from other ranks, so that the margin can be too small.
   for (const char* to_spare : {"100", "400", "1600"}) {
     if (result != SetUp::short_of_space || !factors_) {
       break;
@@ -179,7 +179,7 @@ PetscJacobian::SetUp PetscJacobian::set_up() {
   if (!comm_.any(reason != PC_NOERROR)) {
     return SetUp::done;
   }
-  check(PCReset(pc));  // a factor that failed once stays so, whatever the matrix
+  check(PCReset(pc));  // without it, a failed factorization fails for every later matrix
   return comm_.any(reason == PC_FACTOR_OUTMEMORY) ? SetUp::short_of_space : SetUp::failed;
 }
 

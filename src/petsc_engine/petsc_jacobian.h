@@ -1,4 +1,4 @@
-// The Jacobian as a matrix over all ranks, solved with by PETSc's KSP.
+// The Jacobian as a matrix that is distributed over all ranks, with PETSc's KSP as the solver.
 #pragma once
 
 #include <cstdint>
@@ -11,13 +11,15 @@
 
 namespace ibmfair::petsc {
 
-/// Each rank has the rows of its unknowns. Conjugate gradients go to
-/// `FlowOptions::solver_tolerance`, in the norm of the preconditioner, in which the rows of small
-/// triangles count as others do. That is successive over-relaxation of each rank's rows, or
-/// BoomerAMG where it would take many iterations. The options `-ksp_*` and `-pc_*` say otherwise.
+/// Each rank stores the rows of its unknowns. Conjugate gradients iterate until the residual is
+/// below `FlowOptions::solver_tolerance` in the norm of the preconditioner, in which rows of small
+/// triangles have the same weight as other rows. The preconditioner is successive over-relaxation
+/// of each rank's rows, or BoomerAMG if over-relaxation would take many iterations. The options
+/// `-ksp_*` and `-pc_*` override these choices.
 class PetscJacobian final : public JacobianSolver {
  public:
-  /// What is referred to outlives it. Collective, as all members are.
+  /// The referenced objects must outlive the solver. All members, this one included, are
+  /// collective.
   PetscJacobian(const JacobianShape& shape, const PetscParts& parts, LinearSolver solver);
   ~PetscJacobian() override;
 
@@ -30,11 +32,11 @@ class PetscJacobian final : public JacobianSolver {
   void make_matrix();
   void make_solver(const JacobianParts& parts);
 
-  /// Of the preconditioner for J_, the same on all ranks.
+  /// Result of setting up the preconditioner for J_; the same on all ranks.
   enum class SetUp : std::uint8_t { done, short_of_space, failed };
   SetUp set_up();
 
-  /// Gathers row u of J: the unknowns of all ranks in it, and their values.
+  /// Assembles row u of J: the columns (numbers of unknowns over all ranks) and their values.
   struct Row {
     std::vector<PetscInt> column;
     std::vector<PetscScalar> value;
@@ -44,13 +46,13 @@ class PetscJacobian final : public JacobianSolver {
   const JacobianShape shape_;
   const Communicator& comm_;
   const LinearSolver solver_;
-  std::vector<PetscInt> number_;  // #V, of the unknowns of all ranks; -1: held
-  PetscInt first_ = 0;            // number of this rank's first unknown
-  std::vector<PetscInt> slot_;    // scratch, #V: where a row has the vertex
+  std::vector<PetscInt> number_;  // #V, number of the unknown over all ranks; -1: fixed
+  PetscInt first_ = 0;            // number of the first unknown of this rank
+  std::vector<PetscInt> slot_;    // scratch, #V: position of the vertex in the row; -1: absent
   Mat J_ = nullptr;
   Vec x_ = nullptr, b_ = nullptr;
   KSP ksp_ = nullptr;
-  bool factors_ = false;  // the preconditioner is a factor of all of J
+  bool factors_ = false;  // whether the preconditioner is a factorization of the whole J
 };
 
 }  // namespace ibmfair::petsc

@@ -1,4 +1,4 @@
-// The other ranks' parts of the mesh, as the flow asks for them.
+// The communication between the parts of a mesh that the flow needs, by PETSc and MPI.
 #pragma once
 
 #include <petscsf.h>
@@ -12,7 +12,7 @@ enum class LinearSolver : std::uint8_t { cg, mumps };
 
 class PetscParts final : public MeshParts {
  public:
-  /// Both outlive it. Collective, as all members are.
+  /// `comm` and `piece` must outlive this object. All members, this one included, are collective.
   PetscParts(const Communicator& comm, const MeshPiece& piece);
   ~PetscParts() override;
   PetscParts(const PetscParts&) = delete;
@@ -23,11 +23,11 @@ class PetscParts final : public MeshParts {
   void refresh(Points& rows) const override;
   std::unique_ptr<JacobianSolver> make_solver(const JacobianShape& shape) const override;
 
-  /// Solvers made from here on factor, or iterate.
+  /// Chooses the method of solvers that are made afterwards: conjugate gradients or MUMPS.
   void set_solver(LinearSolver solver) { solver_ = solver; }
 
   using MeshParts::refresh;
-  /// Numbers (#V) of vertices that belong to other parts, from them.
+  /// Updates the values (#V) at vertices that belong to other parts with the values there.
   void refresh(std::vector<PetscInt>& values) const;
 
   const Communicator& communicator() const { return comm_; }
@@ -37,7 +37,7 @@ class PetscParts final : public MeshParts {
 
   const Communicator& comm_;
   LinearSolver solver_ = LinearSolver::cg;
-  PetscSF forest_ = nullptr;  // roots are a rank's own vertices, leaves the others that it has
+  PetscSF forest_ = nullptr;  // roots: a rank's own vertices; leaves: its copies of others
   MPI_Datatype row_ = MPI_DATATYPE_NULL;
 };
 

@@ -50,7 +50,7 @@ std::int64_t folds(const Topology& topology, const Points& X, const PetscParts& 
   return std::llround(parts.sum(count));
 }
 
-/// All ranks' numbers, sorted.
+/// The numbers of all ranks, sorted, on the first rank.
 std::vector<Index> gathered(const Communicator& comm, const std::vector<Index>& numbers) {
   std::vector<Index> all = comm.gather_to_first(numbers);
   std::sort(all.begin(), all.end());
@@ -103,7 +103,7 @@ Topology gathered_defects(const Communicator& comm, const Topology& topology,
     if (piece.vertex[first] > piece.vertex[second]) {
       std::swap(first, second);
     }
-    if (first < piece.own) {  // or else it is another rank's
+    if (first < piece.own) {  // otherwise another rank reports the edge
       edges.push_back({piece.vertex[first], piece.vertex[second]});
     }
   }

@@ -1,4 +1,4 @@
-// What `smooth` tells of a mesh, of one in several parts.
+// The figures that `smooth` reports of a mesh, for a mesh that is distributed over the ranks.
 #pragma once
 
 #include "commands/smooth_report.h"
@@ -7,13 +7,14 @@
 namespace ibmfair::petsc {
 
 /// Energy, area, volume and quality of the whole mesh with the piece's vertices at X (#V x 3). The
-/// volume takes the orientation that the triangles have in the file. Collective.
+/// sign of the volume follows the orientation of the triangles in the file. Collective.
 commands::MeshFigures mesh_figures(const MeshPiece& piece, const Points& X,
                                    const Topology& topology, const FlowOptions& options,
                                    const PetscParts& parts);
 
-/// The defects of the whole mesh, by their numbers in the file, on the first rank; nothing else of
-/// the topology is there. Collective.
+/// Gathers the defects of the whole mesh on the first rank, with the element numbers of the file.
+/// Of the other members of the returned topology only E is set: to the non-manifold edges, as pairs
+/// of the file's vertex numbers. Collective.
 Topology gathered_defects(const Communicator& comm, const Topology& topology,
                           const MeshPiece& piece);
 

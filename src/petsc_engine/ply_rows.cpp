@@ -11,7 +11,7 @@
 namespace ibmfair::petsc {
 namespace {
 
-/// Where a property stands in a row of scalars.
+/// The offset (bytes) of a property in a row, if all properties before it are scalars.
 std::int64_t offset_of(const ply::Element& element, int property) {
   std::int64_t offset = 0;
   for (int i = 0; i < property; ++i) {
@@ -20,7 +20,7 @@ std::int64_t offset_of(const ply::Element& element, int property) {
   return offset;
 }
 
-/// One list, which is that of the vertices.
+/// Whether the face element has exactly one list property, the list of vertices.
 bool has_only_list(const ply::Layout& layout) {
   const auto& properties = layout.faces().properties;
   return std::count_if(properties.begin(), properties.end(),
@@ -52,7 +52,7 @@ std::optional<PlyRows> PlyRows::find(const std::string& name, std::string_view s
     rows.header_ = SourceBytes::from_memory(name, start.substr(0, size));
     rows.layout_ = ply::find_layout(*rows.header_, ply::read_lone_header(*rows.header_));
   } catch (const Error&) {
-    return std::nullopt;  // who reads the whole file tells
+    return std::nullopt;  // the reader of whole files will report the error
   }
   const ply::Layout& layout = rows.layout_;
   if (layout.header.encoding == ply::Encoding::ascii || layout.strips || !has_only_list(layout) ||
@@ -143,7 +143,7 @@ std::vector<std::string> PlyRows::property_names() const {
   return names;
 }
 
-/// A file of these vertices and, so that it is a mesh, one face that has no corners.
+/// A PLY file with these vertices and one face without corners, because a mesh needs a face.
 std::shared_ptr<const SourceBytes> PlyRows::lone_vertices(std::string_view rows,
                                                           std::int64_t count) const {
   const std::string header =
@@ -154,12 +154,12 @@ std::shared_ptr<const SourceBytes> PlyRows::lone_vertices(std::string_view rows,
       header_->name(), fmt::format("{}{}{}", header, rows, std::string(no_corners(), '\0')));
 }
 
-/// Bytes of a face of no corners.
+/// The number of bytes of a face without corners.
 std::size_t PlyRows::no_corners() const {
   return static_cast<std::size_t>(layout_.faces().smallest_row());
 }
 
-/// The vertices of such a file, once it has been patched.
+/// The vertex rows of a file that was made by lone_vertices() and rewritten.
 std::string_view PlyRows::vertices_of(const SourceBytes& written) const {
   std::string_view rows = written.view();
   rows.remove_prefix(static_cast<std::size_t>(ply::read_header(written).body - written.begin()));
@@ -167,7 +167,8 @@ std::string_view PlyRows::vertices_of(const SourceBytes& written) const {
   return rows;
 }
 
-/// A header that was made from this file's, with the counts that this file has.
+/// Replaces the counts in `header`, which was derived from this file's header, by the counts of
+/// this file.
 std::string PlyRows::with_own_counts(std::string_view header) const {
   const auto bytes = SourceBytes::from_memory(header_->name(), header);
   return with_counts(

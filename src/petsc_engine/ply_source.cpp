@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::size_t largest_header = std::size_t{1} << 16;
 
-/// The first bytes of a file; empty where it cannot be read.
+/// The first bytes of a file; empty if the file cannot be read.
 std::string start_of(const std::string& path) {
   std::string bytes(largest_header, '\0');
   std::ifstream file(path, std::ios::binary);
@@ -66,7 +66,7 @@ bool PlySource::read() {
 std::vector<double> PlySource::vertex_values(const std::string& name) {
   auto values =
       rows_.values(rows_of_block(rows_.vertex_offset(), rows_.vertex_row(), vertices_), name);
-  if (!values) {  // on all ranks
+  if (!values) {  // on all ranks, because they depend on the header only
     throw BadOption(fmt::format("{}: no vertex property is called '{}'; there are: {}", path_, name,
                                 fmt::join(rows_.property_names(), ", ")));
   }
@@ -113,7 +113,7 @@ WriteReport PlySource::write(const MeshPiece& piece, const Points& X, const std:
   const std::string row = file_->read(rows_.vertex_offset(), rows_.vertex_row());
   const PlyRows::Rewriting rewriting = rows_.rewriting(row, options.ply_real);
 
-  std::unique_ptr<AtomicFile> target;  // of the first rank
+  std::unique_ptr<AtomicFile> target;  // only on the first rank
   std::string shared;
   comm_.together([&] {
     if (!X.topRows(piece.own).allFinite()) {

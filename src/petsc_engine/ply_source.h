@@ -1,4 +1,4 @@
-// A binary PLY file of triangles, which all ranks read and write by ranges of its bytes.
+// A binary PLY file of triangles, of which each rank reads and writes a range of bytes.
 #pragma once
 
 #include "petsc_engine/mesh_source.h"
@@ -9,7 +9,8 @@ namespace ibmfair::petsc {
 
 class PlySource final : public MeshSource {
  public:
-  /// Null where the file is none, or anything in it is not as it should be. Collective.
+  /// Returns null if the file is not a binary PLY file of triangles, or if it is malformed.
+  /// Collective.
   static std::unique_ptr<PlySource> open(const Communicator& comm, const std::string& path);
 
   BlockMesh take_mesh() override { return std::move(mesh_); }

@@ -5,7 +5,7 @@
 namespace ibmfair::petsc {
 namespace {
 
-/// Sends rows, one rank's behind the other's, and receives as many as `received` says.
+/// Sends rows that are sorted by rank; `sent` and `received` are the numbers of rows per rank.
 std::string exchange_rows(const Communicator& comm, std::string_view rows, std::int64_t row,
                           const std::vector<int>& sent, const std::vector<int>& received) {
   const std::vector<int> from = first_places(sent), to = first_places(received);

@@ -1,5 +1,5 @@
-// Rows of bytes of one size, between the ranks that have them in blocks and those that their
-// vertices belong to. Collective.
+// Exchange of rows of bytes, all of one size, between the ranks whose blocks hold the rows and the
+// ranks that own the vertices of the rows. Collective.
 #pragma once
 
 #include <string>
@@ -10,13 +10,13 @@
 
 namespace ibmfair::petsc {
 
-/// The rows of these numbers, which increase, out of the blocks: `block` has this rank's, of `row`
-/// bytes each.
+/// Fetches the rows with the given numbers, which must increase, from the blocks of all ranks.
+/// `block` holds the rows of this rank's block; each row has `row` bytes.
 std::string fetch_rows(const Communicator& comm, const Blocks& blocks, std::string_view block,
                        std::int64_t row, const std::vector<Index>& numbers);
 
-/// The reverse: this rank's block, out of the rows of these numbers that each rank has. Every row
-/// of the blocks is named once.
+/// The reverse of fetch_rows(): `rows` are this rank's rows with the given increasing numbers;
+/// returns this rank's block. Every row of the blocks must be named exactly once over all ranks.
 std::string deliver_rows(const Communicator& comm, const Blocks& blocks, std::string_view rows,
                          std::int64_t row, const std::vector<Index>& numbers);
 

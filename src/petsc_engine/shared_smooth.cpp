@@ -40,7 +40,7 @@ using commands::SmoothFigures;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// What needs the mesh in one place.
+/// Throws BadOption for options that need the whole mesh in one process.
 void require_shareable(const SmoothArguments& arguments) {
   const auto refuse = [](bool asked, const char* option) {
     if (asked) {
@@ -61,7 +61,7 @@ void require_shareable(const SmoothArguments& arguments) {
   }
 }
 
-/// The piece of this rank, with what is at its vertices.
+/// The piece of this rank, with the data at its vertices.
 struct SharedMesh {
   std::unique_ptr<MeshSource> source;
   MeshPiece piece;
@@ -69,7 +69,7 @@ struct SharedMesh {
   Topology topology;
   Points X;  // after
 
-  /// A value for each of the piece's vertices, out of those that blocks have.
+  /// The values at the piece's vertices, from values that are distributed in blocks.
   template <class T>
   std::vector<T> at_vertices(const std::vector<T>& block) const {
     return fetch(parts->communicator(), piece.vertices, block, piece.vertex);
@@ -104,7 +104,7 @@ SharedMesh read(const Communicator& comm, const SmoothArguments& arguments, cons
   return mesh;
 }
 
-/// A property of the vertices, finite numbers from `least` on.
+/// A property of the vertices; its values must be finite and at least `least`.
 Eigen::VectorXd values_of(const SharedMesh& mesh, const SmoothArguments& arguments,
                           const std::string& property, double least, const std::string& option) {
   const std::vector<double> values = mesh.at_vertices(mesh.source->vertex_values(property));
@@ -158,7 +158,7 @@ std::vector<std::uint8_t> held(const SmoothArguments& arguments, const SharedMes
     mask = mesh.at_vertices(mesh.source->vertex_mask(arguments.mask));
   }
   auto held = commands::held_by(arguments, mesh.topology, listed, mask, weights);
-  mesh.parts->refresh(held);  // the piece ends there, not the mesh
+  mesh.parts->refresh(held);  // the border of the piece is no boundary of the mesh
   return held;
 }
 
@@ -171,7 +171,7 @@ void measure_moves(const SharedMesh& mesh, SmoothFigures& figures) {
   figures.rms_move = std::sqrt(squares / static_cast<double>(mesh.piece.vertices.total));
 }
 
-/// What each rank had.
+/// The share of each rank in the work, for the report.
 nlohmann::ordered_json ranks_json(const Communicator& comm, const MeshPiece& piece) {
   struct Share {
     std::int64_t vertices, others, triangles;
@@ -212,7 +212,7 @@ class SharedSmooth {
     if (arguments_.flow.solver == "mumps") {
       mesh.parts->set_solver(LinearSolver::mumps);
     }
-    arguments_.flow.solver = "auto";  // which is the parts' choice
+    arguments_.flow.solver = "auto";  // lets the parts make the solver
     arguments_.textured = mesh.source->has_texture_coordinates();
     arguments_.flow = flow_options(arguments_, mesh);
     figures_.mean_edge_length = mean_edge_length(mesh.X, mesh.topology, *mesh.parts);
@@ -298,7 +298,7 @@ commands::Runner declare_shared_smooth(CLI::App& app, const Communicator& comm) 
   add_smooth_arguments(app, *arguments);
   return [arguments, &app, &comm](Console& console) {
     if (app["--threads"]->empty()) {
-      set_thread_count(1);  // a rank is a core's
+      set_thread_count(1);  // by default each rank uses one core
     }
     return SharedSmooth(comm, *arguments, app, console).run();
   };

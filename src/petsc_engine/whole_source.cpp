@@ -7,7 +7,7 @@
 namespace ibmfair::petsc {
 namespace {
 
-/// Rows that the first rank has, for each rank those of its block.
+/// Distributes rows that the first rank holds: each rank gets the rows of its block.
 template <class T>
 std::vector<T> deal(const Communicator& comm, const Blocks& blocks, std::vector<T> rows) {
   Parcels<T> sent{std::move(rows), std::vector<int>(static_cast<std::size_t>(comm.size()), 0)};

@@ -1,4 +1,4 @@
-// A mesh file that the first rank reads and writes for all.
+// A mesh file that the first rank reads and writes on behalf of all ranks.
 #pragma once
 
 #include "petsc_engine/mesh_source.h"
@@ -20,7 +20,7 @@ class WholeSource final : public MeshSource {
 
  private:
   const Communicator& comm_;
-  MeshFile file_;  // of the first rank
+  MeshFile file_;  // on the first rank only
   BlockMesh mesh_;
   Blocks vertices_;
   bool has_texture_ = false;

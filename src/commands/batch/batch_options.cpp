@@ -71,7 +71,7 @@ std::vector<CLI::Option*> add_batch_options(CLI::App& app, BatchOptions& options
           ->excludes(shared)
           ->excludes(resume)
           ->excludes(app.get_option("--dry-run")));
-  // Where a command takes many files, its --report is about each of them.
+  // If a command takes many files, its --report names the reports about the single files.
   const bool has_reports = app.get_option_no_throw("--report") != nullptr;
   options.report.option = "--summary";
   added.push_back(app.add_option(has_reports ? "--summary" : "--summary,--report",

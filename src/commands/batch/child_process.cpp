@@ -19,7 +19,7 @@ namespace ibmfair::commands {
 
 namespace {
 
-/// More than this of a stream is of no use to anybody.
+/// Bytes of a stream beyond this number are read and discarded.
 constexpr std::size_t most_text = std::size_t{1} << 26;
 
 [[noreturn]] void fail(int error) {
@@ -43,7 +43,8 @@ class SpawnActions {
   posix_spawn_file_actions_t actions_{};
 };
 
-/// The batch itself receives signals only while it waits; its processes shall not inherit that.
+/// Attributes that unblock all signals in the child. The batch blocks signals except while it
+/// waits, and the child would inherit the blocked signals.
 class SpawnAttributes {
  public:
   SpawnAttributes() {

@@ -1,4 +1,4 @@
-// A run of this very program in a process of its own.
+// A run of this program in a child process.
 #pragma once
 
 #include <cstdint>
@@ -12,29 +12,30 @@ namespace ibmfair::commands {
 
 /// How a process ended.
 struct ChildEnd {
-  int exit_code = 0;      ///< 128 + signal_number where that is not 0
-  int signal_number = 0;  ///< that ended it
+  int exit_code = 0;      ///< 128 + signal_number if a signal ended the process
+  int signal_number = 0;  ///< signal that ended the process; 0: none
   double peak_megabytes = 0;
 };
 
-/// Both streams are collected; standard input is empty. The process ends with this one, even if
-/// this one is killed.
+/// A child process of which standard output and standard error are collected; its standard input is
+/// empty. The child ends when this process ends, even if this process is killed.
 class ChildProcess {
  public:
-  /// Starts it. Throws std::runtime_error where the system refuses to.
+  /// Starts the process. Throws std::runtime_error if the system cannot start a process.
   explicit ChildProcess(const std::vector<std::string>& arguments);
-  /// Kills it if it still runs.
+  /// Kills the process if it is still running.
   ~ChildProcess();
   ChildProcess(const ChildProcess&) = delete;
   ChildProcess& operator=(const ChildProcess&) = delete;
 
-  /// What to wait for: the two streams; those that have ended are left out by poll.
+  /// Appends the two streams to the descriptors to wait for. A stream that has ended has descriptor
+  /// -1, which poll() ignores.
   void append_waits(std::vector<pollfd>& waits) const;
 
-  /// Takes what the streams hold now. Returns whether both have ended.
+  /// Reads the bytes that are available on the streams. Returns whether both streams have ended.
   bool read_streams();
 
-  /// Waits for the end, which is near once both streams have ended.
+  /// Waits for the end of the process, which follows shortly after the end of both streams.
   ChildEnd wait();
 
   void kill();

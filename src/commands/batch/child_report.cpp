@@ -17,7 +17,7 @@ constexpr std::array<std::string_view, 10> left_out{"version", "program", "comma
                                                     "input",   "output",  "file",    "a",
                                                     "options", "seconds"};
 
-/// What follows `label` in the first line that starts with it.
+/// The text after `label` in the first line that starts with `label`.
 std::string after_label(std::string_view text, std::string_view label) {
   while (!text.empty()) {
     const std::size_t end = std::min(text.find('\n'), text.size());

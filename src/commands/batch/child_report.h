@@ -1,4 +1,4 @@
-// What a run tells of itself, cut down to what fits a line of a table.
+// Extracts, from the output of a run, the message and the figures for one line of a table.
 #pragma once
 
 #include <string>
@@ -8,13 +8,13 @@
 
 namespace ibmfair::commands {
 
-/// The first error in what a run said on standard error; else the first warning; else nothing.
-/// Without the program's name before it.
+/// The first error message in `err`, the standard error output of a run; without errors, the first
+/// warning; without warnings, an empty string. The program's name in front is removed.
 std::string first_message(std::string_view err);
 
-/// The report that a run printed as a flat object: `{"after": {"energy": 1}}` gives
-/// `{"after.energy": 1}`. Leaves out lists, times, options, and what a table has columns for.
-/// An empty object where the text is no report.
+/// The JSON report that a run printed, as a flat object: `{"after": {"energy": 1}}` gives
+/// `{"after.energy": 1}`. Lists, times, options, and fields that have their own column in a table
+/// are left out. Returns an empty object if the text is not a report.
 nlohmann::ordered_json main_figures(std::string_view out);
 
 }  // namespace ibmfair::commands

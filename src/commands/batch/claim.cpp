@@ -31,14 +31,15 @@ std::string random_digits() {
   return fmt::format("{:08x}{:08x}", source(), source());
 }
 
-/// A new file with this text, under a name that nobody else uses (commands/batch/temporaries.h).
+/// A new file with this text, under a unique temporary name (commands/batch/temporaries.h).
 class UniqueFile {
  public:
   UniqueFile(const ClaimFolder& folder, const std::string& id, const std::string& text)
       : path_(fmt::format("{}/.ibmfair-{}-{}.tmp", folder.path, getpid(), id)) {
     fd_ =
         open(path_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_APPEND | O_NOFOLLOW | O_CLOEXEC, 0666);
-    // The date by the file server's clock; the text on the server, for others to read.
+    // futimens() sets the time by the file server's clock; fsync() makes the text visible to other
+    // machines.
     const bool made = fd_ >= 0 &&
                       write(fd_, text.data(), text.size()) == static_cast<ssize_t>(text.size()) &&
                       fsync(fd_) == 0 && futimens(fd_, nullptr) == 0;
@@ -55,7 +56,7 @@ class UniqueFile {
   const std::string& path() const { return path_; }
   int descriptor() const { return fd_; }
 
-  /// The descriptor, to keep when the name goes.
+  /// Hands over the descriptor, which stays open when the temporary name is removed.
   int release() { return std::exchange(fd_, -1); }
 
  private:
@@ -79,13 +80,13 @@ std::int64_t time_of_folder(const ClaimFolder& folder) {
   return nanoseconds(status.st_mtim);
 }
 
-/// Gives the file that name, too, unless there is one.
+/// Links the file to `name`; returns false if another file has this name.
 bool link_as(const UniqueFile& file, const std::string& name) {
   if (link(file.path().c_str(), name.c_str()) == 0) {
     return true;
   }
   const int error = errno;
-  // A network file system may have done it and lost the reply.
+  // A network file system may have made the link although its reply was lost.
   struct stat own {
   }, found{};
   if (fstat(file.descriptor(), &own) == 0 && lstat(name.c_str(), &found) == 0 &&
@@ -111,10 +112,11 @@ std::unique_ptr<Claim> Claim::take(const ClaimFolder& folder, const std::string&
 }
 
 bool Claim::make(const ClaimFolder& folder, const std::string& key) {
-  lost_ = true;  // until it is taken
+  lost_ = true;  // until the claim is made
   std::vector<FoundClaim> before = find_chain(folder, key);
   if (!before.empty()) {
-    // In this order: however long this process sleeps in between, no claim seems older than it is.
+    // The time is read before the claims, so that no claim seems older than it is, even if this
+    // process is suspended in between.
     const std::int64_t now = time_of_folder(folder);
     before = find_chain(folder, key);
     if (!before.empty() && !holder_is_gone(before.back()) &&
@@ -137,7 +139,7 @@ bool Claim::make(const ClaimFolder& folder, const std::string& key) {
   }
   const std::vector<FoundClaim> chain = find_chain(folder, key);
   if (chain.empty() || chain.back().path != name) {
-    unlink(name.c_str());  // the chain that it would go on with is no longer there
+    unlink(name.c_str());  // the chain that it should extend has been removed
     return false;
   }
   for (const FoundClaim& found : chain) {
@@ -160,8 +162,8 @@ Claim::~Claim() {
   heartbeat_.remove(*this);
   renew();
   if (!lost_) {
-    // From the first: while it is there nobody can begin another chain, and once it is gone the
-    // rest leads from nowhere.
+    // The first claim is removed first: as long as it exists, no process can begin another chain,
+    // and without it the rest of the chain cannot be reached.
     for (const std::string& name : chain_) {
       unlink(name.c_str());
     }
@@ -172,23 +174,24 @@ Claim::~Claim() {
 void Claim::renew() {
   lost_ = lost_ || access(successor_.c_str(), F_OK) == 0 || is_removed();
   if (!lost_) {
-    futimens(fd_, nullptr);  // with the file server's time; where it fails, the next may succeed
+    // Sets the file server's time. An error is ignored, because the next call may succeed.
+    futimens(fd_, nullptr);
   }
 }
 
-/// By whoever took over and gave up. The count of the file's names does not tell: some file systems
-/// have none.
+/// Whether another process took over the item, gave it up and so removed this claim. The link count
+/// of the file is not used, because some file systems have none.
 bool Claim::is_removed() const {
   try {
     return mark_at(chain_.back()) != mark_;
   } catch (const CannotWrite&) {
-    return false;  // it may be readable again
+    return false;  // the file may become readable again
   }
 }
 
 void Claim::note_process(pid_t process) const {
   const std::string line = fmt::format("{{\"process\":{}}}\n", process);
-  // Where it fails, a file of a name of its own may be left behind.
+  // An error is ignored: it can only have the effect that a temporary file is left behind.
   [[maybe_unused]] const ssize_t count = write(fd_, line.data(), line.size());
   fsync(fd_);
 }
@@ -196,7 +199,7 @@ void Claim::note_process(pid_t process) const {
 void remove_left_claims(const ClaimFolder& folder, const std::vector<std::string>& keys,
                         Heartbeat& heartbeat) {
   std::set<std::string> claimed;
-  std::error_code ignored;  // they are in nobody's way
+  std::error_code ignored;  // claims that remain do no harm
   for (const auto& entry : std::filesystem::directory_iterator(folder.path, ignored)) {
     if (entry.path().extension() == ".claim") {
       const std::string name = entry.path().stem().string();
@@ -205,7 +208,8 @@ void remove_left_claims(const ClaimFolder& folder, const std::vector<std::string
   }
   for (const std::string& key : keys) {
     if (claimed.contains(hash_of_text(key))) {
-      Claim::take(folder, key, heartbeat);  // and give it up, with all that it follows
+      // The returned claim is destroyed at once, which removes the whole chain.
+      Claim::take(folder, key, heartbeat);
     }
   }
 }

@@ -23,13 +23,14 @@ namespace {
 
 using nlohmann::ordered_json;
 
-/// What is read of a claim; the start of it, by which it differs from others, is in there.
+/// Number of bytes that are read of a claim; enough for the start of the claim, which is unique.
 constexpr std::size_t most_bytes = 4096;
 
-/// So many processes do not die over one item.
+/// A longer chain is an error, because it is unlikely that so many processes die with one item.
 constexpr std::size_t longest_chain = 1000;
 
-/// The two lines of a claim: who holds it and, once it does, which process runs the item.
+/// Parses the lines of a claim: the first describes the holder; the second, if it has been written,
+/// names the process that runs the item.
 void read_lines(const std::string& text, FoundClaim& claim) {
   const std::size_t end = std::min(text.find('\n'), text.size());
   const ordered_json holder = ordered_json::parse(text.substr(0, end), nullptr, false);
@@ -46,8 +47,8 @@ void read_lines(const std::string& text, FoundClaim& claim) {
   claim.process = number(runner, "process");
 }
 
-/// Nothing where there is no such claim. Opening it, other than asking for its times, makes network
-/// file systems ask their server.
+/// Returns nothing if there is no claim at `path`. The file is opened because network file systems
+/// ask their server only on open(), not on stat().
 std::optional<FoundClaim> read_claim(const std::string& path) {
   const int fd = open(path.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
   if (fd < 0 && (errno == ENOENT || errno == ESTALE)) {

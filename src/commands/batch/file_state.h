@@ -1,4 +1,4 @@
-// By what a file is known to be the same as before.
+// Time stamps and hashes, by which an unchanged file is recognised.
 #pragma once
 
 #include <cstdint>
@@ -9,8 +9,8 @@
 
 namespace ibmfair::commands {
 
-/// Its size, and when its content (mtime) and anything about it (ctime) last changed, in
-/// nanoseconds.
+/// The size of a file in bytes, and the times, in nanoseconds, of the last change of its content
+/// (mtime) and of its content or attributes (ctime).
 struct FileStamp {
   std::int64_t size = 0;
   std::int64_t mtime = 0;
@@ -21,13 +21,13 @@ struct FileStamp {
 
 std::int64_t nanoseconds(const timespec& time);
 
-/// Nothing where there is no regular file.
+/// The stamp of the file at `path`; nothing if there is no regular file.
 std::optional<FileStamp> stamp_of(const std::string& path);
 
-/// FNV-1a of 64 bits, in hexadecimal digits.
+/// The 64-bit FNV-1a hash of the text, in hexadecimal digits.
 std::string hash_of_text(std::string_view text);
 
-/// The hash of a file's bytes, as `hash_of_text`; nothing where the file cannot be read.
+/// The hash of a file's bytes, as by `hash_of_text`; nothing if the file cannot be read.
 std::optional<std::string> hash_of_file(const std::string& path);
 
 }  // namespace ibmfair::commands

@@ -8,7 +8,8 @@
 namespace ibmfair::commands {
 
 Heartbeat::Heartbeat(std::chrono::milliseconds interval) : interval_(interval) {
-  // A thread inherits the signals that are blocked: they are for the one that waits for them.
+  // The new thread inherits the signal mask. All signals are blocked in it, so that they reach the
+  // thread that waits for signals.
   sigset_t all, before;
   sigfillset(&all);
   pthread_sigmask(SIG_BLOCK, &all, &before);

@@ -1,4 +1,4 @@
-// Keeps the claims of this process alive, whatever else it does meanwhile.
+// Renews the claims of this process in a thread of its own, while other threads are busy.
 #pragma once
 
 #include <chrono>
@@ -11,7 +11,7 @@ namespace ibmfair::commands {
 
 class Claim;
 
-/// A thread that renews the claims it knows, over and over.
+/// A thread that renews all claims that were added to it, once per interval.
 class Heartbeat {
  public:
   explicit Heartbeat(std::chrono::milliseconds interval);
@@ -20,7 +20,7 @@ class Heartbeat {
   Heartbeat& operator=(const Heartbeat&) = delete;
 
   void add(Claim& claim);
-  /// It is not renewed any more once this returns.
+  /// Once this function has returned, the claim is no longer renewed.
   void remove(Claim& claim);
 
  private:

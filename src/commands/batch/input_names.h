@@ -1,4 +1,4 @@
-// The files that a name in a job stands for.
+// Finds the input files that a name or glob in a job refers to.
 #pragma once
 
 #include <string>
@@ -11,10 +11,10 @@ struct InputName {
   bool by_glob = false;
 };
 
-/// The file of that very name if there is one; otherwise what it finds as a glob (`*`, `?`,
-/// `[a-z]`,
-/// `{obj,ply}`, as a shell has them), sorted. A name without such characters stands for itself.
-/// Throws BadFile for a glob that finds nothing.
+/// The file with exactly the name `pattern`, if it exists; otherwise the sorted names that match
+/// `pattern` as a glob (`*`, `?`, `[a-z]`, `{obj,ply}`, as in a shell). A name without glob
+/// characters is returned as it is, whether or not the file exists. Throws BadFile for a glob
+/// without matches.
 std::vector<InputName> find_inputs(const std::string& pattern);
 
 }  // namespace ibmfair::commands

@@ -27,7 +27,8 @@ Interrupts::Interrupts() {
     sigaddset(&blocked, signal_number);
     actions_before_.emplace_back(signal_number, before);
   }
-  // Blocked except during the wait, or one could arrive just before it and be slept over.
+  // The signals are blocked except during the wait. Otherwise a signal that arrives just before the
+  // wait would not end it.
   sigprocmask(SIG_BLOCK, &blocked, &mask_before_);
   for (const auto& [signal_number, before] : actions_before_) {
     struct sigaction action {};

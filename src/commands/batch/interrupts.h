@@ -11,8 +11,9 @@
 
 namespace ibmfair::commands {
 
-/// While it exists, SIGINT, SIGTERM and SIGHUP do not end the process but only its waiting, so that
-/// it can put things in order. One of a kind at a time. Those that are ignored stay so.
+/// While this object exists, SIGINT, SIGTERM and SIGHUP do not end the process; they only end
+/// wait(), so that the batch can stop in an orderly way. Signals that are ignored stay ignored.
+/// Only one such object may exist at a time.
 class Interrupts {
  public:
   Interrupts();
@@ -20,12 +21,12 @@ class Interrupts {
   Interrupts(const Interrupts&) = delete;
   Interrupts& operator=(const Interrupts&) = delete;
 
-  /// Waits until one of the descriptors can be read, a signal arrives or, where there is one, the
-  /// time is over; descriptors below 0 do not count.
+  /// Waits until one of the descriptors can be read, a signal arrives, or `time` (if given) is
+  /// over. Negative descriptors are ignored.
   void wait(std::vector<pollfd>& waits,
             std::optional<std::chrono::milliseconds> time = std::nullopt) const;
 
-  /// The signal that has arrived; 0: none.
+  /// The number of the signal that has arrived; 0 if none has.
   int signal_number() const;
 
  private:

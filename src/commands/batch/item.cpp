@@ -19,7 +19,7 @@ namespace ibmfair::commands {
 
 namespace {
 
-/// The job's settings for one input, names of files in place of their patterns.
+/// The job's settings for one input, with the patterns of file names expanded.
 std::vector<Setting> settings_for(const Job& job, const CLI::App& command,
                                   const std::string& input) {
   std::vector<Setting> settings = job.settings;
@@ -83,10 +83,10 @@ Item make_item(const Job& job, const std::string& input) {
   return item;
 }
 
-/// Names that the job reads, and which of them a glob found.
+/// The input files of the job; each entry tells whether a glob found the file.
 std::vector<InputName> inputs_of(const Job& job) {
   if (job.inputs.empty()) {
-    return {InputName{}};  // a command that reads nothing runs once
+    return {InputName{}};  // a command without input runs once
   }
   std::vector<InputName> names;
   for (const std::string& pattern : job.inputs) {
@@ -103,7 +103,7 @@ std::vector<Item> items_of(const Job& job) {
     items.push_back(make_item(job, input.path));
     found_by_glob.push_back(input.by_glob);
   }
-  // A job that writes beside its inputs must stay the same list when it is run again.
+  // A job that writes into the folder of its inputs must give the same items when it is run again.
   return without_own_outputs(std::move(items), found_by_glob);
 }
 

@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Which item writes a file.
+/// The item that writes a file, by the identity of the file.
 using Writers = std::unordered_map<std::string, const Item*>;
 
 bool reads_own_output(const Item& item, const Writers& writers) {

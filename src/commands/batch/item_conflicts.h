@@ -1,5 +1,5 @@
-// Items that would get in each other's way: they run in no particular order, and are run again when
-// a batch is resumed.
+// Detects conflicts between items. Items run in no particular order and may be run again when a
+// batch is resumed, so no item may write a file that another item reads or writes.
 #pragma once
 
 #include <vector>
@@ -8,15 +8,16 @@
 
 namespace ibmfair::commands {
 
-/// The items without those whose input a glob found (`found_by_glob`, one an item) although it is
-/// what another of them writes.
+/// Removes the items whose input was found by a glob (`found_by_glob`, one value per item) but is a
+/// file that another item writes.
 std::vector<Item> without_own_outputs(std::vector<Item> items,
                                       const std::vector<bool>& found_by_glob);
 
-/// Throws BadFile where a file that an item reads is not there.
+/// Throws BadFile if a file that an item reads does not exist.
 void require_inputs(const std::vector<Item>& items);
 
-/// Throws BadOption where two items write one file, or one writes what it or another reads.
+/// Throws BadOption if two items write the same file, or if an item writes a file that it or
+/// another item reads.
 void reject_conflicts(const std::vector<Item>& items);
 
 }  // namespace ibmfair::commands

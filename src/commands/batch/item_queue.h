@@ -1,4 +1,4 @@
-// In which order items come up.
+// The order in which items are started.
 #pragma once
 
 #include <chrono>
@@ -8,22 +8,23 @@
 
 namespace ibmfair::commands {
 
-/// The places of a list in their order. Those that cannot be served yet are put back and come up
-/// again, all together, after pauses that grow.
+/// A queue of item indices 0 .. items - 1. An item that cannot be started yet is put back; all
+/// items that were put back come up again together after a pause. The pauses grow up to
+/// `longest_pause`.
 class ItemQueue {
  public:
   ItemQueue(std::size_t items, std::chrono::milliseconds longest_pause);
 
-  /// The one that comes up now; nothing where there is none at the moment.
+  /// The next item to start; nothing if there is none at the moment.
   std::optional<std::size_t> next();
 
   void put_back(std::size_t index);
 
-  /// How many are left, for now and for later.
+  /// Number of items that are left, including the items that were put back.
   std::size_t size() const { return now_.size() + later_.size(); }
   bool empty() const { return size() == 0; }
 
-  /// How long until one comes up.
+  /// Time until the next item comes up; 0 if an item is ready.
   std::chrono::milliseconds pause() const;
 
  private:
@@ -31,7 +32,7 @@ class ItemQueue {
 
   std::deque<std::size_t> now_;
   std::vector<std::size_t> later_;
-  Clock::time_point due_{};  // of those for later
+  Clock::time_point due_{};  // when the items in later_ come up again
   std::chrono::milliseconds pause_{20}, longest_pause_;
 };
 

@@ -38,7 +38,7 @@ std::vector<std::string> words_for(const CLI::App& command, const std::vector<Se
         continue;
       }
       for (const std::string& value : setting.values) {
-        // Otherwise it would be taken for an option.
+        // Without `./` the parser would take the value for an option.
         const bool looks_like_option = (value.starts_with('-') && value != "-") || value == "++";
         words.push_back(looks_like_option ? "./" + value : value);
       }

@@ -10,21 +10,22 @@ class App;
 
 namespace ibmfair::commands {
 
-/// One argument, by the name that a job file calls it.
+/// One argument of a job, with its key in a job file.
 struct Setting {
   std::string key;
   bool positional = false;
-  std::vector<std::string> values = {};  ///< none for a flag that is set
+  std::vector<std::string> values = {};  ///< empty for a flag that is set
 };
 
 struct Job {
-  std::string place;  ///< where it stands, as messages start: `jobs.json: job 3: `
+  std::string place;  ///< start of messages about the job: `jobs.json: job 3: `
   std::string command;
-  std::vector<std::string> inputs = {};  ///< names or globs for the command's first file to read
-  std::vector<Setting> settings = {};    ///< the other arguments; names of files are patterns
+  std::vector<std::string> inputs = {};  ///< names or globs for the command's first input file
+  std::vector<Setting> settings = {};    ///< other arguments; file names are patterns
 };
 
-/// The program's arguments for that command with these settings, in the order of its declaration.
+/// The program's arguments that run `command` with these settings, in the order in which the
+/// command declares its arguments.
 std::vector<std::string> words_for(const CLI::App& command, const std::vector<Setting>& settings);
 
 }  // namespace ibmfair::commands

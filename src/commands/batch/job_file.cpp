@@ -27,13 +27,13 @@ using nlohmann::ordered_json;
   throw BadFile(fmt::format("{}key '{}': {}", place, short_text(key, 40), short_text(text)));
 }
 
-/// An option's or argument's value as the command line would have it.
+/// The value of an option or argument as text on the command line.
 std::string scalar_text(const ordered_json& value, const std::string& place,
                         const std::string& key) {
   if (value.is_string()) {
     auto text = value.get<std::string>();
     if (text.find('\0') != std::string::npos) {
-      // An argument would end there: not the name that was checked.
+      // A command-line argument would end at this character, and would not be the checked name.
       fail(place, key, "a text cannot hold a zero character");
     }
     return text;
@@ -68,7 +68,7 @@ std::vector<std::string> keys_of(const CLI::App& command, bool positional) {
   return keys;
 }
 
-/// One object of the file, job or defaults.
+/// One object of the file: a job or the defaults.
 struct Entry {
   const ordered_json& json;
   std::string place;
@@ -86,7 +86,7 @@ Entry checked_entry(const ordered_json& json, const std::string& place) {
   return entry;
 }
 
-/// Builds the jobs, and keeps account of which defaults mean something to one of them.
+/// Builds the jobs, and records which defaults apply to at least one job.
 class JobReader {
  public:
   JobReader(const ordered_json& file, const std::string& name)
@@ -105,7 +105,7 @@ class JobReader {
     return job;
   }
 
-  /// Throws where a default is of no use to any job.
+  /// Throws if a default applies to no job.
   void require_defaults_used() const {
     for (const auto& [key, value] : default_json_.items()) {
       if (key != "command" && key != "options" && !known_arguments_.contains(key)) {

@@ -6,10 +6,10 @@
 //               {"command": "make", "shape": "torus", "output": "torus.off"}]}
 //
 // A job's keys are `command`, the command's arguments (`input` for IN, `output` for OUT, others in
-// lower case) and `options`, whose keys are options without dashes: true for a flag, text or a
-// number for others, a list where several values make one option; null and false take a default
-// back. What `defaults` says holds for every job whose command knows it. `ibmfair COMMAND
-// --dump-config` writes this format.
+// lower case) and `options`, an object whose keys are options without dashes. The value of a flag
+// is true; the value of another option is a text or a number, or a list if the option takes several
+// values. null and false remove a default. An entry of `defaults` applies to every job whose
+// command has this argument or option. `ibmfair COMMAND --dump-config` writes this format.
 #pragma once
 
 #include <string>
@@ -20,11 +20,12 @@
 
 namespace ibmfair::commands {
 
-/// The jobs of a file with its defaults filled in, in order. Throws BadFile that names the file and
-/// line and column, or job (counted from 1) and key; BadOption for a command that is not there.
+/// Parses a job file and returns its jobs in order, with the defaults filled in. Throws BadFile
+/// whose message names the file and either line and column, or job (counted from 1) and key; throws
+/// BadOption for a command that does not exist.
 std::vector<Job> parse_jobs(std::string_view text, const std::string& name);
 
-/// Parses the jobs of a file, or of standard input where its name is `-`. Throws as `parse_jobs`.
+/// Reads the jobs of a file, or of standard input if `path` is `-`. Throws like `parse_jobs`.
 std::vector<Job> read_jobs(const std::string& path);
 
 }  // namespace ibmfair::commands

@@ -32,7 +32,7 @@ std::string journal_line(const ordered_json& json) {
   return json.dump(-1, ' ', false, ordered_json::error_handler_t::replace);
 }
 
-/// When a line says that it was written; those of earlier versions do not.
+/// The time at which a line was written; 0 for lines of earlier versions, which do not contain it.
 double time_of(const ordered_json& json) {
   return json.contains("time") ? json["time"].get<double>() : 0;
 }
@@ -51,7 +51,7 @@ double seconds_since_1970() {
   return std::chrono::duration<double>(now).count();
 }
 
-/// A line for how the item of this key ended now.
+/// A line about the end of the item with this key, with the current time.
 std::string end_line(const char* event, const std::string& key, const Finished& finished) {
   ordered_json inputs = ordered_json::array();
   for (const Finished::Input& input : finished.inputs) {
@@ -76,7 +76,7 @@ std::string end_line(const char* event, const std::string& key, const Finished& 
                        {"figures", outcome.figures}});
 }
 
-/// Whether the file begins as one does, or is too short to tell.
+/// Whether the file begins like a journal, or is a shorter prefix of this beginning.
 bool starts_as_journal(int fd) {
   constexpr std::string_view start = R"({"event":")";
   std::array<char, start.size()> found{};
@@ -126,7 +126,7 @@ Journal::Journal(const std::string& path, bool flushed) : path_(path), flushed_(
   char last = '\n';
   const off_t size = lseek(fd_, 0, SEEK_END);
   if (size > 0 && pread(fd_, &last, 1, size - 1) == 1 && last != '\n') {
-    append("");  // closes the line that a killed run left open
+    append("");  // ends the incomplete line that a killed run left
   }
 }
 
@@ -148,7 +148,7 @@ void Journal::append(const std::string& line) {
     }
     done += count > 0 ? static_cast<std::size_t>(count) : 0;
   }
-  if (flushed_ && fsync(fd_) != 0 && errno != EINVAL) {  // of what cannot be flushed, as a device
+  if (flushed_ && fsync(fd_) != 0 && errno != EINVAL) {  // EINVAL: a device, which has no fsync
     fail();
   }
 }
@@ -176,9 +176,9 @@ void JournalRecord::read(const std::vector<std::string>& paths) {
       try {
         read_line(line, path);
       } catch (const ordered_json::exception&) {
-        continue;  // of another version
+        continue;  // a line of another version
       } catch (const BadFile&) {
-        continue;  // half-written
+        continue;  // an incomplete line
       }
     }
   }
@@ -212,7 +212,8 @@ void JournalRecord::read_line(const std::string& line, const std::string& path) 
   if (finished.outcome.status == Status::ok) {
     finished_[key].push_back(finished);
   } else if (finished.outcome.exit_code == static_cast<int>(ExitCode::cannot_write)) {
-    // Another journal may know of a run that made them.
+    // Only the start in this journal is removed: another journal may record a run that made the
+    // files.
     if (const auto found = started_.find(key);
         found != started_.end() && found->second.erase(path) > 0 && found->second.empty()) {
       started_.erase(found);

@@ -1,5 +1,5 @@
-// The record of a batch: one line of JSON as an item starts and one as it ends, so that a killed
-// batch can tell what is done.
+// The journal of a batch has one line of JSON for the start and one for the end of each item, so
+// that a batch that was killed can be resumed.
 #pragma once
 
 #include <cstdint>
@@ -13,42 +13,43 @@
 
 namespace ibmfair::commands {
 
-/// What a result was made from, and what it was.
+/// Record of an item that has ended: from what its result was made, and the result.
 struct Finished {
   struct Input {
     FileStamp stamp;
     std::string hash;
   };
   std::string options;             ///< hash of the effective job
-  std::string program;             ///< version
+  std::string program;             ///< version of the program
   std::vector<Input> inputs;       ///< in the order of Item::reads
   std::vector<FileStamp> outputs;  ///< in the order of Item::writes
   Outcome outcome;
-  double time = 0;       ///< when it ended, in seconds since 1970 by the clock of who ran it
-  bool refused = false;  ///< it was not even started
+  double time = 0;       ///< time of the end, seconds since 1970 by the clock of that machine
+  bool refused = false;  ///< the item was not started, because an existing file may not be replaced
 };
 
-/// What other runs have left, in the journals of all parts of the list. A line that is half-written
-/// is ignored: its run was killed, or is writing it.
+/// The records of other runs, from the journals of all parts of the list. An incomplete line is
+/// ignored: the run that wrote the line was killed, or is still writing.
 class JournalRecord {
  public:
   JournalRecord() = default;
   explicit JournalRecord(const std::vector<std::string>& paths) { read(paths); }
 
-  /// Reads what these journals hold and has not been read yet.
+  /// Reads the lines of these journals that have not been read yet.
   void read(const std::vector<std::string>& paths);
 
-  /// A record of what comes after all that this one has read.
+  /// An empty record that will read only lines that come after those that this record has read.
   JournalRecord continued() const;
 
-  /// Whether a run has begun to make this item, so that what it writes is the batch's own.
+  /// Whether a run has started this item, so that the batch owns the files that the item writes and
+  /// may replace them.
   bool started(const std::string& key) const { return started_.contains(key); }
 
-  /// What runs have finished with exit code 0.
+  /// The records of the runs of this item that ended with exit code 0.
   const std::vector<Finished>& finished(const std::string& key) const;
 
-  /// How the last of all runs of it ended, one that was refused included; null where none has ended
-  /// or the same journal tells of a later start.
+  /// The record of the last run of this item, which may be a refused one; null if no run has ended,
+  /// or if the same journal records a later start.
   const Finished* last(const std::string& key) const;
 
  private:
@@ -60,18 +61,18 @@ class JournalRecord {
   };
 
   std::map<std::string, std::int64_t> read_up_to_;        // bytes of each journal
-  std::map<std::string, std::set<std::string>> started_;  // which journals say so
+  std::map<std::string, std::set<std::string>> started_;  // key to journals that record a start
   std::map<std::string, std::vector<Finished>> finished_;
   std::map<std::string, LastEnd> last_;
 };
 
-/// Appends whole lines to a file that only one batch at a time writes.
+/// Appends whole lines to a journal file. Only one batch at a time can write to the file.
 class Journal {
  public:
-  /// Opens or makes the file. Throws CannotWrite, also where another batch has it open, and where
-  /// the name leads to something else: a folder that others can write might turn the batch's own
-  /// record against a file that runs what it holds.
-  /// With `flushed`, every line is safe, and can be seen by other machines, before the next step.
+  /// Opens or makes the file. Throws CannotWrite, also if another batch has the file open, or if
+  /// `path` is not a journal: in a folder that others can write, a link could make the batch append
+  /// its record to a file whose content is executed. If `flushed`, every line is on the disk, and
+  /// visible to other machines, before the next step.
   explicit Journal(const std::string& path, bool flushed = false);
   ~Journal();
   Journal(const Journal&) = delete;
@@ -79,13 +80,15 @@ class Journal {
 
   const std::string& path() const { return path_; }
 
-  /// Notes that from here on what the item writes is the batch's own, under a key for the item.
+  /// Records the start of the item with this key. From here on the batch owns the files that the
+  /// item writes.
   void add_start(const std::string& key);
 
-  /// Notes how it ended. The files of one that could not write are not the batch's own.
+  /// Records how the item ended. The files of an item that could not write do not belong to the
+  /// batch.
   void add_end(const std::string& key, const Finished& finished);
 
-  /// Notes why it was not even started, which says nothing of whose its files are.
+  /// Records why the item was not started. This does not change which files the batch owns.
   void add_refusal(const std::string& key, const Finished& finished);
 
  private:
@@ -97,14 +100,15 @@ class Journal {
   int fd_ = -1;
 };
 
-/// The journal of a part of a list that has several.
+/// The path of the journal of part `number` of `count`, if `path` is the journal of the whole list.
 std::string journal_of_shard(const std::string& path, std::size_t number, std::size_t count);
 
-/// The folder of processes that run a list together, and the journals that they keep there, sorted.
+/// The folder that processes use which run a list together, and the sorted paths of their journals
+/// in this folder.
 std::string folder_of_processes(const std::string& path);
 std::vector<std::string> journals_of_processes(const std::string& path);
 
-/// All journals that belong to the same list.
+/// The paths of all journals that belong to the list with the journal `path`.
 std::vector<std::string> journals_of_list(const std::string& path);
 
 }  // namespace ibmfair::commands

@@ -18,7 +18,7 @@ using nlohmann::ordered_json;
 
 constexpr std::size_t longest_value = 40;
 
-/// What is left of the parser's message behind its own code and place.
+/// The parser's message from `start` on, without the error code and position in front.
 std::string reason_of(const ordered_json::exception& error, std::string_view start) {
   const std::string text = error.what();
   const std::size_t at = text.find(start);
@@ -27,7 +27,7 @@ std::string reason_of(const ordered_json::exception& error, std::string_view sta
 
 [[noreturn]] void fail_at(std::string_view text, const std::string& name,
                           const ordered_json::parse_error& error) {
-  // The parser counts from 1, and one further where the text ends too early.
+  // The parser counts bytes from 1; for a text that ends too early it returns one byte more.
   const std::size_t at = std::min(text.size(), std::max<std::size_t>(error.byte, 1) - 1);
   const std::string_view before = text.substr(0, at);
   const auto line = 1 + std::count(before.begin(), before.end(), '\n');
@@ -35,8 +35,8 @@ std::string reason_of(const ordered_json::exception& error, std::string_view sta
   throw BadFile(fmt::format("{}:{}:{}: {}", name, line, column, reason_of(error, "syntax error")));
 }
 
-/// What no job file needs: the parser itself would take the last of several values silently, and
-/// copies and prints values by recursion.
+/// Rejects repeated keys, of which the parser would silently use the last value, and deep nesting,
+/// because the library copies and prints values by recursion.
 class Scrutiny {
  public:
   explicit Scrutiny(const std::string& name) : name_(name) {}

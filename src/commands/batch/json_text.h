@@ -1,4 +1,4 @@
-// JSON that people write.
+// JSON that is written by hand: parsing with comments and error positions.
 #pragma once
 
 #include <string>
@@ -8,12 +8,13 @@
 
 namespace ibmfair::commands {
 
-/// Parses a text with `//` and `/* */` comments allowed. Throws BadFile that starts with
-/// `NAME:LINE:COLUMN:` for a syntax error, one that names the key where an object has it twice, and
-/// one for values nested so deeply that looking at them could exhaust the stack.
+/// Parses a text in which `//` and `/* */` comments are allowed. Throws BadFile: for a syntax error
+/// with a message that starts with `NAME:LINE:COLUMN:`, for an object that has a key twice with a
+/// message that names the key, and for values nested so deeply that recursion could exhaust the
+/// stack.
 nlohmann::ordered_json parse_json_text(std::string_view text, const std::string& name);
 
-/// A value as a message shows it: its first few characters.
+/// The first few characters of a value, for messages.
 std::string shown(const nlohmann::ordered_json& value);
 
 }  // namespace ibmfair::commands

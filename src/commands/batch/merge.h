@@ -1,4 +1,4 @@
-// What became of a list that several processes have run, each a part of it.
+// The outcomes of a list of which several processes have each run a part.
 #pragma once
 
 #include <string>
@@ -10,10 +10,11 @@
 
 namespace ibmfair::commands {
 
-/// One outcome an item, as one run over the whole list would have it: ok where a run has made what
-/// is there, failed where the last run of it did. What --resume would still run is not_run, with a
-/// message that says why unless no run has begun it. `list_journal` is where the keys of the items
-/// are seen from.
+/// Returns one outcome per item, as if one run had processed the whole list: ok if the existing
+/// outputs are those of a finished run, failed if the last run of the item failed, and not_run for
+/// every item that --resume would still run. The message of a not_run outcome gives the reason; it
+/// is empty if no run has started the item. Keys of items are relative to the folder of
+/// `list_journal`.
 std::vector<Outcome> merged_outcomes(const std::vector<Item>& items, const JournalRecord& record,
                                      const std::string& list_journal);
 

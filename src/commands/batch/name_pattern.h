@@ -1,4 +1,4 @@
-// Names of files that are made from the name of another.
+// Patterns that make an output file name from the name of the input file.
 #pragma once
 
 #include <string>
@@ -6,10 +6,10 @@
 
 namespace ibmfair::commands {
 
-/// Puts the parts of `input` in place of `{name}` (without folders), `{stem}` (without extension,
-/// too), `{ext}` (without its dot) and `{dir}` (the folders; `.` where there are none). `{{` and
-/// `}}` are braces. A pattern that ends in `/` means `{name}` in that folder. Throws BadOption for
-/// any other use of braces.
+/// Replaces `{name}` by the file name of `input` without folders, `{stem}` by the file name without
+/// folders and extension, `{ext}` by the extension without its dot, and `{dir}` by the folders (`.`
+/// if there are none). `{{` and `}}` stand for single braces. A pattern that ends in `/` means
+/// `{name}` in that folder. Throws BadOption for any other use of braces.
 std::string expand_pattern(std::string_view pattern, const std::string& input);
 
 /// The pattern that expands to this text.

@@ -1,4 +1,4 @@
-// What became of an item.
+// The outcome of an item.
 #pragma once
 
 #include <cstdint>
@@ -11,9 +11,9 @@ namespace ibmfair::commands {
 enum class Status : std::uint8_t {
   ok,
   failed,
-  skipped,      ///< done by an earlier run, nothing has changed
-  interrupted,  ///< was running when the batch was told to stop
-  not_run       ///< its turn did not come
+  skipped,      ///< an earlier run has finished it, and nothing has changed
+  interrupted,  ///< was running when a signal stopped the batch
+  not_run       ///< was not started
 };
 
 /// `ok`, `failed`, `skipped`, `interrupted`, `not run`.
@@ -21,11 +21,11 @@ const char* name_of(Status status);
 
 struct Outcome {
   Status status = Status::not_run;
-  int exit_code = 0;                ///< 128 + number where a signal ended it
+  int exit_code = 0;                ///< 128 + signal number if a signal ended it
   double seconds = 0;               ///< wall time
-  double peak_megabytes = 0;        ///< of memory
-  std::string message;              ///< the first line of what went wrong, or of the warnings
-  nlohmann::ordered_json figures =  ///< numbers and words of its report by name, flat
+  double peak_megabytes = 0;        ///< largest memory use
+  std::string message;              ///< first error message, or else first warning
+  nlohmann::ordered_json figures =  ///< fields of its report, as a flat object
       nlohmann::ordered_json::object();
 };
 

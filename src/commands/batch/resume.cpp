@@ -55,12 +55,12 @@ std::string journal_key(const Item& item, const std::string& journal_path) {
   const fs::path folder = fs::weakly_canonical(fs::absolute(journal_path, error), error);
   const fs::path file = fs::weakly_canonical(fs::absolute(item.writes.front(), error), error);
   const std::string name = file.lexically_relative(folder.parent_path()).string();
-  return printable(name) == name ? name : shell_words({name});  // which JSON keeps as it is
+  return printable(name) == name ? name : shell_words({name});  // text that JSON does not change
 }
 
 std::string options_hash(const Item& item) {
   nlohmann::ordered_json job = nlohmann::ordered_json::parse(item.job);
-  // Neither changes a byte of the result.
+  // These two options do not change the result.
   job["options"].erase("threads");
   job["options"].erase("overwrite");
   return hash_of_text(job.dump() + (item.job_is_exact ? "" : shell_words(item.words)));

@@ -1,4 +1,5 @@
-// Whether what an earlier run has made is still what a run would make now.
+// Decides whether the result of an earlier run is still valid: whether a new run would give the
+// same result.
 #pragma once
 
 #include <optional>
@@ -9,29 +10,30 @@
 
 namespace ibmfair::commands {
 
-/// What the item is called in the journal: the file that it makes, as seen from the journal's
-/// folder; its arguments where it makes none.
+/// The key of the item in the journal: the path of its output relative to the journal's folder, or
+/// the command and a hash of its options if the item writes no file.
 std::string journal_key(const Item& item, const std::string& journal_path);
 
-/// All options that the result depends on, as one word.
+/// A hash of the whole job except --threads and --overwrite, which do not change the result.
 std::string options_hash(const Item& item);
 
-/// What the item would be made from now, before it is run: without hashes and outputs.
+/// The record of the item before it runs: options, program version and the stamps of the inputs,
+/// without hashes and outputs.
 Finished begin_record(const Item& item);
 
-/// Adds the hashes of the inputs. Returns false where one has changed meanwhile, so that nobody can
-/// know what the result was made from.
+/// Adds the hashes of the inputs to the record. Returns false if an input has changed since
+/// begin_record(), because it is then unknown which content the result was made from.
 bool add_hashes(const Item& item, Finished& record);
 
-/// Whether the arguments and the program are as they were then.
+/// Whether the item's options and the program's version equal those in the record.
 bool same_options(const Item& item, const Finished& record);
 
-/// Whether they and the inputs are, so that a run would end as that one did. An input whose stamp
-/// differs is as it was if its bytes have the same hash.
+/// Whether options, program version and inputs equal those in the record, so that a new run would
+/// end in the same way. An input whose stamp differs is unchanged if its bytes have the same hash.
 bool same_task(const Item& item, const Finished& record);
 
-/// What an earlier run found out, if the options, the program and every input and output are as
-/// they were.
+/// The outcome of an earlier run, with status `skipped`, if the options, the program's version and
+/// all inputs and outputs are unchanged; else nothing.
 std::optional<Outcome> still_valid(const Item& item, const std::vector<Finished>& records);
 
 }  // namespace ibmfair::commands

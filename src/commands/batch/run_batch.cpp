@@ -26,12 +26,12 @@ namespace ibmfair::commands {
 
 namespace {
 
-/// Whether other runs may have done a part.
+/// Whether other runs may have processed a part of the list.
 bool goes_on(const BatchOptions& options) {
   return options.resume || options.shared;
 }
 
-/// The reports on a run that is gone on with replace those of its first part.
+/// Whether reports may be replaced. A run that continues an earlier run replaces its reports.
 bool may_replace_reports(const BatchOptions& options) {
   return options.overwrite || options.merge || goes_on(options);
 }
@@ -42,7 +42,7 @@ RunSettings run_settings(const BatchOptions& options, std::size_t items,
   settings.list_journal = list_journal;
   const int cores = thread_count();
   settings.jobs = options.jobs > 0 ? options.jobs : cores;
-  // Fewer items than places leave their cores to the others.
+  // If there are fewer items than jobs, the items share all cores.
   const int busy = static_cast<int>(std::min<std::size_t>(settings.jobs, std::max(items, 1UL)));
   settings.threads = options.threads > 0 ? options.threads : std::max(1, cores / busy);
   settings.fail_fast = options.fail_fast;
@@ -51,7 +51,7 @@ RunSettings run_settings(const BatchOptions& options, std::size_t items,
   return settings;
 }
 
-/// Prints what would be run; of a list that is gone on with, what is left of it.
+/// Prints the commands that would be run; for a run that continues another, the remaining commands.
 void print_commands(const std::vector<Item>& items, const JournalRecord& earlier,
                     const std::string& journal) {
   std::string text;
@@ -91,7 +91,7 @@ void write_reports(const CLI::App& command, const BatchOptions& options,
                    const std::vector<Item>& items, const std::vector<Outcome>& outcomes,
                    double seconds) {
   Report report(command);
-  report.figures["command"] = "batch";  // which `command` stands for where it takes many files
+  report.figures["command"] = "batch";  // also if `command` is a command with many files
   add_summary(items, outcomes, seconds, report);
   deliver_report(options.report, may_replace_reports(options), report);
 }
@@ -125,7 +125,7 @@ ExitCode merge(const CLI::App& command, const BatchOptions& options, const std::
 void make_folder_of(const std::string& path) {
   const auto folder = std::filesystem::path(path).parent_path();
   if (!folder.empty()) {
-    std::error_code ignored;  // opening the file will tell
+    std::error_code ignored;  // opening the file will report the error
     std::filesystem::create_directories(folder, ignored);
   }
 }
@@ -189,7 +189,7 @@ ExitCode run_batch(const CLI::App& command, const std::vector<Job>& jobs,
     result = run_and_tell(items, all.size(), run_settings(options, items.size(), list_journal),
                           earlier, record, shared ? &*shared : nullptr, console);
   }
-  // A signal may find every item at its end or not yet begun: then no line of theirs tells.
+  // If a signal arrives while no item is running, no status line reports the interruption.
   const std::string how = result.signal_number != 0 ? "interrupted, " : "";
   console.note(how + summary_line(result.outcomes, seconds), summary_table(items, result.outcomes));
   write_reports(command, options, items, result.outcomes, seconds);

@@ -1,4 +1,4 @@
-// A batch from its jobs to its exit code.
+// Runs a whole batch, from the list of jobs to the exit code.
 #pragma once
 
 #include <string>
@@ -11,11 +11,10 @@
 
 namespace ibmfair::commands {
 
-/// Runs the jobs, or lists them, as the options say, which came from the arguments of `command`.
-/// `journal` is where the record of the list goes
-/// unless the options name another file. Returns ExitCode::not_reached where an item failed, and
-/// 128 + signal where the batch was interrupted. Throws as expand_jobs and the journal do, before
-/// anything is run.
+/// Runs or lists the jobs, depending on `options`, which were parsed from the arguments of
+/// `command`. `journal` is the path of the list's journal unless the options name another file.
+/// Returns ExitCode::not_reached if an item failed, and 128 + signal if the batch was interrupted.
+/// Throws the exceptions of expand_jobs and Journal before any item is run.
 ExitCode run_batch(const CLI::App& command, const std::vector<Job>& jobs,
                    const BatchOptions& options, const std::string& journal, Console& console);
 

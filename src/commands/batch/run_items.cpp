@@ -77,7 +77,7 @@ class ItemRunner {
     }
   }
 
-  /// Starts the item unless it need not be run, or another process does.
+  /// Starts the item, unless an earlier outcome is still valid or another process runs the item.
   void take(std::size_t index) {
     const Item& item = items_[index];
     RunningItem running{index, &item, journal_key(item, settings_.list_journal),
@@ -97,7 +97,7 @@ class ItemRunner {
         return queue_.put_back(index);
       }
       if (const auto outcome = shared_->ended(item, running.key)) {
-        return conclude(index, *outcome);  // noted just before the item was given up
+        return conclude(index, *outcome);  // recorded just before the claim was given up
       }
       for (const AbandonedRun& run : running.claim->abandoned()) {
         remove_temporaries_of(run.process, output_folders(item), run.end);
@@ -106,7 +106,7 @@ class ItemRunner {
     start(std::move(running));
   }
 
-  /// What runs before this one have made of the item, if that is still what this one would.
+  /// The outcome of a run before this one, if it is still valid.
   std::optional<Outcome> earlier_outcome(const Item& item, const std::string& key) const {
     if (!goes_on()) {
       return std::nullopt;
@@ -114,7 +114,7 @@ class ItemRunner {
     if (auto outcome = still_valid(item, earlier_.finished(key))) {
       return outcome;
     }
-    // A process that joins the others late does not try again what they have failed at.
+    // A process that joins a shared list late does not retry items at which others have failed.
     const Finished* last = earlier_.last(key);
     const bool failed = last != nullptr && last->outcome.status == Status::failed;
     return failed && !settings_.resume && !last->refused && same_task(item, *last)
@@ -122,7 +122,7 @@ class ItemRunner {
                : std::nullopt;
   }
 
-  /// Whether this run goes on with what others have begun.
+  /// Whether this run continues a list that other runs have started.
   bool goes_on() const { return settings_.resume || shared_ != nullptr; }
 
   bool is_ours(const std::string& key) const {
@@ -134,7 +134,8 @@ class ItemRunner {
     const bool overwrite =
         item.overwrite || (item.takes_overwrite && (settings_.overwrite || is_ours(running.key)));
     if (const std::string path = overwrite ? "" : file_in_the_way(item); !path.empty()) {
-      // Its process would refuse, too; but what is in the way must not be noted as ours.
+      // The child process would refuse as well, but then the journal would record the existing file
+      // as the batch's own.
       Outcome outcome = ended(Status::failed, ExitCode::cannot_write);
       outcome.message =
           path + ": exists already; --overwrite replaces it, --resume skips what is done";
@@ -143,13 +144,14 @@ class ItemRunner {
       return conclude(running.index, outcome);
     }
     for (const std::string& folder : output_folders(item)) {
-      std::error_code ignored;  // its process will tell
+      std::error_code ignored;  // the child process will report the error
       fs::create_directories(folder, ignored);
     }
     journal_.add_start(running.key);
     running.start_process(overwrite, settings_.threads);
     running_.push_back(std::move(running));
-    // While it computes; it has read the file by then or finds it in memory.
+    // The inputs are hashed while the child process computes. The file is read from disk only once,
+    // because the second reader finds it in the page cache.
     running_.back().inputs_known = add_hashes(item, running_.back().record);
   }
 
@@ -165,7 +167,7 @@ class ItemRunner {
     interrupts_.wait(waits, time_to_wait());
     result_.signal_number = interrupts_.signal_number();
     if (result_.signal_number != 0) {
-      return;  // those that were stopped by the same key must not count as failed
+      return;  // items that the same Ctrl-C has ended must not count as failed
     }
     for (std::size_t i = 0; i < running_.size();) {
       const bool ended = running_[i].process->read_streams();
@@ -179,7 +181,8 @@ class ItemRunner {
     }
   }
 
-  /// Whether others have taken the item over. One that has `ended` is looked at anew.
+  /// Whether another process has taken over the item. If the item has `ended`, the claim is checked
+  /// now.
   static bool is_lost(const RunningItem& running, bool ended) {
     if (running.claim && ended) {
       running.claim->renew();
@@ -187,7 +190,7 @@ class ItemRunner {
     return running.claim && running.claim->lost();
   }
 
-  /// No limit where nothing can happen but that a process of its own ends.
+  /// The longest time to wait; no limit if the only possible event is the end of a child process.
   std::optional<std::chrono::milliseconds> time_to_wait() const {
     if (shared_ == nullptr) {
       return std::nullopt;
@@ -197,7 +200,7 @@ class ItemRunner {
                                           : until_claims_are_checked;
   }
 
-  /// Another process has begun the item, as this one seemed to be dead.
+  /// Gives the item up to another process, which started it because this process seemed to be dead.
   void leave_to_others(const RunningItem& running) {
     running.kill_process();
     queue_.put_back(running.index);
@@ -245,7 +248,7 @@ class ItemRunner {
   const RunObserver& observer_;
   Interrupts interrupts_;
   ItemQueue queue_;
-  std::vector<bool> looked_up_;  // in what is known of earlier runs
+  std::vector<bool> looked_up_;  // whether earlier runs of the item have been looked up
   std::vector<RunningItem> running_;
   bool failed_ = false;
   bool waits_for_others_ = false;

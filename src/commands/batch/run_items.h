@@ -13,30 +13,32 @@
 namespace ibmfair::commands {
 
 struct RunSettings {
-  int jobs = 1;     ///< at a time, at least 1
-  int threads = 1;  ///< of every item that does not say
+  int jobs = 1;     ///< number of items to run at the same time, at least 1
+  int threads = 1;  ///< threads of every item that does not set --threads
   bool fail_fast = false;
-  bool resume = false;  ///< what `earlier` runs have done is skipped or replaced
+  bool resume = false;  ///< skip items that earlier runs have finished, redo the others
   bool overwrite = false;
-  std::string list_journal;  ///< of the whole list, from where the keys of items are seen
+  std::string list_journal;  ///< path; the keys of items are relative to its folder
 };
 
 struct RunObserver {
-  /// Called as each item ends, in the order in which they do, with its place in the list.
+  /// Called at the end of each item, in the order in which the items end, with the index of the
+  /// item in the list.
   std::function<void(std::size_t index, const Outcome& outcome)> ended;
-  /// Called once when other processes have all items that are left, with their number.
+  /// Called at most once, when all remaining items are run by other processes, with their number.
   std::function<void(std::size_t items)> waits;
 };
 
 struct RunResult {
-  std::vector<Outcome> outcomes;  ///< one an item
-  int signal_number = 0;          ///< that stopped the batch; 0: none
+  std::vector<Outcome> outcomes;  ///< one per item
+  int signal_number = 0;          ///< signal that stopped the batch; 0: none
 };
 
-/// Runs the items. Where they are `shared` with other processes (null: they are not), each is run
-/// by one of them; what another has failed at has failed, also before unless this is to `resume`;
-/// and it takes until all of these items have ended. Throws CannotWrite where the journal cannot be
-/// written. Whatever happens, no process is left behind.
+/// Runs the items. If `shared` is not null, other processes run the same list, and each item is run
+/// by one of the processes. An item that another process failed at then counts as failed; with
+/// `resume`, items that failed before this run are run again. The function returns when all items
+/// have ended. Throws CannotWrite if the journal cannot be written. No child process is left
+/// running, even if an exception is thrown.
 RunResult run_items(const std::vector<Item>& items, const RunSettings& settings,
                     const JournalRecord& earlier, Journal& journal, SharedList* shared,
                     const RunObserver& observer);

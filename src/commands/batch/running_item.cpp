@@ -74,7 +74,7 @@ Finished RunningItem::record_of_end(const Outcome& outcome) const {
   Finished result = record;
   result.outcome = outcome;
   if (!inputs_known && outcome.status == Status::ok) {
-    result.inputs.clear();  // resuming redoes it
+    result.inputs.clear();  // a resumed batch then runs the item again
   }
   for (const std::string& path : item->writes) {
     result.outputs.push_back(stamp_of(path).value_or(FileStamp{}));

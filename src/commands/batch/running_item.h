@@ -1,4 +1,4 @@
-// An item of a list while it runs, in a process of its own.
+// An item that is running in a process of its own.
 #pragma once
 
 #include <chrono>
@@ -15,31 +15,31 @@
 namespace ibmfair::commands {
 
 struct RunningItem {
-  std::size_t index;  // in the list
-  const Item* item;   // outlives this
-  std::string key;    // in the journal
+  std::size_t index;  // index in the list
+  const Item* item;   // must outlive this object
+  std::string key;    // key in the journal
   Finished record;
-  bool inputs_known = false;               // they did not change while they were hashed
+  bool inputs_known = false;               // the inputs did not change until they were hashed
   std::unique_ptr<Claim> claim = nullptr;  // given up after the process has ended
   std::chrono::steady_clock::time_point start = {};
   std::unique_ptr<ChildProcess> process = nullptr;
 
-  /// Throws std::runtime_error where the system refuses to.
+  /// Starts the process. Throws std::runtime_error if the system cannot start a process.
   void start_process(bool overwrite, int threads);
 
-  /// Seconds since then.
+  /// Seconds since the start of the process.
   double seconds() const;
 
-  /// Waits until the process has ended, and removes what it has left if something ended it.
+  /// Waits until the process has ended. If a signal ended the process, removes its temporary files.
   Outcome wait_for_end() const;
 
   void kill_process() const;
 
-  /// What the journal is to know of the end.
+  /// The record of the end for the journal.
   Finished record_of_end(const Outcome& outcome) const;
 };
 
-/// The first file that the item would replace without being allowed to; empty: none.
+/// The first output of the item that already exists; empty if none exists.
 std::string file_in_the_way(const Item& item);
 
 /// The folders that the item writes to.

@@ -20,9 +20,9 @@ namespace {
 namespace fs = std::filesystem;
 using std::chrono::milliseconds;
 
-/// Makes a journal of a name that no other process, of whatever machine, has or had.
+/// Makes a new journal and returns its path, which no process of any machine has used before.
 std::string make_own_journal(const std::string& folder) {
-  std::error_code ignored;  // making the file will tell
+  std::error_code ignored;  // creating the file will report the error
   fs::create_directories(folder, ignored);
   for (int number = 1;; ++number) {
     const std::string path =
@@ -38,7 +38,7 @@ std::string make_own_journal(const std::string& folder) {
   }
 }
 
-/// Several signs of life fit into the expiry, so that one may be late.
+/// The time between two renewals of a claim: one fifth of the expiry, so that one may be late.
 milliseconds interval_of(double claim_expiry) {
   return milliseconds(
       std::max<std::int64_t>(1, static_cast<std::int64_t>(1000 * claim_expiry / 5)));
@@ -65,7 +65,7 @@ std::optional<Outcome> SharedList::ended(const Item& item, const std::string& ke
   if (last == nullptr || last->refused || !same_options(item, *last)) {
     return std::nullopt;
   }
-  // Its files are not looked at: what a network file system says of them may be from before.
+  // The output files are not checked, because a network file system may return outdated attributes.
   Outcome outcome = last->outcome;
   if (outcome.status == Status::ok) {
     outcome.status = Status::skipped;
@@ -76,8 +76,9 @@ std::optional<Outcome> SharedList::ended(const Item& item, const std::string& ke
 std::unique_ptr<Claim> SharedList::claim(const std::string& key) {
   std::unique_ptr<Claim> claim = Claim::take(folder_, key, heartbeat_);
   if (claim) {
-    // Whoever has given the item up has noted before how it ended. The file that this process has
-    // just made in their folder makes a network file system list it anew.
+    // A process records the end of an item before it gives up its claim, so the record is complete
+    // now. The claim file that was just made in the folder forces a network file system to update
+    // its listing of the folder.
     read_news();
   }
   return claim;

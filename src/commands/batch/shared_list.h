@@ -1,4 +1,4 @@
-// A list that several processes, on several machines, run together.
+// A list of items that several processes, possibly on several machines, run together.
 #pragma once
 
 #include <chrono>
@@ -15,35 +15,36 @@
 
 namespace ibmfair::commands {
 
-/// What this process knows of the others, and they of it: claims to items, and journals, one a
-/// process, in a folder beside the journal of the list.
+/// The information that the processes exchange: claims to items, and one journal per process, in a
+/// folder beside the journal of the list.
 class SharedList {
  public:
-  /// `earlier` is what this process knows already. Throws CannotWrite where the folder cannot be
-  /// used.
+  /// `earlier` holds the records that this process has already read. Throws CannotWrite if the
+  /// folder cannot be used.
   SharedList(const std::string& list_journal, double claim_expiry, const JournalRecord& earlier);
-  /// Removes the journal where nothing has been noted in it.
+  /// Removes the journal of this process if it is empty.
   ~SharedList();
   SharedList(const SharedList&) = delete;
   SharedList& operator=(const SharedList&) = delete;
 
-  /// Name of a new file that is this process's own.
+  /// The path of the journal of this process, a new file.
   const std::string& journal() const { return journal_; }
 
-  /// How the item ended where another process has run it since this one began, as far as is known.
+  /// The outcome of the item if another process has run it since this process started; nothing if
+  /// there is none in the records read so far.
   std::optional<Outcome> ended(const Item& item, const std::string& key) const;
 
-  /// Whether another process has begun it since.
+  /// Whether another process has started the item since this process started.
   bool started(const std::string& key) const { return news_.started(key); }
 
-  /// The right to run the item of this key; null where another process has it. Afterwards all that
-  /// others have noted of the item is known.
+  /// Claims the item with this key; null if another process holds the claim. With the claim, all
+  /// records that other processes have written about the item are read.
   std::unique_ptr<Claim> claim(const std::string& key);
 
-  /// Removes what is left of claims to items that have ended.
+  /// Removes remaining claims to these items, all of which must have ended.
   void clear_up(const std::vector<std::string>& keys);
 
-  /// How long to leave an item alone that others have, at most.
+  /// The longest pause before an item that another process holds is tried again.
   std::chrono::milliseconds longest_pause() const;
 
  private:

@@ -16,7 +16,7 @@ bool is_plain(char c) {
          others.find(c) != std::string_view::npos;
 }
 
-/// The form for words that a terminal would not show as they are: $'...'.
+/// The form $'...' for words that contain invisible characters.
 std::string escaped(std::string_view word) {
   std::string text = "$'";
   while (!word.empty()) {

@@ -1,4 +1,4 @@
-// Arguments as one types them.
+// Arguments as they are typed into a shell.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@ namespace ibmfair::commands {
 /// The text between single quotes, as shells read it.
 std::string in_single_quotes(const std::string& text);
 
-/// The words separated by spaces, quoted where a shell would otherwise take them apart.
+/// The words separated by spaces, each quoted if a shell would otherwise change or split it.
 std::string shell_words(const std::vector<std::string>& words);
 
 }  // namespace ibmfair::commands

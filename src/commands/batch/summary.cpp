@@ -40,7 +40,7 @@ bool is_done(const Outcome& outcome) {
   return outcome.status == Status::ok || outcome.status == Status::skipped;
 }
 
-/// The columns that every item has, in both formats.
+/// The columns that every item has, in JSON and in the table.
 ordered_json item_json(const Item& item, const Outcome& outcome) {
   return {{"command", item.command},
           {"input", item.input},
@@ -52,7 +52,7 @@ ordered_json item_json(const Item& item, const Outcome& outcome) {
           {"message", outcome.message}};
 }
 
-/// Adds the figures; one that is called like a column of every item gets a longer name.
+/// Adds the figures to a row; a figure with the name of a common column gets the prefix `report.`.
 void add_figures(const ordered_json& figures, ordered_json& row) {
   static const ordered_json columns = item_json({}, {});
   for (const auto& [name, value] : figures.items()) {
@@ -60,13 +60,13 @@ void add_figures(const ordered_json& figures, ordered_json& row) {
   }
 }
 
-/// Whether the item has got so far as to write its reports.
+/// Whether the item has run far enough to write its reports.
 bool has_reports(const Outcome& outcome) {
   return is_done(outcome) || (outcome.status == Status::failed &&
                               outcome.exit_code == static_cast<int>(ExitCode::not_reached));
 }
 
-/// The page that the item has written; empty: none.
+/// The path of the HTML page that the item has written; empty if there is none.
 std::string page_of(const Item& item, const Outcome& outcome) {
   const auto page = std::find_if(item.writes.begin(), item.writes.end(), is_page);
   return page != item.writes.end() && has_reports(outcome) ? *page : std::string();

@@ -1,4 +1,4 @@
-// What a batch tells of its items, line by line and at the end.
+// The lines that a batch prints about its items, and the summary at the end.
 #pragma once
 
 #include <string>
@@ -16,12 +16,13 @@ std::string status_line(const Item& item, const Outcome& outcome, std::size_t to
 /// `3 of 12 done in 1.25 s`
 std::string summary_line(const std::vector<Outcome>& outcomes, double seconds);
 
-/// For people: how many items ended how, the time they took, and those that are not done.
+/// A table for people: number of items and total seconds of each status, and a line for each of the
+/// first items that were started but not finished.
 std::string summary_table(const std::vector<Item>& items, const std::vector<Outcome>& outcomes);
 
-/// For machines: adds command, input, output, status, exit code, seconds, memory, message and
-/// figures of every item, and links to the pages that they have written. As a table it has one line
-/// for each, and figures that any item has are columns.
+/// For programs: adds to the report command, input, output, status, exit code, seconds, memory,
+/// message and figures of every item, and links to the pages that the items have written. The table
+/// of the report has one line per item, and one column for every figure that any item has.
 void add_summary(const std::vector<Item>& items, const std::vector<Outcome>& outcomes,
                  double seconds, Report& report);
 

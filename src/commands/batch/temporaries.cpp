@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 constexpr std::string_view prefix = ".ibmfair-";
 constexpr std::string_view suffix = ".tmp";
 
-/// The whole text as a number.
+/// Parses the whole text as a positive number; nothing if it is not one.
 std::optional<pid_t> number_in(std::string_view text) {
   std::int64_t value = 0;
   const char* end = text.data() + text.size();
@@ -27,7 +27,7 @@ std::optional<pid_t> number_in(std::string_view text) {
   return whole && value > 0 ? std::optional(static_cast<pid_t>(value)) : std::nullopt;
 }
 
-/// The process that made a temporary file of this name; nothing for other files.
+/// The process that made a temporary file with this name; nothing for names of other files.
 std::optional<pid_t> maker_of(std::string_view name) {
   if (!name.starts_with(prefix) || !name.ends_with(suffix)) {
     return std::nullopt;

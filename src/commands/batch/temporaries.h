@@ -1,5 +1,6 @@
-// Files that killed runs leave where the file system cannot hold files without a name
-// (ibmfair/io/atomic_file.h): `.ibmfair-PROCESS-NUMBER.tmp` beside the target.
+// Removes the temporary files that killed runs leave on file systems without unnamed files
+// (ibmfair/io/atomic_file.h). They are called `.ibmfair-PROCESS-NUMBER.tmp` and lie beside the
+// target.
 #pragma once
 
 #include <cstdint>
@@ -11,15 +12,15 @@
 
 namespace ibmfair::commands {
 
-/// Removes those that a process, which has ended, left in these folders. Processes of other
-/// machines can have the same id: of one that ended there, what has changed since `end`, in
-/// nanoseconds as FileStamp has them, is left alone.
+/// Removes the temporary files that `process`, which has ended, left in these folders. Files that
+/// changed after `end` (nanoseconds, as in FileStamp) are kept: if the process ended on another
+/// machine, a running process of this machine can have the same id.
 void remove_temporaries_of(pid_t process, const std::set<std::string>& folders,
                            std::int64_t end = std::numeric_limits<std::int64_t>::max());
 
-/// Removes those of all processes that are no longer there. With `shared`, processes of other
-/// machines may be at work in the folders, and files younger than an hour are left alone. Returns
-/// how many were removed.
+/// Removes the temporary files of all processes that no longer exist. If `shared`, processes of
+/// other machines may be working in the folders, so files younger than an hour are kept. Returns
+/// the number of removed files.
 int remove_stale_temporaries(const std::set<std::string>& folders, bool shared);
 
 }  // namespace ibmfair::commands

@@ -1,15 +1,16 @@
-// What tells this machine from others that use the same files.
+// Identifies this machine among the machines that use the same files.
 #pragma once
 
 #include <string>
 
 namespace ibmfair::commands {
 
-/// What it is called, in characters that a file's name can have. Another may be called the same.
+/// The host name, with characters other than letters, digits, `.` and `-` replaced by `_`, so that
+/// it can be part of a file name. Another machine may have the same name.
 std::string host_name();
 
-/// One word for where numbers of processes mean the same processes: this machine since it was
-/// started and, in a container, there. Empty where the system does not say.
+/// Identifies the scope in which a process id refers to the same process: this boot of the machine
+/// and this PID namespace (container). Empty if the system does not provide it.
 std::string process_space();
 
 }  // namespace ibmfair::commands

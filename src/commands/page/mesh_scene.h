@@ -1,4 +1,4 @@
-// What every page of a mesh shows.
+// The scene of a mesh that the HTML page of a report shows.
 #pragma once
 
 #include <optional>
@@ -11,12 +11,12 @@
 
 namespace ibmfair::commands {
 
-/// Whether one of the reports is a page.
+/// Whether one of the requested reports is an HTML page.
 bool wants_page(const ReportOptions& options);
 
-/// The lines and places that the first state of `source` has by itself, besides those it has
-/// already: its holes, its defects, and what the warnings are about. The scene, if it can be drawn;
-/// otherwise a note that it cannot.
+/// Builds the scene of `source` after adding lines for the holes and defects of its first topology,
+/// and setting its places to those of the warnings. If the scene cannot be drawn, prints a note and
+/// returns nothing.
 std::optional<Scene> mesh_scene(SceneSource source, const std::vector<Warning>& warnings,
                                 const Console& console);
 

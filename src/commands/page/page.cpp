@@ -16,7 +16,7 @@ namespace ibmfair::commands {
 
 namespace {
 
-/// Text that no browser takes for the end of a script.
+/// JSON text that cannot contain the end tag of a script.
 std::string script_json(const nlohmann::ordered_json& json) {
   std::string text;
   for (const char c : line_of(json)) {
@@ -45,7 +45,7 @@ std::string page_text(const nlohmann::ordered_json& report, const std::optional<
   const std::array<std::string, 3> texts{
       script_json(report), script_json(scene ? scene_json(*scene) : nlohmann::ordered_json()),
       scene ? base64(gzip(scene->arrays.bytes())) : ""};
-  // In one go: what takes a mark's place may hold another one.
+  // All marks are replaced in one pass, because an inserted text may contain the text of a mark.
   std::string text;
   std::string_view rest = page_template();
   for (std::size_t i = 0; i < marks.size(); ++i) {

@@ -1,4 +1,4 @@
-// The page by which people look at a run: one HTML file that needs nothing else.
+// The report of a run as an HTML page: one self-contained file.
 #pragma once
 
 #include <optional>
@@ -10,10 +10,10 @@
 
 namespace ibmfair::commands {
 
-/// Throws BadOption where the program was built without the page (src/report_page/).
+/// Throws BadOption if the program was built without the page (src/report_page/).
 void require_page();
 
-/// The page with this report and this scene. src/report_page/payload.ts says what it takes.
+/// The page with this report and this scene, which have the format of src/report_page/payload.ts.
 std::string page_text(const nlohmann::ordered_json& report, const std::optional<Scene>& scene);
 
 }  // namespace ibmfair::commands

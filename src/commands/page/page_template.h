@@ -1,11 +1,12 @@
-// The built page, a part of the program's file that is read from disk only where it is used.
+// The template of the HTML page. It is embedded in the executable, so the system loads it from disk
+// only when it is used.
 #pragma once
 
 #include <string_view>
 
 namespace ibmfair::commands {
 
-/// The HTML with its placeholders; empty where the program was built without.
+/// The HTML text with placeholders; empty if the program was built without the page.
 std::string_view page_template();
 
 }  // namespace ibmfair::commands

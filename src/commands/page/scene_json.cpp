@@ -22,7 +22,7 @@ ordered_json point_json(const Vec3& x) {
   return {x[0], x[1], x[2]};
 }
 
-/// Relative to the centre, single precision is enough, and shorter.
+/// Points in single precision, which is shorter and sufficient relative to the centre of the scene.
 ordered_json points_json(const Points& points) {
   ordered_json list = ordered_json::array();
   for (const double x : points.reshaped<Eigen::RowMajor>()) {

@@ -1,4 +1,4 @@
-// A scene as a page reads it.
+// A scene in the format that the HTML page reads.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -7,7 +7,7 @@
 
 namespace ibmfair::commands {
 
-/// All but the bytes of the arrays, as `Scene` of src/report_page/payload.ts.
+/// The scene as the type `Scene` of src/report_page/payload.ts, without the bytes of the arrays.
 nlohmann::ordered_json scene_json(const Scene& scene);
 
 }  // namespace ibmfair::commands

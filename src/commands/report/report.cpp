@@ -16,7 +16,7 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::ordered_json;
 
-/// Changes when the meaning of a field does.
+/// Must be increased when the meaning of a field changes.
 constexpr int report_version = 1;
 
 ordered_json components_json() {

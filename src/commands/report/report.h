@@ -1,4 +1,4 @@
-// What a run tells of itself, for whoever reads it afterwards.
+// The report of a run, independent of its format.
 #pragma once
 
 #include <functional>
@@ -18,31 +18,34 @@ class App;
 
 namespace ibmfair::commands {
 
-/// Something that is not as it should be.
+/// A warning about the mesh or about the result.
 struct Warning {
   std::string text;                      ///< one line without a full stop
-  std::optional<ScenePlace> place = {};  ///< where on the mesh
+  std::optional<ScenePlace> place = {};  ///< place on the mesh
 };
 
-/// All that any format of report (report/report_formats.h) is made of.
+/// The data from which all formats of a report (report/report_formats.h) are made.
 struct Report {
-  /// Starts it with the schema's version, the program's, and the command with all its arguments.
+  /// Fills in the versions of the schema, the program and its components, and the command with all
+  /// its arguments.
   explicit Report(const CLI::App& command);
 
-  nlohmann::ordered_json figures;  ///< as data/report.schema.json describes them
+  nlohmann::ordered_json figures;  ///< described by data/report.schema.json
   std::vector<Warning> warnings;
-  std::optional<Table> table;  ///< the figures that make a table; none: all make one line
-  /// Other pages that the figures name: where, and which file. A report names them as they are seen
-  /// from its own folder.
+  std::optional<Table> table;  ///< for CSV; none: all figures in one row
+  /// Links to other pages: the position of the link in the figures, and the path of the page. A
+  /// report contains the paths relative to its own folder.
   std::vector<std::pair<nlohmann::ordered_json::json_pointer, std::string>> pages;
-  /// What a page shows beside the figures; not called for other formats. Empty: nothing.
+  /// Makes the scene that an HTML page shows beside the figures; not called for other formats. May
+  /// be empty.
   std::function<std::optional<Scene>()> scene;
 };
 
-/// The figures with the warnings, and the pages relative to the folder of a report at `path`.
+/// The figures with the warnings and with the links to pages relative to the folder of `path`, the
+/// path of the report.
 nlohmann::ordered_json complete_figures(const Report& report, const std::string& path);
 
-/// The places that warnings have, in their order.
+/// The places of the warnings that have one, in the order of the warnings.
 std::vector<ScenePlace> places_of(const std::vector<Warning>& warnings);
 
 }  // namespace ibmfair::commands

@@ -1,5 +1,5 @@
-// The formats of reports, chosen by the ending of the file's name. A new one is one function and
-// one row.
+// The formats of reports, chosen by the extension of the file name. A new format is one function
+// and one row.
 #pragma once
 
 #include <span>
@@ -15,31 +15,32 @@ namespace ibmfair::commands {
 
 struct ReportFormat {
   std::string_view extension;  ///< with its dot
-  void (*require)();           ///< throws BadOption where the program cannot write it; null: it can
+  void (*require)();           ///< throws BadOption if this build cannot write the format; or null
   std::string (*text)(const Report& report, const std::string& path);
 };
 
-/// That of a file of this name; a name without an ending (as `-`) means the first. Throws BadOption
-/// that lists those there are and starts with the name of the `option` that the path comes from.
+/// The format for a file with this name; the first format if the name has no extension (as `-`).
+/// Throws BadOption with a message that starts with `option`, the option that the path comes from,
+/// and lists all formats.
 const ReportFormat& report_format(const std::string& path, const std::string& option = "--report");
 
-/// Whether a file of this name is a page.
+/// Whether a file with this name is an HTML page.
 bool is_page(const std::string& path);
 
 /// The extensions of all formats, without their dots.
 std::vector<std::string> report_extensions();
 
-/// The figures as JSON, line by line.
+/// The figures as indented JSON.
 std::string json_report(const Report& report, const std::string& path);
 
-/// What can be wrong with the reports before the work starts, which also writes the files of
-/// `others`, the first of them being the mesh. Throws BadOption where the mesh and a report would
-/// both go to standard output, where two of all are one file, and where a report's format is none;
-/// CannotWrite where a file exists and must not be replaced.
+/// Checks the reports and the other output files of a run before the work starts; the first of
+/// `others` is the mesh. Throws BadOption if both the mesh and a report would go to standard
+/// output, if two outputs are the same file, or if the format of a report is unknown. Throws
+/// CannotWrite if a file exists and must not be replaced.
 void check_reports(const ReportOptions& options, const std::vector<OutputFile>& others,
                    bool overwrite);
 
-/// Writes the report where the options want it, each to where it was asked for.
+/// Writes the report to each of the files in `options`, and to standard output if requested.
 void deliver_report(const ReportOptions& options, bool overwrite, const Report& report);
 
 }  // namespace ibmfair::commands

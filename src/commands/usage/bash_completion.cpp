@@ -6,8 +6,8 @@ namespace ibmfair::commands {
 
 namespace {
 
-// `--option=value` reaches a completion as three words. Files with the extensions that are asked
-// for come first: others are offered only where there is none of those.
+// bash splits `--option=value` into three words. Files without one of the wanted extensions are
+// offered only if no file has a wanted extension.
 constexpr const char* bash_start =
     R"(# bash completion for ibmfair; written by `ibmfair --generate bash`
 
@@ -70,7 +70,7 @@ constexpr const char* bash_end = R"(  esac
 complete -F _ibmfair ibmfair
 )";
 
-/// What offers the values of an option or argument.
+/// The shell command that offers the values of an option or argument.
 std::string bash_action(const OptionUsage& option) {
   const std::vector<std::string>& words = offered_words(option);
   if (!words.empty()) {
@@ -114,7 +114,7 @@ std::string bash_values(const std::string& command, const std::vector<OptionUsag
 std::string bash_arguments(const CommandUsage& command) {
   std::string text;
   for (std::size_t i = 0; i < command.arguments.size(); ++i) {
-    // The last one stands for those that may follow, as many files do.
+    // The last argument also covers all further words, because it may take many files.
     const bool last = i + 1 == command.arguments.size();
     text += fmt::format("    '{} '{}) {} ;;\n", command.name, last ? "*" : fmt::format("{}", i),
                         bash_action(command.arguments[i]));

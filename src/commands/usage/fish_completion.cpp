@@ -29,7 +29,7 @@ complete -c ibmfair -f
 complete -c ibmfair -n __fish_use_subcommand -a help -d 'tell all about a command'
 )";
 
-/// Between single quotes, which fish ends at a quote or backslash that is not escaped.
+/// The text in single quotes, within which fish requires quotes and backslashes to be escaped.
 std::string fish_text(const std::string& text) {
   std::string quoted = "'";
   for (const char c : text) {
@@ -41,7 +41,8 @@ std::string fish_text(const std::string& text) {
   return quoted + "'";
 }
 
-/// What offers the values of an option or argument; files with the extensions come first.
+/// The arguments of `complete` that offer the values of an option or argument; files with the
+/// wanted extensions come first.
 std::string fish_action(const OptionUsage& option) {
   const std::vector<std::string>& words = offered_words(option);
   if (!words.empty()) {
@@ -75,7 +76,7 @@ std::string fish_arguments(const CommandUsage& command) {
   for (const OptionUsage& argument : command.arguments) {
     if (argument.choices.empty() && argument.offers.empty()) {
       text += fmt::format("complete -c ibmfair -n '{}'{}\n", condition, fish_action(argument));
-    } else {  // words are for the first place, and nothing else is
+    } else {  // words are offered for the first argument, and only words
       text += fmt::format("complete -c ibmfair -n '{} 2'{}\n", condition, fish_action(argument));
       condition += fmt::format("; and not __ibmfair_on {} 2", command.name);
     }

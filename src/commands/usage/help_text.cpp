@@ -18,8 +18,8 @@ namespace {
 constexpr std::size_t left_column = 26;
 constexpr std::size_t narrowest = 80, widest = 110;
 
-/// The text in lines of at most `width` columns, every one but the first behind `indent` blanks;
-/// the first begins at column `start`.
+/// Breaks the text into lines of at most `width` columns. The first line begins at column `start`,
+/// the others are indented by `indent` blanks.
 std::string wrapped(const std::string& text, std::size_t start, std::size_t indent,
                     std::size_t width) {
   std::istringstream words(text);
@@ -40,7 +40,7 @@ std::string wrapped(const std::string& text, std::size_t start, std::size_t inde
   return result;
 }
 
-/// A list of choices, `a|b|c`, goes on in the next line where it does not fit.
+/// Breaks a list of choices, `a|b|c`, at its bars if it does not fit into one line.
 std::string broken_at_bars(std::string line, std::size_t width) {
   std::string result;
   while (line.size() > width) {
@@ -54,7 +54,7 @@ std::string broken_at_bars(std::string line, std::size_t width) {
   return result + line;
 }
 
-/// `  heading   text`, the text in a column of its own.
+/// An entry `  heading   text` with the text in its own column.
 std::string entry(const std::string& heading, const std::string& text, std::size_t width) {
   std::string line = fmt::format("  {}", heading);
   if (line.size() + 2 > left_column) {
@@ -65,10 +65,11 @@ std::string entry(const std::string& heading, const std::string& text, std::size
   return line + wrapped(text, left_column, left_column, width) + "\n";
 }
 
-/// Commands with more options than this explain only the first groups unless asked for all.
+/// The help of a command with more options than this explains only the first groups, unless --all
+/// is given.
 constexpr std::size_t most_options = 24;
 
-/// The groups that most people do without.
+/// Whether a group has options that few users need.
 bool is_further(const std::string& group) {
   using namespace groups;
   return group == energy_and_flow || group == solver_and_memory || group == input_and_output ||
@@ -102,7 +103,7 @@ std::string option_groups(const std::vector<OptionUsage>& options, std::size_t w
   return text;
 }
 
-/// The first groups, and the names of the options in the others.
+/// The first groups with explanations, and the names of the options in the other groups.
 std::string first_option_groups(const CommandUsage& command, std::size_t width) {
   std::string first;
   std::string further =

@@ -1,4 +1,4 @@
-// How --help looks.
+// The text of --help.
 #pragma once
 
 #include <string>
@@ -7,19 +7,19 @@
 
 namespace ibmfair::commands {
 
-/// The commands that most people need: the first three examples of the first command, and one of
-/// the second.
+/// Examples of the most common commands: the first three examples of the first command, and the
+/// first example of the second command.
 std::string first_commands(const ProgramUsage& program, std::size_t width);
 
 /// The help of the program, in lines of at most `width` columns.
 std::string help_text(const ProgramUsage& program, std::size_t width);
 
-/// The help of a command. Where it has many options, `all` explains all of them; else the groups
-/// that few people need are lists of names.
+/// The help of a command. If the command has many options and not `all`, the groups of options that
+/// few users need are listed by name only.
 std::string help_text(const CommandUsage& command, std::size_t width, bool all);
 
-/// The width to write help in: that of the terminal, or of COLUMNS, within 80 to 110; 80 where
-/// neither is known.
+/// The number of columns of help texts: COLUMNS if set, else the width of the terminal, clamped to
+/// 80 to 110; 80 if neither is known.
 std::size_t help_width();
 
 }  // namespace ibmfair::commands

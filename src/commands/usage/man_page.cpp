@@ -1,5 +1,5 @@
-// Pages for man(1). One for the program and one for each command, as git has them: `man ibmfair
-// smooth` shows ibmfair-smooth(1).
+// Pages for man(1): one for the program and one for each command, as for git. `man ibmfair smooth`
+// shows ibmfair-smooth(1).
 #include <cstdlib>
 #include <ctime>
 #include <string_view>
@@ -13,8 +13,8 @@ namespace ibmfair::commands {
 
 namespace {
 
-/// The text as roff sets it: no character is a request or an escape, what stands in backticks is
-/// bold, and a hyphen is the character that a shell takes.
+/// The text in roff syntax: requests and escapes are neutralised, text in backticks becomes bold,
+/// and a hyphen becomes the ASCII hyphen that a shell accepts.
 std::string roff(const std::string& text) {
   std::string result;
   bool bold = false;
@@ -50,19 +50,19 @@ std::string paragraph(const std::string& text) {
   return fmt::format(".PP\n{}\n", roff(text));
 }
 
-/// A heading and what begins with a paragraph below it, which needs no further space.
+/// A heading, followed by paragraphs of which the first loses its leading space.
 std::string part(const std::string& heading, const std::string& paragraphs) {
   constexpr std::string_view space = ".PP\n";
   return fmt::format(".SH {}\n{}", roff(heading),
                      std::string_view(paragraphs).substr(space.size()));
 }
 
-/// A term in bold and what it means.
+/// A term in bold, and its meaning.
 std::string definition(const std::string& term, const std::string& meaning) {
   return fmt::format(".TP\n\\fB{}\\fR\n{}\n", roff(term), roff(meaning));
 }
 
-/// Lines as they are.
+/// Lines without filling, as in the input.
 std::string verbatim(const std::string& text) {
   return fmt::format(".PP\n.nf\n.RS 4\n{}.RE\n.fi\n", roff(text));
 }
@@ -74,7 +74,7 @@ std::string sentence(std::string text) {
   return text + (text.ends_with('.') ? "" : ".");
 }
 
-/// `--cutoff LENGTH`, the names bold and the value in italics.
+/// The heading `--cutoff LENGTH`, with the names in bold and the value in italics.
 std::string roff_heading(const OptionUsage& option) {
   std::string text = option.letter.empty() ? fmt::format(R"(\fB{}\fR)", roff(option.name))
                                            : fmt::format(R"(\fB{}\fR, \fB{}\fR)",
@@ -107,7 +107,7 @@ std::string roff_examples(const std::vector<Example>& examples) {
   return text.empty() ? text : part("EXAMPLES", text);
 }
 
-/// The day of the build, or the one that whoever wants the same bytes again has set.
+/// The current date, or the date in SOURCE_DATE_EPOCH, which allows reproducible builds.
 std::string date() {
   const char* given = std::getenv("SOURCE_DATE_EPOCH");
   const std::time_t time = given == nullptr ? std::time(nullptr) : std::strtoll(given, nullptr, 10);

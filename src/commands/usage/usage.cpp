@@ -16,12 +16,12 @@ namespace ibmfair::commands {
 
 namespace {
 
-/// Behind the groups that only one command has.
+/// The shared groups, which are listed after a command's own groups.
 constexpr std::array last_groups{groups::energy_and_flow,  groups::solver_and_memory,
                                  groups::input_and_output, groups::reports_and_pictures,
                                  groups::many_files,       groups::every_command};
 
-/// The parser's name of a choice is `TEXT:{mass,identity}`.
+/// The choices in the parser's type name of an option, which is as `TEXT:{mass,identity}`.
 std::vector<std::string> choices_in(const std::string& type) {
   const std::size_t open = type.find('{');
   if (open == std::string::npos || type.back() != '}') {
@@ -46,7 +46,7 @@ std::string type_of(const OptionUsage& option) {
   return known == types.end() ? "text" : known->second;
 }
 
-/// What stands for the value in the help.
+/// The placeholder of the value in the help.
 std::string value_of(const CLI::Option& option, const OptionUsage& usage) {
   if (is_flag(option)) {
     return "";
@@ -64,7 +64,7 @@ std::vector<std::string> names_of(const std::set<CLI::Option*>& options) {
   for (const CLI::Option* option : options) {
     names.push_back(option->get_name());
   }
-  std::sort(names.begin(), names.end());  // the set is ordered by addresses
+  std::sort(names.begin(), names.end());  // because the set is ordered by addresses
   return names;
 }
 
@@ -103,7 +103,7 @@ void sort_by_group(std::vector<OptionUsage>& options) {
   });
 }
 
-/// Adds what `app` takes itself, but what it hides.
+/// Adds the arguments and options of `app` itself, without hidden options.
 void add_options(const CLI::App& app, const std::map<std::string, OptionNote>& notes,
                  std::vector<OptionUsage>& arguments, std::vector<OptionUsage>& options) {
   for (const CLI::Option* option : app.get_options()) {
@@ -193,7 +193,7 @@ std::string full_help_of(const OptionUsage& option, const std::vector<OptionUsag
     remarks.push_back("default: " + given);
   }
   for (const std::string& needed : option.needs) {
-    // Within a group, its first lines say so.
+    // A needed option of the same group is explained nearby, so it is not mentioned.
     if (std::none_of(others.begin(), others.end(), [&](const OptionUsage& other) {
           return other.name == needed && other.group == option.group;
         })) {

@@ -1,5 +1,5 @@
-// What the program can be told, as data: one model, made of the declarations of the commands, from
-// which the help and everything else that lists options are written.
+// The usage of the program as data. This model is made from the declarations of the commands; the
+// help and all other texts that list options are written from it.
 #pragma once
 
 #include <cstdint>
@@ -11,25 +11,25 @@
 
 namespace ibmfair::commands {
 
-/// An option, or an argument that is known by its place.
+/// An option or a positional argument.
 struct OptionUsage {
-  std::string name;                     ///< `--cutoff`; of an argument `IN`
+  std::string name;                     ///< `--cutoff`; for an argument `IN`
   std::string letter;                   ///< `-q`; empty: none
-  std::string value;                    ///< what stands for its value: `LENGTH`; empty: a flag
+  std::string value;                    ///< placeholder of the value: `LENGTH`; empty: a flag
   std::string type;                     ///< flag, integer, number, length, bytes, choice, file, ...
-  std::vector<std::string> choices;     ///< all the values there are; empty: not that few
-  std::vector<std::string> offers;      ///< some of them
-  std::string default_value;            ///< as it would be typed; empty: none
-  std::string default_text;             ///< in words where there is no such value
+  std::vector<std::string> choices;     ///< all possible values; empty: not a choice
+  std::vector<std::string> offers;      ///< some possible values
+  std::string default_value;            ///< as typed on the command line; empty: none
+  std::string default_text;             ///< in words, if there is no default value
   std::string unit;                     ///< of the value
-  std::string group;                    ///< of an option
+  std::string group;                    ///< group of an option
   std::string help;                     ///< without unit and default
-  std::vector<std::string> excludes;    ///< options that cannot be given with it
-  std::vector<std::string> needs;       ///< options that have to be given with it
-  Role role = Role::value;              ///< whether it names a file, and what becomes of that
-  std::vector<std::string> extensions;  ///< of such files, those to offer first
+  std::vector<std::string> excludes;    ///< options that must not be given with this option
+  std::vector<std::string> needs;       ///< options that must be given with this option
+  Role role = Role::value;              ///< whether the value is a file to read or to write
+  std::vector<std::string> extensions;  ///< extensions of the files to offer first
   bool required = false;
-  bool repeatable = false;  ///< an argument that stands for any number
+  bool repeatable = false;  ///< an argument that takes any number of values
 };
 
 struct CommandUsage {
@@ -50,28 +50,30 @@ struct VariableUsage {
 
 struct ProgramUsage {
   std::string version, summary;
-  std::vector<OptionUsage> options;  ///< in place of a command
+  std::vector<OptionUsage> options;  ///< options that can be given instead of a command
   std::vector<CommandUsage> commands;
   std::vector<ExitCodeUsage> exit_codes;
-  std::vector<VariableUsage> variables;  ///< of the environment
+  std::vector<VariableUsage> variables;  ///< environment variables
 };
 
-/// Of a command that is declared as it is in the table.
+/// The usage of a command that was declared by its row of the command table.
 CommandUsage usage_of_command(const CLI::App& command);
 
-/// Of the program whose subcommands are all commands.
+/// The usage of the program; the subcommands of `app` must be all its commands.
 ProgramUsage usage_of_program(const CLI::App& app);
 
-/// The names of the groups that the options belong to, in their order.
+/// The names of the groups of the options, in the order of the options.
 std::vector<std::string> groups_of(const std::vector<OptionUsage>& options);
 
-/// `-q, --quiet`, `--cutoff LENGTH`, `--metric mass|identity`, `IN`.
+/// The heading of an option or argument: `-q, --quiet`, `--cutoff LENGTH`,
+/// `--metric mass|identity`, `IN`.
 std::string heading_of(const OptionUsage& option);
 
-/// `ibmfair smooth IN OUT [OPTION...]`.
+/// The synopsis of a command: `ibmfair smooth IN OUT [OPTION...]`.
 std::string synopsis_of(const CommandUsage& command);
 
-/// The help, and in brackets unit, default, and what it needs and excludes.
+/// The help of an option, followed by its unit, default, needed and excluded options in brackets. A
+/// needed option of the same group is left out if it is among `others`.
 std::string full_help_of(const OptionUsage& option, const std::vector<OptionUsage>& others);
 
 }  // namespace ibmfair::commands

@@ -89,7 +89,7 @@ ordered_json command_json(const CommandUsage& command) {
           {"examples", examples}};
 }
 
-/// 0 to 255 as numbers; `128 + n` is text.
+/// An exit code of digits becomes a number; the code `128 + n` stays a text.
 ordered_json code_json(const std::string& code) {
   const bool number =
       std::all_of(code.begin(), code.end(), [](char c) { return c >= '0' && c <= '9'; });

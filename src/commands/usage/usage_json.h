@@ -7,7 +7,8 @@
 
 namespace ibmfair::commands {
 
-/// Of the program, or of it and one command; `version` changes when the meaning of a field does.
+/// The usage of the program, or of the program and one command. The field `version` changes when
+/// the meaning of a field changes.
 std::string usage_json(const ProgramUsage& program);
 std::string usage_json(const ProgramUsage& program, const CommandUsage& command);
 

@@ -15,7 +15,7 @@ _ibmfair() {
   typeset -A opt_args
 )";
 
-/// The text within a specification, where brackets and colons have a meaning.
+/// Escapes the text for a specification, in which brackets and colons have a meaning.
 std::string zsh_text(const std::string& text) {
   std::string result;
   for (const char c : text) {
@@ -27,8 +27,8 @@ std::string zsh_text(const std::string& text) {
   return result;
 }
 
-/// What offers the values of an option or argument. Where no file has one of the extensions,
-/// _files offers all.
+/// The action that offers the values of an option or argument. If no file has one of the
+/// extensions, _files offers all files.
 std::string zsh_action(const OptionUsage& option) {
   const std::vector<std::string>& words = offered_words(option);
   if (!words.empty()) {
@@ -45,7 +45,7 @@ std::string zsh_action(const OptionUsage& option) {
              : fmt::format("_files -g \"(#i)*.({})(-.)\"", fmt::join(option.extensions, "|"));
 }
 
-/// One specification for each name of an option.
+/// One specification for each name of the option.
 std::string zsh_option(const OptionUsage& option) {
   std::vector<std::string> names{option.name};
   if (!option.letter.empty()) {
@@ -74,7 +74,7 @@ std::string zsh_command(const CommandUsage& command) {
   }
   for (std::size_t i = 0; i < command.arguments.size(); ++i) {
     const OptionUsage& argument = command.arguments[i];
-    // The last one stands for those that may follow, as many files do.
+    // The last argument also covers all further words, because it may take many files.
     const bool last = i + 1 == command.arguments.size();
     const std::string specification = fmt::format("{}:{}:{}", last ? "*" : fmt::format("{}", i + 1),
                                                   zsh_text(argument.name), zsh_action(argument));
