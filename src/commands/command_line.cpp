@@ -22,7 +22,7 @@
 
 namespace ibmfair::commands {
 
-/// What the frame itself takes from the arguments.
+/// The options that every command has.
 struct FrameOptions {
   bool quiet = false;
   bool verbose = false;
@@ -30,24 +30,25 @@ struct FrameOptions {
   int threads = 0;
 };
 
-/// A command of the table. Its options are declared when they are asked for: most runs name one
-/// command, and to declare those of all takes longer than to parse.
+/// A command of the table. Its options are declared only when they are needed, because most runs
+/// use one command, and declaring the options of all commands takes longer than parsing.
 struct NamedCommand {
   const Command& row;
   CLI::App* app;
-  Runner run = {};  ///< empty: its options are not declared
+  Runner run = {};  ///< empty: its options are not declared yet
 };
 
 namespace {
 
 constexpr const char* help_command = "help";
 
-/// Ends the parsing, whatever else was given or is missing: as --version does.
+/// Ends the parsing with a text to print, regardless of other arguments, like --version does.
 [[noreturn]] void answer_with(const std::string& text) {
   throw CLI::CallForVersion(text, 0);
 }
 
-/// Options that ask about the program, or about the command `app` of it, in place of running one.
+/// Declares options that ask about the program, or about its command `app`, instead of running a
+/// command.
 void add_questions(CLI::App& app, const std::function<ProgramUsage()>& program) {
   const bool is_program = app.get_parent() == nullptr;
   const auto usage = [&app, program, is_program](auto of_program, auto of_command) {
@@ -78,7 +79,7 @@ void add_questions(CLI::App& app, const std::function<ProgramUsage()>& program) 
       "print a man page, or completions for a shell");
   generate->check(CLI::IsMember(generator_names()))->configurable(false);
   if (!is_program) {
-    generate->group("");  // it says the same of any command, but for the man page
+    generate->group("");  // hidden: except for the man page, the text is the same for all commands
   }
 }
 
@@ -96,7 +97,7 @@ void add_frame_options(CLI::App& app, FrameOptions& options) {
   app.add_flag("-v,--verbose", options.verbose, "print details")->excludes(quiet);
   CLI::Option* threads = add_integer(app, "--threads", options.threads, 0, largest_thread_count,
                                      "threads to compute with; 0 is one a core");
-  threads->default_str("");  // a job takes its share of the cores where it does not say
+  threads->default_str("");  // no value: a job without --threads gets its share of the cores
   note_of(app, *threads) = {.unit = "threads", .default_text = "0"};
   if (app.get_option_no_throw("--dump-config") == nullptr) {
     app.add_flag(
@@ -134,8 +135,8 @@ std::vector<std::string> option_names(const CLI::App& app) {
   return names;
 }
 
-/// What the user should read instead of the parser's own words: an option that nobody knows is the
-/// likely cause of whatever else the parser complains about.
+/// The message for the user, instead of the parser's own message. An unknown option is reported
+/// first, because it probably caused the parser's error.
 std::string explain(const CLI::ParseError& error, const CLI::App& app) {
   if (!app.remaining().empty()) {
     const std::string word = app.remaining().front();
@@ -162,7 +163,8 @@ std::string explain(const CLI::ParseError& error, const CLI::App& app) {
   return fmt::format("{}: {}", command.get_name(), error.what());
 }
 
-/// `help smooth` is `smooth --help`, and `help` is `--help`. With --all, `all` becomes true.
+/// Translates `help smooth` into `smooth --help`, and `help` into `--help`. Sets `all` if --all is
+/// given.
 std::vector<std::string> question_for_help(std::vector<std::string> words, bool& all) {
   words.erase(words.begin());
   all = std::erase(words, "--all") > 0;
@@ -189,8 +191,8 @@ struct CommandLine::Parts {
   CLI::App app{"Fairs triangle meshes: removes noise and ripples without shrinking the shape."};
   FrameOptions options;
   bool many_files;
-  bool explain_all = false;           // in the help of a command
-  std::deque<NamedCommand> commands;  // where they are does not change
+  bool explain_all = false;           // the help of a command explains all options
+  std::deque<NamedCommand> commands;  // a deque, because callbacks refer to the elements
 
   explicit Parts(bool many_files) : many_files(many_files) {
     app.name("ibmfair");
@@ -224,8 +226,8 @@ struct CommandLine::Parts {
     return usage_of_program(app);
   }
 
-  /// Of the command that was named, or else of the program. Throws Misuse where what was named is
-  /// no command.
+  /// The help of the command that was named, or else of the program. Throws Misuse if the name is
+  /// not a command.
   std::string help() {
     const auto named = app.get_subcommands();
     if (!named.empty()) {
@@ -268,10 +270,15 @@ CommandLine::CommandLine(const Command& command) : parts_(std::make_unique<Parts
 CommandLine::~CommandLine() = default;
 
 std::optional<std::string> CommandLine::parse(std::vector<std::string> words) {
+  const auto has = [&](const char* word) {
+    return std::find(words.begin(), words.end(), word) != words.end();
+  };
   if (!words.empty() && words.front() == help_command) {
     words = question_for_help(std::move(words), parts_->explain_all);
+  } else if (has("--help") || has("-h")) {
+    parts_->explain_all = std::erase(words, "--all") > 0;
   }
-  std::reverse(words.begin(), words.end());  // as the parser wants them
+  std::reverse(words.begin(), words.end());  // the parser takes them from the back
   try {
     parts_->app.parse(std::move(words));
   } catch (const CLI::CallForVersion& version) {

@@ -73,6 +73,7 @@ TEST(Usage, HelpIsTheSameHoweverItIsAskedFor) {
     const std::string name = command["name"];
     EXPECT_EQ(answer({"help", name}), answer({name, "--help"})) << name;
     EXPECT_EQ(answer({"help", name}), answer({name, "-h"})) << name;
+    EXPECT_EQ(answer({"help", name, "--all"}), answer({name, "--help", "--all"})) << name;
   }
 }
 
