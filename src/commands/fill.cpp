@@ -266,6 +266,10 @@ ExitCode fill(const FillArguments& arguments, const Input& input, FillSeconds& s
                              arguments.input, arguments.output.path, filled, filling.holes.size(),
                              filling.new_X.rows(), filling.new_F.rows()),
                  fill_text(filling, seconds, console.level() == Console::Level::verbose));
+    if (filled == 0 && std::any_of(holes.begin(), holes.end(),
+                                   [](const Hole& hole) { return hole.outer_border; })) {
+      console.note("outer borders of open sheets stay open; --all fills them");
+    }
   }
   const ExitCode code = conclude(missed, arguments.strict, report, console);
   deliver(arguments, input, filling, shown, holes, report, console);

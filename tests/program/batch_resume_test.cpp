@@ -86,6 +86,18 @@ TEST_F(BatchTest, WhatTheBatchHasNotMadeIsNeverReplacedUnasked) {
   EXPECT_EQ(bytes("out/b.off"), single(path("b"), options_));
 }
 
+TEST_F(BatchTest, ResumeSaysWhichRecordKnowsNothingOfAFile) {
+  // --out-dir and a job file keep separate records.
+  const Words words = Words{"smooth"} + inputs_ + Words{"--out-dir", "out"};
+  ASSERT_EQ(run(words + options_).exit_code, 0);
+  const RunResult jobs = run(words + options_ + Words{"--dump-config"});
+  ASSERT_EQ(jobs.exit_code, 0) << jobs.err;
+  write_bytes(full("jobs.json"), jobs.out);
+  const RunResult result = run({"batch", "jobs.json", "--resume"});
+  EXPECT_EQ(result.exit_code, 1);
+  EXPECT_TRUE(contains(result.err, "jobs.json.journal does not record")) << result.err;
+}
+
 TEST_F(BatchTest, AJournalsHalfWrittenLastLineIsIgnored) {
   const Words words = Words{"smooth"} + inputs_ + Words{"--out-dir", "out"} + options_;
   EXPECT_EQ(run(words).exit_code, 0);

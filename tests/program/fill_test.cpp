@@ -97,6 +97,11 @@ TEST_F(FillProgram, LeavesTheOuterBorderUnlessAsked) {
   EXPECT_EQ(run.exit_code, 0) << run.err;
   EXPECT_NE(run.err.find("outer border"), std::string::npos);
   EXPECT_EQ(topology(out("out.off")).boundary_loops.size(), 1u);
+
+  const std::string sheet = file(flat_sheet(8, 8), "sheet.off");
+  const RunResult open = run_program({"fill", sheet, out("open.off")});
+  EXPECT_EQ(open.exit_code, 0) << open.err;
+  EXPECT_NE(open.err.find("--all fills them"), std::string::npos) << open.err;
 }
 
 TEST_F(FillProgram, WhatIsNotAchievedGivesExitCodeOne) {

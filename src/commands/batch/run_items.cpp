@@ -138,7 +138,11 @@ class ItemRunner {
       // as the batch's own.
       Outcome outcome = ended(Status::failed, ExitCode::cannot_write);
       outcome.message =
-          path + ": exists already; --overwrite replaces it, --resume skips what is done";
+          path + (settings_.resume ? ": exists already, and " + settings_.list_journal +
+                                         " does not record that this list has made it; --overwrite "
+                                         "replaces it, --journal names another record"
+                                   : ": exists already; --overwrite replaces it, --resume skips "
+                                     "what is done");
       running.record.outcome = outcome;
       journal_.add_refusal(running.key, running.record);
       return conclude(running.index, outcome);
