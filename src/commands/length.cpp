@@ -1,6 +1,10 @@
 #include "commands/length.h"
 
+#include <fmt/format.h>
+
 #include "commands/documentation.h"
+#include "commands/numeric_options.h"
+#include "ibmfair/base/errors.h"
 #include "ibmfair/flow/part_measures.h"
 
 namespace ibmfair::commands {
@@ -28,7 +32,14 @@ Length parse_length_option(std::string_view name, std::string_view text, Length:
       number.remove_suffix(1);
     }
   }
-  return {parse_real_option(name, number, positive), unit};
+  try {
+    return {parse_real_option(name, number, positive), unit};
+  } catch (const BadOption&) {
+    throw BadOption(fmt::format(
+        "{}: '{}' is not a positive length; write 8e (mean edge lengths), 2% (of the bounding "
+        "box's diagonal) or 0.5u (mesh units)",
+        name, text));
+  }
 }
 
 void note_units_of_length(CLI::App& app, const CLI::Option& option, Length::Unit unit) {

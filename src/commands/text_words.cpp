@@ -1,5 +1,7 @@
 #include "commands/text_words.h"
 
+#include <cerrno>
+#include <cstring>
 #include <fstream>
 
 #include <fmt/format.h>
@@ -12,7 +14,7 @@ void for_words(const std::string& path,
                const std::function<void(std::string_view word, std::int64_t line)>& take) {
   std::ifstream file(path, std::ios::binary);
   if (!file) {
-    throw BadFile(fmt::format("{}: cannot be read", path));
+    throw BadFile(fmt::format("{}: cannot be read: {}", path, std::strerror(errno)));
   }
   constexpr std::string_view separators = " \t\r\n,";
   std::string line;
@@ -27,7 +29,7 @@ void for_words(const std::string& path,
     }
   }
   if (file.bad()) {
-    throw BadFile(fmt::format("{}: cannot be read", path));
+    throw BadFile(fmt::format("{}: cannot be read: {}", path, std::strerror(errno)));
   }
 }
 

@@ -81,8 +81,8 @@ void add_view(const ViewArguments& arguments, const ViewedMesh& mesh, Report& re
 }
 
 void require_html(const std::string& path) {
-  if (report_format(path, "OUT"); !is_page(path)) {
-    throw BadOption(fmt::format("OUT: '{}' is a page, whose name must end in .html", path));
+  if (!is_page(path)) {
+    throw BadOption(fmt::format("OUT: '{}' must end in .html, as it is the name of a page", path));
   }
 }
 

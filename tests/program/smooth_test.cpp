@@ -1,4 +1,4 @@
-// What `smooth` forecasts and tells, and that it keeps to its limits.
+// `smooth`: its forecasts and reports are right, and it keeps to its limits.
 #include <regex>
 #include <string>
 #include <utility>
@@ -24,7 +24,8 @@ using test::TemporaryDirectory;
 using test::Words;
 using test::operator+;
 
-/// A mesh for which a factor takes some 100 MB and conjugate gradients a fifth of that.
+/// A mesh for which a factor takes some 100 MB, and conjugate gradients take a fifth of this
+/// memory.
 std::string mesh_with_a_large_factor(const TemporaryDirectory& directory) {
   std::string mesh = directory / "large.ply";
   EXPECT_EQ(run_program({"make", "torus", mesh, "--rows", "120", "--columns", "300"}).exit_code, 0);
@@ -82,7 +83,8 @@ TEST(Smooth, StagesTakeNoMoreThanTheRun) {
   }
 }
 
-/// Also where vertices are held, and the flow knows those of a part only.
+/// The law also holds if vertices are held, so that the flow computes the energies of a part of the
+/// mesh only.
 TEST(Smooth, EnergiesAreThoseOfTheWholeMesh) {
   const TemporaryDirectory directory;
   const std::string out = directory / "out.ply";
@@ -114,7 +116,7 @@ TEST(Smooth, KeepsToTheMemoryItIsGiven) {
   };
   const json free = forecast({});
   EXPECT_EQ(free["solver"], "cholmod");
-  // Halfway between the two, only one of them fits.
+  // With a limit halfway between the two solvers' memory, only one of the solvers fits.
   const double between =
       (free["solvers"][0]["bytes"].get<double>() + free["solvers"][1]["bytes"].get<double>()) / 2;
   const Words limit{"--memory", std::to_string(between)};
@@ -127,6 +129,18 @@ TEST(Smooth, KeepsToTheMemoryItIsGiven) {
   EXPECT_EQ(hopeless.exit_code, 5);
   EXPECT_TRUE(contains(hopeless.err, "the limit is 1 MB")) << hopeless.err;
   EXPECT_EQ(directory.entries(), 1U);
+}
+
+TEST(Smooth, ALengthThatCannotBeReadIsAnsweredWithTheWaysToWriteOne) {
+  const std::string mesh = made({"icosahedron"});
+  for (const std::string length : {"five", "5 %", "5mm", "-1", "0e", "nan", "1e400", ""}) {
+    const RunResult run =
+        run_program({"smooth", "-", "-", "--format", "off", "--cutoff=" + length}, {.input = mesh});
+    EXPECT_EQ(run.exit_code, 2) << length;
+    if (length.empty()) continue;  // the parser's own message
+    EXPECT_TRUE(contains(run.err, "--cutoff: '" + length + "' is not a positive length; write 8e"))
+        << run.err;
+  }
 }
 
 TEST(Smooth, TellsWhereTheDefaultCutoffIsAsLongAsTheMesh) {
@@ -176,7 +190,7 @@ TEST(Smooth, TellsWhatBecomesOfTextureCoordinates) {
 }
 
 TEST(Smooth, TellsHowFarAFlowThatStalledHasSmoothed) {
-  // Without mass a sphere shrinks to a point, long before it is smooth at this length.
+  // Without mass, a sphere shrinks to a point long before it is smooth at this length.
   const std::string crumpled = made({"icosphere", "--subdivide", "2", "--noise", "1"});
   const RunResult run = run_program(
       {"smooth", "-", "-", "--format", "off", "--cutoff", "100", "--no-mass"}, {.input = crumpled});

@@ -86,7 +86,7 @@ constexpr std::array<std::string_view, 3> umbrella_masses{"valence", "barycentri
 
 constexpr BendingModel models[]{
     {.name = "crouzeix-raviart",
-     .summary = "edge-based; unfolds spikes, for denoising",
+     .summary = "edge-based; unfolds folded triangles; the default of smooth",
      .make = crouzeix_raviart,
      .matrices = crouzeix_raviart_matrices,
      .masses = edge_masses,
@@ -106,12 +106,12 @@ constexpr BendingModel models[]{
      .matrices = WeightedModel::matrices,
      .masses = vertex_masses},
     {.name = delaunay_name,
-     .summary = "cotangents of the intrinsic Delaunay triangulation, never negative",
+     .summary = "cotangent weights of the intrinsic Delaunay triangulation, which are never negative",
      .make = DelaunayModel::make,
      .matrices = DelaunayModel::matrices,
      .masses = delaunay_masses},
     {.name = umbrella_name,
-     .summary = "graph Laplacian; evens edges out; for denoising uneven triangles",
+     .summary = "graph Laplacian; makes edges even; for noise on uneven triangles (--denoise)",
      .make = UmbrellaModel::make,
      .matrices = UmbrellaModel::matrices,
      .masses = umbrella_masses,

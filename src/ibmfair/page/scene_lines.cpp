@@ -122,7 +122,7 @@ std::vector<SceneLine> held_lines(const Points& X, const Topology& topology,
     if (closed) {
       vertices.pop_back();
     }
-    lines.push_back(strip("held", "border of the held vertices", X, vertices, closed));
+    lines.push_back(strip("held", "border of the fixed vertices", X, vertices, closed));
   }
   return lines;
 }
