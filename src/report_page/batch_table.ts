@@ -12,7 +12,7 @@ import {
   value_text,
 } from "./text";
 
-/** Figures that say most about a file, in this order; columns of others can be added to them. */
+/** The figures with a column of their own, in this order; "All figures" lists all of them. */
 const foremost = [
   "mesh.vertices",
   "vertices",
@@ -25,7 +25,7 @@ const foremost = [
   "new_triangles",
 ];
 
-/** All files of a batch: filtered by words and status, sorted by any column. */
+/** The files of a batch, which can be filtered by words and status and sorted by any column. */
 export class BatchTable {
   readonly element: HTMLElement;
   private readonly table: SortableTable<BatchItem>;
@@ -159,8 +159,8 @@ function name_cell(item: BatchItem): Node {
 }
 
 /**
- * The address of a page beside this one, given as a path on disk; null for one that would lead
- * anywhere else. A drive, a scheme or a host begins with what no relative path begins with.
+ * The link to the page at a path on disk, relative to this page's folder. Null if the path is not
+ * relative: paths that begin with a slash, a drive letter, a scheme or a host are rejected.
  */
 export function link_of(path: string | null | undefined): string | null {
   if (!path || /^([\\/]|[a-z][a-z0-9+.-]*:)/i.test(path)) return null;
@@ -187,7 +187,7 @@ function all_figures(item: BatchItem): Node | string {
   return element("details", {}, element("summary", {}, `${figures.length} figures`), list);
 }
 
-/** Numbers of the whole batch. */
+/** The key figures of the whole batch. */
 export function batch_headline(report: Report): [string, string][] {
   const items = report.items ?? [];
   const done = items.filter((item) => item.status === "ok" || item.status === "skipped").length;
@@ -197,6 +197,6 @@ export function batch_headline(report: Report): [string, string][] {
     ["Files done", `${count_text(done)} of ${count_text(items.length)}`],
     ["Failed", count_text(failed)],
     ["Time", typeof report.seconds === "number" ? seconds_text(report.seconds) : "\u2013"],
-    ["Most memory", `${number_text(most, 3)} MB`],
+    ["Peak memory", `${number_text(most, 3)} MB`],
   ];
 }

@@ -2,7 +2,7 @@ import { MathUtils, PerspectiveCamera, Spherical, Vector3 } from "three";
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
 import { prefers_stillness } from "./dom";
 
-/** Where a flight ends: what is looked at, from which side, from how far. */
+/** A position of the camera: the target, the direction to the eye, and the distance. */
 export interface Sight {
   target: Vector3;
   direction: Vector3; // from the target to the eye
@@ -11,16 +11,16 @@ export interface Sight {
 
 const opening = 35; // degrees
 const flight_milliseconds = 650;
-/** From here the unit ball is seen as a whole. */
+/** The distance from which the whole unit ball is visible. */
 const whole = 1.04 / Math.sin(MathUtils.degToRad(opening / 2));
 
-/** The eye: turned, moved and brought nearer by pointer, fingers and keys. */
+/** The camera; pointer, fingers and keys turn it, move it and zoom. */
 export class Camera {
   readonly lens = new PerspectiveCamera(opening, 1, 0.01, 100);
   private readonly controls: OrbitControls;
   private flight = 0;
 
-  /** `home` is where it starts; `on_move` is called whenever the picture has to be drawn again. */
+  /** Starts at `home`; `on_move` is called whenever the picture must be drawn again. */
   constructor(
     canvas: HTMLElement,
     private readonly home: Sight,
@@ -38,13 +38,13 @@ export class Camera {
 
   resize(width: number, height: number) {
     this.lens.aspect = width / height;
-    // The smaller side of the picture shows as much as it would in a square one.
+    // The shorter side of the picture shows as much as it would in a square picture.
     const half = Math.tan(MathUtils.degToRad(opening / 2));
     this.lens.fov = 2 * MathUtils.radToDeg(Math.atan(half / Math.min(1, this.lens.aspect)));
     this.lens.updateProjectionMatrix();
   }
 
-  /** Near and far as close around the unit ball as they can be: depth is then resolved best. */
+  /** Sets the near and far planes close around the unit ball, for the best depth resolution. */
   fit_depth() {
     const distance = this.lens.position.length();
     this.lens.near = Math.max(distance - 1.1, 2e-3 * Math.min(1, this.distance()));
@@ -61,7 +61,7 @@ export class Camera {
     return { target: this.controls.target.clone(), direction, distance: direction.length() };
   }
 
-  /** Turns about the target by angles, in radians. */
+  /** Turns about the target by angles in radians. */
   turn(across: number, up: number) {
     const { target, direction, distance } = this.sight();
     const to_upright = new Vector3(0, 1, 0);
@@ -75,7 +75,7 @@ export class Camera {
     this.look({ target, direction: turned, distance });
   }
 
-  /** Moves sideways by shares of what is seen. */
+  /** Moves parallel to the picture by shares of the distance to the target. */
   pan(across: number, up: number) {
     const { target, direction, distance } = this.sight();
     const right = new Vector3().setFromMatrixColumn(this.lens.matrix, 0).multiplyScalar(across);
@@ -100,7 +100,7 @@ export class Camera {
     this.fly({ ...this.home, direction, distance: whole });
   }
 
-  /** Goes there within a moment, or at once where things shall not move. */
+  /** Moves to `goal` by a short animation, or at once if the user asks for reduced motion. */
   fly(goal: Sight) {
     this.end_flight();
     if (prefers_stillness()) {
@@ -130,13 +130,13 @@ export class Camera {
   }
 }
 
-/** The axis that is drawn upwards: y, or z for a view along y. */
+/** The axis that points upwards in the picture: y, or z for a view along y. */
 function upright(direction: Vector3): Vector3 {
   const along_y = Math.abs(direction.y) > 0.8 * direction.length();
   return along_y ? new Vector3(0, 0, 1) : new Vector3(0, 1, 0);
 }
 
-/** Distances are passed through evenly by ratio: near things come as steadily as far ones. */
+/** Interpolates distances geometrically, so that the zoom is steady. */
 function between(a: Sight, b: Sight, t: number): Sight {
   return {
     target: a.target.clone().lerp(b.target, t),
@@ -145,7 +145,7 @@ function between(a: Sight, b: Sight, t: number): Sight {
   };
 }
 
-/** From where points are seen best: across their two largest extents, a little from above. */
+/** A view that shows the two largest extents of the points, from slightly above. */
 export function home_of(points: Float32Array): Sight {
   const extent = extent_of(points).toArray();
   const least = extent.indexOf(Math.min(...extent));
@@ -166,7 +166,7 @@ function extent_of(points: Float32Array): Vector3 {
   return high.sub(low);
 }
 
-/** The least distance from which all points are within a square picture, and a little more. */
+/** The least distance from which all points fit a square picture, plus a margin of 6 %. */
 function distance_of(points: Float32Array, direction: Vector3): number {
   const right = new Vector3().crossVectors(upright(direction), direction).normalize();
   const up = new Vector3().crossVectors(direction, right);

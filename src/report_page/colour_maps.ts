@@ -1,14 +1,14 @@
 import { interpolateViridis } from "d3-scale-chromatic";
 
 /**
- * Colour maps of perceptually even steps that do not rely on telling red from green: viridis where
- * more is brighter, and for signed numbers Moreland's cool to warm, whose lightness falls alike to
- * both sides of its grey middle.
+ * Perceptually uniform colour maps that do not require distinguishing red from green: viridis, in
+ * which larger values are brighter, and for signed values Moreland's cool to warm, whose lightness
+ * decreases equally on both sides of its grey middle.
  *
  * K. Moreland, Diverging color maps for scientific visualization, ISVC 2009.
  */
 export interface ColourMap {
-  name: string; // for those who do not see it
+  name: string; // read out by screen readers
   colours: Uint8Array; // RGBA, 256 entries
 }
 
@@ -21,7 +21,7 @@ const cool: Triple = [80, 1.08, -1.1];
 const middle: Triple = [88, 0, 0];
 const warm: Triple = [80, 1.08, 0.5];
 
-/** The hue of an end, turned towards the unsaturated middle so that the steps stay even. */
+/** The hue of an end, shifted for the unsaturated middle so that the map stays uniform. */
 function middle_hue(end: Triple): number {
   const [M, s, h] = end;
   const turn = (s * Math.sqrt(Math.max(middle[0] ** 2 - M ** 2, 0))) / (M * Math.sin(s));

@@ -1,19 +1,19 @@
-/** What the browser draws with; throws where it cannot draw in space. */
+/** The WebGL 2 context of a canvas; throws if the browser has none. */
 export function open_context(canvas: HTMLCanvasElement): WebGL2RenderingContext {
   const context = canvas.getContext("webgl2", { antialias: false });
   if (!context) {
     throw new Error(
-      "This browser offers no WebGL 2, which drawing the mesh needs. Everything else on this page " +
-        "works without it.",
+      "This browser has no WebGL 2, which is needed to draw the mesh. Everything else on this " +
+        "page works without WebGL.",
     );
   }
   return context;
 }
 
 /**
- * How many pixels are drawn along one of the page's. Two and more make edges smooth, contours and
- * hatching as well as outlines. Where the processor draws by itself, one has to do: it is four times
- * as quick.
+ * The number of drawn pixels along the side of one CSS pixel. Two or more smooth the edges,
+ * contours and hatching as well as the outlines. In software rendering the number is one, which is
+ * four times as fast.
  */
 export function fineness_for(context: WebGL2RenderingContext): number {
   const names = context.getExtension("WEBGL_debug_renderer_info");

@@ -1,6 +1,6 @@
 import type { ArrayRef, Report, Scene } from "./payload";
 
-/** Thrown where what is written in the page does not fit together; the message is for its reader. */
+/** Thrown if the data in the page are inconsistent; the message is shown to the reader. */
 export class DamagedPage extends Error {}
 
 function text_of(id: string): string {
@@ -13,7 +13,7 @@ export function read_report(): Report {
   return report as Report;
 }
 
-/** The scene, or null where there is none to show. */
+/** The scene, or null if the page has none. */
 export function read_scene(): Scene | null {
   return parse("scene") as Scene | null;
 }
@@ -26,7 +26,7 @@ function parse(id: string): unknown {
   }
 }
 
-/** Unpacks the arrays of a scene; the text is dropped from the page to free its memory. */
+/** Unpacks the arrays of a scene and removes their text from the page to free its memory. */
 export async function read_bytes(scene: Scene): Promise<ArrayBuffer> {
   const packed = bytes_of_base64(text_of("bytes"));
   document.getElementById("bytes")?.remove();
@@ -39,7 +39,7 @@ export async function read_bytes(scene: Scene): Promise<ArrayBuffer> {
     throw new DamagedPage("its mesh cannot be unpacked");
   });
   if (buffer.byteLength !== scene.bytes_length) {
-    throw new DamagedPage(`its mesh has ${buffer.byteLength} bytes of ${scene.bytes_length}`);
+    throw new DamagedPage(`its mesh has ${buffer.byteLength} bytes, not ${scene.bytes_length}`);
   }
   return buffer;
 }
@@ -58,7 +58,7 @@ function bytes_of_base64(text: string): Uint8Array<ArrayBuffer> {
 
 const array_types = { float32: Float32Array, uint32: Uint32Array, uint8: Uint8Array } as const;
 
-/** The array that `ref` names, without a copy; it must have `type` and `length`. */
+/** A view of the array that `ref` describes; its type and length must be `type` and `length`. */
 export function array_of<T extends ArrayRef["type"]>(
   buffer: ArrayBuffer,
   ref: ArrayRef,

@@ -2,7 +2,7 @@ import { element, section } from "./dom";
 import type { Report } from "./payload";
 import { printable, seconds_text, title_of, value_text } from "./text";
 
-/** Names beside values; objects within are opened up. */
+/** A list of names and values; nested objects are flattened. */
 function properties(values: Record<string, unknown>): HTMLElement {
   const list = element("dl", { class: "properties" });
   for (const [key, value] of flat(values)) {
@@ -31,7 +31,7 @@ function options_list(options: Record<string, unknown>): HTMLElement {
   return list;
 }
 
-/** Seconds of each stage, as bars that add up to the whole. */
+/** Seconds of each stage, as bars, and their total. */
 export function seconds_section(seconds: Report["seconds"]): HTMLElement | null {
   if (typeof seconds !== "object" || seconds === null) return null;
   const stages = Object.entries(seconds).map(([name, s]) => [name, s ?? 0] as const);
@@ -57,7 +57,7 @@ export function seconds_section(seconds: Report["seconds"]): HTMLElement | null 
   const sum = element(
     "tr",
     { class: "sum" },
-    element("th", { scope: "row" }, "All"),
+    element("th", { scope: "row" }, "Total"),
     element("td", {}),
     element("td", { class: "number" }, seconds_text(total)),
     element("td", {}),
@@ -70,7 +70,7 @@ export function options_section(report: Report): HTMLElement | null {
   const parts: HTMLElement[] = [];
   if (has_any(report.arguments)) parts.push(options_list(report.arguments));
   if (has_any(report.options)) {
-    parts.push(element("h3", {}, "As they were used"), properties(report.options));
+    parts.push(element("h3", {}, "Resolved options"), properties(report.options));
   }
   return parts.length > 0 ? section("Options", ...parts) : null;
 }
@@ -86,16 +86,16 @@ export function components_section(report: Report): HTMLElement | null {
       element("dd", {}, printable(part.version ?? "")),
     );
   }
-  return section("Made with", list);
+  return section("Software versions", list);
 }
 
-/** What other parts of the page show already. */
+/** Keys of the report that other parts of the page show already. */
 const shown_elsewhere = new Set([
   ...["version", "program", "command", "input", "output", "status", "arguments", "options"],
   ...["components", "warnings", "before", "after", "steps", "seconds", "holes", "items", "counts"],
 ]);
 
-/** All else that the report says, so that nothing in it is lost on the page. */
+/** All remaining values of the report, so that the page shows the whole report. */
 export function further_section(report: Report): HTMLElement | null {
   const rest = Object.fromEntries(
     Object.entries(report).filter(([key]) => !shown_elsewhere.has(key)),

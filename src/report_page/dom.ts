@@ -1,6 +1,6 @@
 /**
- * Elements with attributes and children. Strings become text nodes, so that what a hostile file is
- * called or holds is never read as markup.
+ * An element with attributes and children. Strings become text nodes, so that names and contents of
+ * hostile files are never parsed as markup.
  */
 export function element<K extends keyof HTMLElementTagNameMap>(
   tag: K,
@@ -15,7 +15,7 @@ export function element<K extends keyof HTMLElementTagNameMap>(
 
 let sections = 0;
 
-/** A titled part of the page, which a screen reader can jump to. */
+/** A section with a title, to which a screen reader can jump. */
 export function section(title: string, ...children: (Node | string)[]): HTMLElement {
   const id = `section-${++sections}`;
   return element(
@@ -26,7 +26,7 @@ export function section(title: string, ...children: (Node | string)[]): HTMLElem
   );
 }
 
-/** What moves on the page moves at once where that is asked for. */
+/** Whether the user asks for reduced motion; the camera then moves without animation. */
 export function prefers_stillness(): boolean {
   return matchMedia("(prefers-reduced-motion: reduce)").matches;
 }

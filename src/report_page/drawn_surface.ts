@@ -4,9 +4,9 @@ import { no_value, shares_of, type SurfaceState } from "./surface";
 import type { SurfaceMaterial } from "./surface_material";
 
 /**
- * One state of the mesh on the graphics card. Its triangles share their vertices, which is quickest,
- * unless something has to be known of single triangles: their own values, edges, or patches. They
- * then have corners of their own, which are laid out when that is first needed.
+ * One state of the mesh on the graphics card. By default, triangles share their vertices, which is
+ * fastest. To show values per triangle, edges or patches, each triangle needs corners of its own;
+ * this second layout is made when it is first needed.
  */
 export class DrawnSurface {
   readonly group = new Group();
@@ -28,20 +28,20 @@ export class DrawnSurface {
     this.colour(undefined, null);
   }
 
-  /** Gives it the values of a field; null where it has none. */
+  /** Sets the values of a field; `values` is null if this state has none. */
   colour(field: Field | undefined, values: Float32Array | null) {
     const vertices = this.state.points.length / 3;
     this.on = field && values ? field.on : "vertex";
     const known = field && values ? shares_of(field, values) : new Float32Array();
     const count = this.on === "vertex" ? vertices : this.state.triangles;
-    // Vertices that other states have, too, can be without a value.
+    // The arrays hold the vertices of all states; those beyond `values` get no value.
     this.shares = new Float32Array(count).fill(no_value);
     this.shares.set(known.subarray(0, count));
     if (this.on === "vertex") set(this.shared, "share", this.shares, 1);
     if (this.apart) set(this.apart, "share", this.shares_of_corners(), 1);
   }
 
-  /** Shows it with what single triangles have of their own, or quicker without. */
+  /** Draws triangles with corners of their own if needed, and with shared vertices otherwise. */
   show(with_triangles: boolean) {
     const apart = with_triangles || this.on === "triangle";
     if (apart && !this.apart) this.apart = this.lay_out_corners();
@@ -79,7 +79,7 @@ export class DrawnSurface {
 
   private add(geometry: BufferGeometry): Mesh {
     const mesh = new Mesh(geometry, this.material);
-    mesh.frustumCulled = false; // that would need its bounds, and it is all there is
+    mesh.frustumCulled = false; // culling would need bounds, and this is the only mesh
     this.group.add(mesh);
     return mesh;
   }

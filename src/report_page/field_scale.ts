@@ -1,7 +1,7 @@
 import type { Field } from "./payload";
 import { round_ticks } from "./ticks";
 
-/** Where the values of a field are on its colour map: 0 and 1 are the ends of its range. */
+/** Maps values of a field to shares of its range: 0 and 1 are the ends of the colour map. */
 export interface FieldScale {
   is_log: boolean;
   share: (value: number) => number;
@@ -12,7 +12,7 @@ export interface FieldScale {
 
 const least_for_log = 1e3;
 
-/** Even steps of the value, or of its logarithm where the range spans decades. */
+/** Linear in the value, or in its logarithm if the range is positive and spans 1 : 1000 or more. */
 export function scale_of(field: Field): FieldScale {
   const [low, high] = [field.range[0] ?? 0, field.range[1] ?? 0];
   const is_log = !field.diverging && low > 0 && high / low >= least_for_log;

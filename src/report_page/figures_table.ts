@@ -2,7 +2,7 @@ import { element } from "./dom";
 import type { Report, Scene } from "./payload";
 import { change_text, number_text, title_of } from "./text";
 
-/** What is known of a figure of the mesh; others are shown under the name they have. */
+/** Title, unit and tooltip of a known figure; other figures are shown under their key. */
 interface Known {
   key: string;
   title: string;
@@ -20,9 +20,19 @@ const known: Known[] = [
     hint: "8\u03c0 \u2248 25.1 for a round sphere",
   },
   { key: "area", title: "Area", unit: "length\u00b2", hint: "" },
-  { key: "volume", title: "Volume", unit: "length\u00b3", hint: "of an open mesh: with a cone" },
+  {
+    key: "volume",
+    title: "Volume",
+    unit: "length\u00b3",
+    hint: "for an open mesh, the volume of the cone over the mesh",
+  },
   { key: "smallest_angle_degrees", title: "Smallest angle", unit: "\u00b0", hint: "" },
-  { key: "folded_hinges", title: "Folded edges", unit: "", hint: "triangles laid back on another" },
+  {
+    key: "folded_hinges",
+    title: "Folded edges",
+    unit: "",
+    hint: "edges at which the two triangles are folded over",
+  },
 ];
 
 export interface FigureRow {
@@ -33,7 +43,7 @@ export interface FigureRow {
   after: unknown;
 }
 
-/** Figures of the mesh before and after, in the order in which they are read. */
+/** Figures of the mesh before and after: those of `known` first, in that order. */
 export function figure_rows(report: Report, scene: Scene | null): FigureRow[] {
   const before = { ...counts_of(report, scene, 0), ...report.before };
   const is_single = report.after === undefined && scene?.states.length === 1;
@@ -72,7 +82,7 @@ function counts_of(report: Report, scene: Scene | null, state: number): Record<s
       }),
     };
   }
-  // A scene that was decimated has other counts than the mesh.
+  // The counts of a decimated scene differ from those of the mesh.
   if (!scene || scene.shown || scene.states.length < 2) return {};
   return {
     vertices: scene.state_vertices?.[state] ?? scene.vertices,
@@ -80,7 +90,7 @@ function counts_of(report: Report, scene: Scene | null, state: number): Record<s
   };
 }
 
-/** Before, after and change; of a single mesh, one column. */
+/** A table with columns for before, after and change; for a single mesh, one column of values. */
 export function figures_table(rows: FigureRow[], title: string): HTMLElement {
   const two = has_two_states(rows);
   const head = (two ? ["", "Before", "After", "Change"] : ["", "Value"]).map((name, i) =>

@@ -52,7 +52,7 @@ function key_figures(report: Report, scene: Scene | null): [string, string][] {
   return figures;
 }
 
-/** "a.off -> b.off", as text. */
+/** The names of the input and the output, as in "a.off -> b.off". */
 function files_of(report: Report): (Node | string)[] {
   const input = report.input ?? (typeof report["file"] === "string" ? report["file"] : "");
   const names = [input, report.output ?? ""].filter((name) => name !== "");

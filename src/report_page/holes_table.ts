@@ -33,17 +33,17 @@ const columns: Column<HoleReport>[] = [
   numbers("New vertices", (hole) => hole.new_vertices),
   numbers("New triangles", (hole) => hole.new_triangles),
   numbers("Energy before", (hole) => hole.fairing?.energy_before),
-  numbers("after", (hole) => hole.fairing?.energy_after),
-  numbers("Gradient \u00d7", (hole) => hole.fairing?.normal_gradient_ratio),
+  numbers("Energy after", (hole) => hole.fairing?.energy_after),
+  numbers("Gradient ratio", (hole) => hole.fairing?.normal_gradient_ratio),
   numbers("Steps", (hole) => hole.fairing?.steps),
   numbers("Seam angle", (hole) => hole.seam_degrees?.median, "\u00b0 median"),
-  numbers("largest", (hole) => hole.seam_degrees?.largest, "\u00b0"),
-  numbers("around", (hole) => hole.surroundings_degrees?.median, "\u00b0 median"),
+  numbers("Largest seam angle", (hole) => hole.seam_degrees?.largest, "\u00b0"),
+  numbers("Angle around hole", (hole) => hole.surroundings_degrees?.median, "\u00b0 median"),
   numbers("Folds", (hole) => hole.folded_hinges),
   numbers("Intersections", (hole) => hole.intersections),
 ];
 
-/** A row per hole; `show` goes to it in the picture, where it is to be seen. */
+/** One row per hole. `show` moves the picture to a hole for which `is_shown` is true. */
 export function holes_table(
   holes: HoleReport[],
   is_shown: (id: number) => boolean,
@@ -63,7 +63,7 @@ export function holes_table(
   return new SortableTable("Holes", [name, ...columns], holes).element;
 }
 
-/** "4 of 5 holes filled", say. */
+/** The number of filled holes, as in "4 of 5". */
 export function holes_summary(holes: HoleReport[]): string {
   const filled = holes.filter((hole) => mood_of(hole.status ?? "") === "good").length;
   return `${filled} of ${holes.length}`;

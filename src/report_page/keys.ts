@@ -1,8 +1,8 @@
 import { element } from "./dom";
 
-/** A key, what it does, and for whom: `view` keys work while the picture has the focus. */
+/** A key and its action. Keys with `where: "view"` only work while the picture has the focus. */
 export interface Key {
-  keys: string[]; // as KeyboardEvent.key
+  keys: string[]; // values of KeyboardEvent.key
   shown: string;
   meaning: string;
   run: (event: KeyboardEvent) => void;
@@ -18,7 +18,7 @@ function is_typing(event: KeyboardEvent): boolean {
   );
 }
 
-/** Listens for the keys on the page; letters do nothing while somebody types. */
+/** Listens for the keys on the page; keys are ignored while the user types into a field. */
 export function listen(keys: Key[], view: HTMLElement | null) {
   document.addEventListener("keydown", (event) => {
     if (event.ctrlKey || event.metaKey || event.altKey || is_typing(event)) return;
@@ -32,7 +32,7 @@ export function listen(keys: Key[], view: HTMLElement | null) {
   });
 }
 
-/** The list of keys, as a dialogue that `open` shows. */
+/** The dialogue that lists the keys, and a function `open` that shows the dialogue. */
 export function help_dialogue(keys: Key[]): { dialogue: HTMLDialogElement; open: () => void } {
   const close = element("button", { type: "button" }, "Close");
   const row = (key: Key) =>
@@ -64,8 +64,8 @@ export function help_dialogue(keys: Key[]): { dialogue: HTMLDialogElement; open:
     element(
       "p",
       { class: "note" },
-      "Pointer: drag to turn, with the right button (or two fingers) to move, wheel or pinch to " +
-        "zoom, double-click to turn about that point.",
+      "Pointer: drag to turn the mesh, drag with the right button (or two fingers) to move the " +
+        "mesh, use the wheel or pinch to zoom, double-click a point to turn about that point.",
     ),
     close,
   );

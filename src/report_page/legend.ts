@@ -4,7 +4,7 @@ import { scale_of } from "./field_scale";
 import type { Field } from "./payload";
 import { number_text, printable, tick_text, unit_text } from "./text";
 
-/** What the colours of the picture mean, with a pointer to the value under the pointer. */
+/** The colour bar of the picture, with a mark at the value under the mouse pointer. */
 export class Legend {
   readonly element = element("div", { class: "legend" });
   private readonly pointer = element("div", { class: "legend-pointer", hidden: "" });
@@ -38,7 +38,7 @@ export class Legend {
     this.element.setAttribute(
       "aria-label",
       `${title} from ${number_text(low)} to ${number_text(high)} ${unit}, coloured ${map.name}; ` +
-        "values beyond have the colour of the end",
+        "values outside this range have the colour of the nearer end",
     );
     this.point_at(null);
   }

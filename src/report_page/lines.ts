@@ -5,30 +5,30 @@ import { LineSegmentsGeometry } from "three/addons/lines/LineSegmentsGeometry.js
 import type { Line, LineKind } from "./payload";
 import { theme_rgb } from "./theme";
 
-/** How each kind of line is told from the others: by colour, by dashes and by width. */
+/** How a kind of line is drawn; kinds differ in colour, dashes and width. */
 interface LineStyle {
   kind: LineKind;
   title: string;
-  colour: string; // of the style sheet
+  colour: string; // the name of a colour in the style sheet
   width: number; // pixels
-  dash: number; // share of the unit ball, 0 for none
+  dash: number; // length, where the mesh fits the unit ball; 0 for solid lines
 }
 
 export const line_styles: LineStyle[] = [
   { kind: "hole", title: "Rims of holes", colour: "--line-hole", width: 3, dash: 0 },
   { kind: "seam", title: "Seams of patches", colour: "--line-seam", width: 2.5, dash: 0.012 },
   { kind: "boundary", title: "Boundaries", colour: "--line-boundary", width: 2.5, dash: 0 },
-  { kind: "held", title: "Held vertices", colour: "--line-held", width: 2, dash: 0.006 },
+  { kind: "held", title: "Border of fixed vertices", colour: "--line-held", width: 2, dash: 0.006 },
   { kind: "defect", title: "Defects", colour: "--line-defect", width: 4, dash: 0 },
 ];
 
 interface Bundle {
   style: LineStyle;
   object: LineSegments2;
-  states: number[]; // of the mesh in which it is there
+  states: number[]; // the states of the mesh in which the lines are drawn
 }
 
-/** The lines of a scene on its surface; those alike are drawn together, however many there are. */
+/** The lines of a scene. Lines of the same kind and states are drawn as one object. */
 export class Lines {
   readonly group = new Group();
   private readonly bundles: Bundle[] = [];
@@ -54,7 +54,7 @@ export class Lines {
     }
   }
 
-  /** The line that somebody has chosen is drawn once more, wider and through the surface. */
+  /** Draws the selected line a second time, wider and in front of the surface. */
   select(line: Line | null) {
     if (this.chosen) this.group.remove(this.chosen);
     const style = line_styles.find((s) => s.kind === line?.kind);
@@ -101,7 +101,7 @@ function line_object(lines: Line[], style: LineStyle, scale: number): LineSegmen
   return style.dash > 0 ? object.computeLineDistances() : object;
 }
 
-/** A rim is there before its hole is filled, the seam after; all else in every state. */
+/** The rim of a filled hole is drawn in the first state, its seam in the last, others in all. */
 function states_of(line: Line, filled: Set<unknown>, states: number): number[] {
   const all = [...Array(states).keys()];
   if (states < 2) return all;

@@ -15,7 +15,7 @@ import { Viewer } from "./viewer";
 
 const page = document.getElementById("page")!;
 
-/** Says in the page what went wrong, where the picture or the report would be. */
+/** An error message, shown in place of the picture or of the report. */
 function notice(title: string, text: string): HTMLElement {
   return element(
     "div",
@@ -26,14 +26,14 @@ function notice(title: string, text: string): HTMLElement {
   );
 }
 
-/** The scene, or null where there is none, and what stands in its place on the page. */
+/** The scene and its viewer, null if there is none; `picture` is the viewer or an error message. */
 interface Opened {
   scene: Scene | null;
   viewer: Viewer | null;
   picture: HTMLElement | null;
 }
 
-/** Tables and plots do without the picture, whatever keeps it from being shown. */
+/** An error here only replaces the picture by a message: tables and plots are shown anyway. */
 async function open_scene(): Promise<Opened> {
   let scene: Scene | null = null;
   try {
@@ -54,13 +54,13 @@ async function open_viewer(scene: Scene): Promise<Viewer> {
   return new Viewer(scene, await read_bytes(scene));
 }
 
-/** Everything below and beside the picture. */
+/** All sections of the page below and beside the picture. */
 function sections(report: Report, scene: Scene | null, places: Places, viewer: Viewer | null) {
   const rows = figure_rows(report, scene);
   const title = has_two_states(rows) ? "Before and after" : "Figures";
   const beside: (HTMLElement | null)[] = [
     rows.length > 0 ? section(title, figures_table(rows, title)) : null,
-    places.list ? section("Worth a look", places.list) : null,
+    places.list ? section("Places to inspect", places.list) : null,
     seconds_section(report.seconds),
   ];
   const holes = report.holes ?? [];
@@ -92,10 +92,10 @@ function page_keys(places: Places, open_help: () => void): Key[] {
     run: () => places.go_on(step),
   });
   return [
-    ...(has_places ? [move("n", "go to the next place worth a look", 1)] : []),
-    ...(has_places ? [move("p", "go to the one before", -1)] : []),
-    { keys: ["t"], shown: "t", meaning: "light or dark colours", run: toggle_theme },
-    { keys: ["?"], shown: "?", meaning: "this list", run: open_help },
+    ...(has_places ? [move("n", "go to the next place in the list", 1)] : []),
+    ...(has_places ? [move("p", "go to the previous place in the list", -1)] : []),
+    { keys: ["t"], shown: "t", meaning: "switch light or dark colours", run: toggle_theme },
+    { keys: ["?"], shown: "?", meaning: "show this list of keys", run: open_help },
   ];
 }
 

@@ -3,7 +3,7 @@ import type { Store } from "./state";
 import { printable, title_of } from "./text";
 import type { View } from "./view";
 
-/** What lies over the picture: the names of what is shown, the slider of a split view, a marker. */
+/** The layer over the picture: names of the meshes shown, the slider of a split view, a marker. */
 export class Overlay {
   readonly element = element("div", { class: "overlay" });
   private readonly badges = [0, 1].map((side) =>
@@ -13,7 +13,7 @@ export class Overlay {
     class: "slider",
     role: "slider",
     tabindex: "0",
-    "aria-label": "Where the split view is divided",
+    "aria-label": "Position of the divider of the split view",
     "aria-valuemin": "0",
     "aria-valuemax": "100",
   });
@@ -30,7 +30,7 @@ export class Overlay {
     view.after_drawing = () => this.place_marker();
   }
 
-  /** Marks a point of the mesh until another is marked; null takes the marker away. */
+  /** Marks a point of the mesh until another point is marked; null removes the marker. */
   mark(at: readonly number[] | null, title: string) {
     this.marked = at;
     this.marker.replaceChildren(element("span", {}, printable(title)));

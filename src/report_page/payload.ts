@@ -1,5 +1,5 @@
 /**
- * What the program writes into the page: the contract between both.
+ * The data that the program writes into the page: the contract between program and page.
  *
  * The built page holds three placeholders, each exactly once, which the program replaces:
  *
@@ -8,8 +8,8 @@
  *   @IBMFAIR_BYTES@  in <script id="bytes" type="text/plain">: base64 of the gzip of all arrays, one
  *                    after the other, each aligned to 4 bytes
  *
- * In JSON, the program writes `<` as \u003c. Any field may be absent, and null stands for a number
- * that is not finite: the page shows what there is.
+ * In JSON, the program writes `<` as \u003c. Any field may be absent; the page shows the fields
+ * that are present. Null stands for a number that is not finite.
  */
 
 export type Maybe<T> = T | null | undefined;
@@ -22,8 +22,8 @@ export interface Report {
   input?: string;
   output?: string;
   status?: string; // of the flow: "completed", "interrupted", "stalled", "diverged"
-  arguments?: Record<string, unknown>; // all options in force, by name
-  options?: Record<string, unknown>; // as the flow has used them
+  arguments?: Record<string, unknown>; // all options of the command line, by name
+  options?: Record<string, unknown>; // options of the flow, resolved for this mesh
   components?: Component[];
   warnings?: Warning[];
   mesh?: Record<string, unknown>;
@@ -33,13 +33,13 @@ export interface Report {
   rms_move?: Maybe<number>;
   flow?: Record<string, unknown>;
   steps?: Step[];
-  seconds?: Record<string, Maybe<number>> | number; // by stage; of a batch, of all
+  seconds?: Record<string, Maybe<number>> | number; // per stage; for a batch, the total
   new_vertices?: number;
   new_triangles?: number;
   holes?: HoleReport[];
   fairing?: Record<string, unknown>;
   defects?: Record<string, unknown[]>;
-  counts?: Record<string, number>; // of a batch: items by status
+  counts?: Record<string, number>; // for a batch: number of items per status
   items?: BatchItem[];
   [further: string]: unknown;
 }
@@ -97,11 +97,11 @@ export interface BatchItem {
   seconds?: Maybe<number>;
   peak_megabytes?: Maybe<number>;
   message?: string;
-  page?: Maybe<string>; // the item's own page: a path relative to this one's folder, as on disk
-  figures?: Record<string, unknown>; // flat: "after.energy"
+  page?: Maybe<string>; // path of the item's own page, relative to the folder of this page
+  figures?: Record<string, unknown>; // keys are flattened, as in "after.energy"
 }
 
-/** An array within the bytes, which are unpacked first; `offset` is a multiple of 4. */
+/** An array within the unpacked bytes; `offset` is a multiple of 4. */
 export interface ArrayRef {
   type: "float32" | "uint32" | "uint8";
   offset: number; // bytes
@@ -111,18 +111,18 @@ export interface ArrayRef {
 export interface Scene {
   version: number;
   name?: string;
-  bytes_length: number; // of all arrays, unpacked
-  centre: [number, number, number]; // what all positions here are relative to
+  bytes_length: number; // number of unpacked bytes of all arrays
+  centre: [number, number, number]; // all positions in the scene are relative to this point
   states: string[]; // ["before", "after"] or ["mesh"]
   vertices: number;
-  state_vertices?: number[]; // of state s: the first so many
-  triangles: number[]; // of state s: the first so many of the list
-  shown?: Maybe<{ triangles: number; of: number }>; // where the mesh was decimated for viewing
+  state_vertices?: number[]; // state s has the first state_vertices[s] vertices
+  triangles: number[]; // state s has the first triangles[s] triangles of the list
+  shown?: Maybe<{ triangles: number; of: number }>; // present if the mesh was decimated for viewing
   arrays: {
     positions: ArrayRef[]; // per state, float32, 3 per vertex
     triangles: ArrayRef; // uint32, 3 per triangle
-    patch?: Maybe<ArrayRef>; // uint8 per triangle: 0 of the input, k > 0 patch of holes[k - 1]
-    edges?: Maybe<ArrayRef>; // uint32 pairs: the polygons' edges; absent: all of the triangles'
+    patch?: Maybe<ArrayRef>; // uint8 per triangle: 0: input, k > 0: patch of holes[k - 1]
+    edges?: Maybe<ArrayRef>; // uint32 pairs: edges of the polygons; absent: all edges
   };
   fields?: Field[];
   lines?: Line[];
@@ -131,15 +131,15 @@ export interface Scene {
   mean_edge_length?: Maybe<number>;
 }
 
-/** A number per vertex or triangle, shown as colour. */
+/** One value per vertex or triangle, shown as colour. */
 export interface Field {
   name: string;
   title: string;
   unit?: string;
-  diverging?: boolean; // signed: the middle of the colour map is the middle of the range
+  diverging?: boolean; // signed values: the colour map is centred on the middle of the range
   on: "vertex" | "triangle";
-  values: Maybe<ArrayRef>[]; // per state, float32; null where a state has none
-  /** What the colour map spans, the same for all states; evenly by logarithm from 1 : 1000 on. */
+  values: Maybe<ArrayRef>[]; // per state, float32; null for a state without values
+  /** Range of the colour map in all states; logarithmic if positive and 1 : 1000 or more. */
   range: [Maybe<number>, Maybe<number>];
 }
 
@@ -150,10 +150,10 @@ export interface Line {
   title?: string;
   points: number[]; // x, y, z, ...
   closed?: boolean;
-  hole?: Maybe<number>; // its `id` in Report.holes
+  hole?: Maybe<number>; // `id` of the hole in Report.holes
 }
 
-/** What a warning is about, or something else worth looking at. */
+/** The place that a warning refers to, or another place to inspect. */
 export interface Place {
   title?: string;
   at: [number, number, number];

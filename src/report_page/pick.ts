@@ -2,12 +2,12 @@ import type { Vector3 } from "three";
 import { triangle_normal, type SurfaceState } from "./surface";
 
 export interface Hit {
-  corner: number; // the first of the triangle
+  corner: number; // index of the triangle's first corner
   distance: number;
-  weights: [number, number, number]; // of its corners
+  weights: [number, number, number]; // barycentric coordinates
 }
 
-/** The first triangle that a ray meets (Moeller and Trumbore 1997). */
+/** The nearest triangle that a ray hits, or null (Moeller and Trumbore 1997). */
 export function pick(surface: SurfaceState, origin: Vector3, direction: Vector3): Hit | null {
   const { points: X, indices } = surface;
   const { x: ox, y: oy, z: oz } = origin;
@@ -45,7 +45,7 @@ export function pick(surface: SurfaceState, origin: Vector3, direction: Vector3)
   return best;
 }
 
-/** The mean normal of the triangles around a point, or null where there is none. */
+/** The mean normal of the triangles near a point, or null if there are none. */
 export function normal_near(surface: SurfaceState, at: Vector3, radius: number): Vector3 | null {
   const { points: X, indices } = surface;
   const sum = at.clone().set(0, 0, 0);

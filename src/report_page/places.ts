@@ -3,16 +3,16 @@ import type { Line, Report, Scene } from "./payload";
 import { count_text, printable } from "./text";
 import { line_styles } from "./lines";
 
-/** Something of the mesh that can be gone to. */
+/** A place of the mesh to which the camera can move. */
 export interface Sight {
   title: string;
-  kind: string; // what it is, in a word
+  kind: string; // the key of its symbol
   at: readonly number[];
   radius: number;
   line: Line | null;
 }
 
-/** A finding in words, with where it is to be seen if that is known. */
+/** One entry of the list: its text, and its place in the mesh if that is known. */
 interface Entry {
   text: string;
   kind: string;
@@ -21,7 +21,7 @@ interface Entry {
 
 const at_first = 12;
 
-/** Centre and radius of what a line goes round. */
+/** The sight of a line: the centroid of its points and their largest distance from the centroid. */
 export function sight_of_line(line: Line): Sight {
   const at = [0, 0, 0];
   const count = Math.floor(line.points.length / 3);
@@ -52,7 +52,7 @@ function entries_of(report: Report, scene: Scene | null): Entry[] {
   const others = places.flatMap((place, i) =>
     told.has(i) ? [] : [{ text: place.title ?? "", kind: "place", sight: sight(i) }],
   );
-  // A hole that has been filled has two lines at one place: its seam tells more than its rim.
+  // A filled hole has two lines at the same place; only the seam is listed, not the rim.
   const lines = (scene?.lines ?? []).filter((line) => line.points.length >= 3);
   const filled = new Set(lines.filter((l) => l.kind === "seam").map((l) => l.hole));
   const rims = lines
@@ -62,7 +62,7 @@ function entries_of(report: Report, scene: Scene | null): Entry[] {
   return [...warnings, ...others, ...rims];
 }
 
-/** What became of the hole that a line goes round. */
+/** The status of the hole that a line bounds, as a suffix; empty if there is none. */
 function status_of(line: Line, report: Report): string {
   const hole = report.holes?.find(({ id }) => id !== undefined && id === line.hole);
   return hole?.status ? `: ${hole.status}` : "";
@@ -78,7 +78,7 @@ const symbols: Record<string, string> = {
   defect: "\u2716",
 };
 
-/** The list of what there is to look at; null where there is nothing. */
+/** The list of warnings, places and lines to inspect; `list` is null if there are none. */
 export class Places {
   readonly sights: Sight[];
   readonly list: HTMLElement | null;
@@ -96,7 +96,7 @@ export class Places {
     this.list = items.length === 0 ? null : element("div", {}, ...folded(items));
   }
 
-  /** Goes on by `step` entries, round and round. */
+  /** Moves on by `step` places, cyclically. */
   go_on(step: number) {
     if (this.sights.length === 0) return;
     const from = this.current < 0 && step < 0 ? 0 : this.current;
@@ -132,7 +132,7 @@ export class Places {
   }
 }
 
-/** A long list shows its beginning, and the rest when asked for. */
+/** Shows the first entries of a long list; the rest can be unfolded. */
 function folded(items: HTMLLIElement[]): HTMLElement[] {
   const first = element("ul", { class: "places" }, ...items.slice(0, at_first));
   const rest = items.slice(at_first);

@@ -6,7 +6,7 @@ import { SortableTable, type Column } from "./sortable_table";
 import { number_text, tick_text } from "./text";
 import { on_theme, theme_colour } from "./theme";
 
-/** One curve over the steps of the flow: a row here is a plot on the page. */
+/** One curve over the steps of the flow; each row of `curves` is a plot on the page. */
 interface Curve {
   title: string;
   unit: string;
@@ -23,7 +23,7 @@ const curves: Curve[] = [
 const decades_for_log = 1.5;
 const height = 190;
 
-/** Curves of what happened in each step, and the same as a table. */
+/** Curves over the steps of the flow, and the same numbers as a table. */
 export function plots_section(report: Report): HTMLElement | null {
   const steps = with_start(report);
   if (steps.length < 2) return null;
@@ -43,11 +43,11 @@ export function plots_section(report: Report): HTMLElement | null {
     draw_when_seen(body, steps, numbers, curve.title, is_log, together);
   }
   const table = new SortableTable("Steps", columns(), steps).element;
-  const details = element("details", {}, element("summary", {}, "The same as a table"), table);
+  const details = element("details", {}, element("summary", {}, "Steps as a table"), table);
   return section("Steps", frames, details);
 }
 
-/** Step 0 is the mesh as it was: only its energy is known. */
+/** Adds step 0, the input mesh, of which only the energy is known. */
 function with_start(report: Report): Step[] {
   const steps = report.steps ?? [];
   const energy = report.flow?.energy_before;
@@ -87,7 +87,7 @@ function columns(): Column<Step>[] {
   ];
 }
 
-/** Draws when there is room for it, and again when the room or the colours change. */
+/** Draws the plot once `body` has a width, and again when the width or the colours change. */
 function draw_when_seen(
   body: HTMLElement,
   steps: Step[],

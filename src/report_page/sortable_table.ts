@@ -5,14 +5,14 @@ export interface Column<Row> {
   title: string;
   unit?: string;
   numeric?: boolean;
-  /** What the column is sorted by; null comes last in either order. */
+  /** The sort key of the column; rows with null come last in either order. */
   value: (row: Row) => number | string | null;
   show: (row: Row) => Node | string;
 }
 
 const at_once = 200;
 
-/** A table that is sorted by a click on a column's title, and shows long lists in parts. */
+/** A table that is sorted by clicking a column's title, and that shows long lists in parts. */
 export class SortableTable<Row> {
   readonly element: HTMLElement;
   private readonly body = element("tbody");
@@ -35,7 +35,7 @@ export class SortableTable<Row> {
       element("thead", {}, element("tr", {}, ...this.heads)),
       this.body,
     );
-    // It can be scrolled with the keyboard where it is wider than the page.
+    // The focus lets the keyboard scroll a table that is wider than the page.
     const frame = { class: "scroll", tabindex: "0", role: "group", "aria-label": caption };
     this.element = element("div", {}, element("div", frame, table), this.more);
     this.more.addEventListener("click", () => {
@@ -65,7 +65,7 @@ export class SortableTable<Row> {
     const button = element("button", { type: "button" }, column.title);
     if (column.unit) button.append(" ", element("span", { class: "unit" }, column.unit));
     button.addEventListener("click", () => {
-      // Of numbers, the largest is mostly what is looked for.
+      // Numbers are sorted in descending order first: readers mostly look for the largest.
       const again = this.sorted_by === i;
       this.sort_by(i, again ? !this.descending : column.numeric === true);
     });

@@ -1,7 +1,7 @@
-/** What the view shows at the moment; whoever shows or changes a part of it listens here. */
+/** The current settings of the view; controls and drawing code listen to their changes. */
 export interface ViewState {
   shown: number; // which state of the mesh
-  split: boolean; // the first state left of `split_at`, the last right of it
+  split: boolean; // show the first state left of `split_at` and the last state right of it
   split_at: number; // share of the width
   field: number; // index into the scene's fields, -1 for plain
   wireframe: boolean;
@@ -25,7 +25,7 @@ export class Store {
     for (const listener of this.listeners) listener(this.state);
   }
 
-  /** Calls `listener` at every change, and once now. */
+  /** Calls `listener` once immediately, and again at every change. */
   on_change(listener: (state: ViewState) => void) {
     this.listeners.push(listener);
     listener(this.state);

@@ -1,7 +1,7 @@
 import { element } from "./dom";
 import { printable } from "./text";
 
-/** How well something ended: told by a sign and a word, and by colour besides. */
+/** How well a run ended; shown by a sign and a word as well as by colour. */
 type Mood = "good" | "warning" | "bad" | "neutral";
 
 const moods: Record<string, Mood> = {

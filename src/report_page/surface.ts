@@ -3,13 +3,13 @@ import { scale_of } from "./field_scale";
 import type { Field, Scene } from "./payload";
 
 /**
- * The mesh as it is drawn: scaled to a ball of radius 1, so that no size of mesh leaves the range of
- * 32-bit numbers.
+ * The mesh as it is drawn: scaled to a ball of radius 1, so that meshes of any size stay within the
+ * range of 32-bit floating-point numbers.
  */
 export interface Surface {
   states: SurfaceState[];
-  flags: Uint8Array; // per corner of a triangle: bit i: the edge opposite corner i is drawn; patch_bit
-  scale: number; // of the scene's lengths to those here
+  flags: Uint8Array; // per corner: bit i: the edge opposite corner i is drawn; patch_bit: see below
+  scale: number; // factor from lengths of the scene to lengths here
 }
 
 export interface SurfaceState {
@@ -19,7 +19,7 @@ export interface SurfaceState {
   normals: Int16Array; // 4 per vertex, the last unused
 }
 
-/** The flag of corners that belong to a patch. */
+/** The flag of corners whose triangle belongs to a patch. */
 export const patch_bit = 8;
 
 export function build_surface(scene: Scene, buffer: ArrayBuffer): Surface {
@@ -27,7 +27,7 @@ export function build_surface(scene: Scene, buffer: ArrayBuffer): Surface {
   const indices = array_of(buffer, scene.arrays.triangles, "uint32", 3 * most);
   for (let i = 0; i < indices.length; ++i) {
     if (indices[i]! >= scene.vertices)
-      throw new DamagedPage("a triangle of its mesh has no corner");
+      throw new DamagedPage("a triangle of its mesh refers to a missing vertex");
   }
   const points = scene.states.map((_, s) => points_of(scene, buffer, s));
   const scale = 1 / (radius_of(points) || 1);
@@ -40,7 +40,7 @@ export function build_surface(scene: Scene, buffer: ArrayBuffer): Surface {
   };
 }
 
-/** Vertices of the state; those that it has not yet are left at the centre and not drawn. */
+/** Vertices of state `s`. Vertices that the state does not have are at the centre and not drawn. */
 function points_of(scene: Scene, buffer: ArrayBuffer, s: number): Float32Array {
   const ref = scene.arrays.positions[s];
   const count = scene.state_vertices?.[s] ?? scene.vertices;
@@ -50,7 +50,7 @@ function points_of(scene: Scene, buffer: ArrayBuffer, s: number): Float32Array {
   return all;
 }
 
-/** Math.hypot takes ten times as long, and nothing here overflows when squared. */
+/** Math.hypot takes ten times as long; the squares of 32-bit numbers do not overflow here. */
 function length_of(x: number, y: number, z: number): number {
   return Math.sqrt(x * x + y * y + z * z);
 }
@@ -71,7 +71,7 @@ function build_state(P: Float32Array, indices: Uint32Array, scale: number): Surf
   return { triangles: indices.length / 3, indices, points, normals };
 }
 
-/** The mean of the normals around each vertex, weighted by area. */
+/** The area-weighted mean of the triangle normals around each vertex. */
 function vertex_normals(X: Float32Array, indices: Uint32Array): Int16Array {
   const sums = new Float64Array(X.length);
   for (let c = 0; c < indices.length; c += 3) {
@@ -92,7 +92,7 @@ function vertex_normals(X: Float32Array, indices: Uint32Array): Int16Array {
   return normals;
 }
 
-/** Normal of the triangle whose first corner is `c`, twice its area long. */
+/** Normal of the triangle whose first corner is `c`; its length is twice the area. */
 export function triangle_normal(
   X: Float32Array,
   indices: Uint32Array,
@@ -117,7 +117,7 @@ function flags_of(scene: Scene, buffer: ArrayBuffer, indices: Uint32Array): Uint
   return flags;
 }
 
-/** Leaves only the edges of polygons, not those that triangulating them has added. */
+/** Clears the flags of edges that were added when polygons were cut into triangles. */
 function mark_edges(edges: Uint32Array, indices: Uint32Array, scene: Scene, flags: Uint8Array) {
   const key = (a: number, b: number) => Math.min(a, b) * scene.vertices + Math.max(a, b);
   const drawn = new Set<number>();
@@ -132,10 +132,10 @@ function mark_edges(edges: Uint32Array, indices: Uint32Array, scene: Scene, flag
   }
 }
 
-/** What the colour map is told where there is no value; see surface_material.ts. */
+/** The share that stands for a missing value; see surface_material.ts. */
 export const no_value = -100;
 
-/** The values of a field, or null where the state has none. */
+/** The values of a field in a state, or null if the state has none. */
 export function values_of(buffer: ArrayBuffer, field: Field, state: number): Float32Array | null {
   const ref = field.values[state];
   return ref ? array_of(buffer, ref, "float32", ref.length) : null;
@@ -146,7 +146,7 @@ export function shares_of(field: Field, values: Float32Array): Float32Array {
   const scale = scale_of(field);
   return values.map((value) => {
     const share = Number.isFinite(value) ? scale.share(value) : NaN;
-    // A logarithm of nothing is at the lower end, or it has none.
+    // The logarithm of 0 is clamped to the lower end; a negative value counts as missing.
     return Number.isNaN(share) ? no_value : Math.min(3, Math.max(-2, share));
   });
 }

@@ -2,8 +2,8 @@ import { DoubleSide, GLSL3, ShaderMaterial, Vector2, Vector3, type Texture } fro
 
 /**
  * Draws the surface: a colour per value, contour lines at the legend's ticks, the edges as a
- * wireframe, patches hatched. The inside of the surface is grey, so that holes and turned triangles
- * are seen as such.
+ * wireframe, patches hatched. The back side of the surface is grey, so that holes and triangles of
+ * opposite orientation are visible.
  */
 const vertex_shader = /* glsl */ `
 in float share;
@@ -28,8 +28,8 @@ void main() {
 const fragment_shader = /* glsl */ `
 uniform sampler2D map;
 uniform bool coloured, flat_shading, wireframe, contours, patches;
-uniform float fineness;  // pixels drawn along one of the page's
-uniform vec2 ticks;  // first and distance, as shares of the range
+uniform float fineness;  // drawn pixels along the side of one CSS pixel
+uniform vec2 ticks;  // first contour and spacing, as shares of the range
 uniform vec3 plain, inside, ink, accent;
 in vec3 v_position;
 in vec3 v_normal;
@@ -51,7 +51,7 @@ float edges() {
   for (int i = 0; i < 3; ++i) {
     if ((v_flags & (1 << i)) != 0) drawn = max(drawn, line(v_corner[i], width[i], 0.6));
   }
-  // Triangles of a few pixels would be nothing but edges.
+  // The edges of triangles that are a few pixels wide are faded out.
   float largest = max(width.x, max(width.y, width.z)) * fineness;
   return drawn * (1.0 - smoothstep(0.12, 0.45, largest));
 }
@@ -113,7 +113,7 @@ export function surface_material(map: Texture) {
     fragmentShader: fragment_shader,
     uniforms,
     side: DoubleSide,
-    // Lines lie in the surface and shall be in front of it.
+    // Lines lie in the surface and must be drawn in front of the surface.
     polygonOffset: true,
     polygonOffsetFactor: 1,
     polygonOffsetUnits: 1,

@@ -1,10 +1,10 @@
-/** Numbers and names as text, the same all over the page. */
+/** Formats numbers and names in the same way on the whole page. */
 
-/** What could deceive on a screen: control characters and those that turn the writing direction. */
+/** Characters that could mislead readers: control characters and changes of writing direction. */
 // eslint-disable-next-line no-control-regex
 const deceptive = /[\u0000-\u001f\u007f-\u009f\u200b-\u200f\u2028-\u202e\u2060-\u2069\ufeff]/g;
 
-/** A text from a file, with its unprintable characters spelt out as on the terminal. */
+/** A text from a file, with its unprintable characters escaped as on the terminal. */
 export function printable(text: string): string {
   return text.replace(deceptive, (c) => {
     const code = c.charCodeAt(0);
@@ -18,7 +18,7 @@ export function printable(text: string): string {
 
 const missing = "\u2013";
 
-/** Counts with thin spaces between thousands, others to `digits` digits; a dash for no number. */
+/** Integers with thin spaces between thousands, other numbers to `digits` digits, else a dash. */
 export function number_text(value: unknown, digits = 4): string {
   if (typeof value !== "number" || !Number.isFinite(value)) return missing;
   if (Number.isInteger(value) && Math.abs(value) < 1e15) return count_text(value);
@@ -28,7 +28,7 @@ export function number_text(value: unknown, digits = 4): string {
   return signed(value, grouped(without_zeros(size.toFixed(decimals))));
 }
 
-/** What stands at an axis: short, with powers of ten where there would be many zeros. */
+/** A short label of an axis, with a power of ten for large numbers. */
 export function tick_text(value: number): string {
   return Math.abs(value) >= 1e5 ? exponential(value, 3) : number_text(value, 3);
 }
@@ -76,7 +76,7 @@ export function seconds_text(value: unknown): string {
   return value === 0 ? "0 s" : "< 0.1 ms";
 }
 
-/** How much `after` is more than `before`, in per cent; empty where that says nothing. */
+/** The change from `before` to `after` in per cent; empty if no ratio can be formed. */
 export function change_text(before: unknown, after: unknown): string {
   if (typeof before !== "number" || typeof after !== "number") return "";
   if (before === after) return "=";
@@ -95,7 +95,7 @@ export function title_of(key: string): string {
   return printable(words.charAt(0).toUpperCase() + words.slice(1));
 }
 
-/** Any value of the report in one line. */
+/** Any value of the report as one line of text. */
 export function value_text(value: unknown): string {
   if (value === null || value === undefined) return missing;
   if (typeof value === "boolean") return value ? "yes" : "no";

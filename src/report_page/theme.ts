@@ -1,6 +1,6 @@
 import { element } from "./dom";
 
-/** Light or dark: as the system has it until somebody chooses. */
+/** Light or dark: the system's setting until the user chooses. */
 type Theme = "light" | "dark";
 
 const key = "ibmfair-theme";
@@ -12,7 +12,7 @@ function chosen(): Theme | null {
     const stored = localStorage.getItem(key);
     return stored === "light" || stored === "dark" ? stored : null;
   } catch {
-    return null; // storage can be closed to local files
+    return null; // some browsers deny storage to local files
   }
 }
 
@@ -32,7 +32,7 @@ export function toggle_theme() {
   try {
     localStorage.setItem(key, next);
   } catch {
-    // then it is chosen for this time only
+    // without storage, the choice lasts until the page is closed
   }
   apply(next);
 }
@@ -41,12 +41,12 @@ export function on_theme(listener: () => void) {
   listeners.push(listener);
 }
 
-/** A colour of the style sheet, "--ink" say. */
+/** A colour of the style sheet by its name, such as "--ink". */
 export function theme_colour(name: string): string {
   return getComputedStyle(document.documentElement).getPropertyValue(name).trim();
 }
 
-/** The same as red, green and blue between 0 and 1; the style sheet writes it as #rrggbb. */
+/** That colour, written as #rrggbb in the style sheet, as red, green and blue in [0, 1]. */
 export function theme_rgb(name: string): [number, number, number] {
   const hex = theme_colour(name);
   return [1, 3, 5].map((i) => parseInt(hex.slice(i, i + 2), 16) / 255) as [number, number, number];

@@ -3,7 +3,7 @@ import type { Scene } from "./payload";
 import type { Store, ViewState } from "./state";
 import { printable, title_of } from "./text";
 
-/** A switch of the view: one row of this table is a button, a key and a line of the help. */
+/** A switch of the view. Each row of the table makes a button, a key and a line of the key help. */
 export interface Switch {
   name: "wireframe" | "flat" | "contours" | "patches" | "lines";
   key: string;
@@ -12,14 +12,14 @@ export interface Switch {
 }
 
 export const switches: Switch[] = [
-  { name: "wireframe", key: "w", title: "Edges", meaning: "edges of the mesh on or off" },
-  { name: "flat", key: "f", title: "Flat", meaning: "flat or smooth shading" },
-  { name: "contours", key: "i", title: "Contours", meaning: "lines of equal value on or off" },
-  { name: "patches", key: "h", title: "Patches", meaning: "hatching of patches on or off" },
-  { name: "lines", key: "l", title: "Lines", meaning: "rims, seams and other lines on or off" },
+  { name: "wireframe", key: "w", title: "Edges", meaning: "show or hide the edges of the mesh" },
+  { name: "flat", key: "f", title: "Flat", meaning: "switch flat or smooth shading" },
+  { name: "contours", key: "i", title: "Contours", meaning: "show or hide lines of equal value" },
+  { name: "patches", key: "h", title: "Patches", meaning: "show or hide the hatching of patches" },
+  { name: "lines", key: "l", title: "Lines", meaning: "show or hide rims, seams and other lines" },
 ];
 
-/** The switches that have something to switch in this scene. */
+/** The switches that have an effect in this scene. */
 export function switches_of(scene: Scene): Switch[] {
   const there: Record<Switch["name"], boolean> = {
     wireframe: true,
@@ -67,13 +67,13 @@ function toggle(
 }
 
 function state_buttons(scene: Scene, store: Store): HTMLElement {
-  const group = element("div", { class: "segments", role: "group", "aria-label": "Shown" });
+  const group = element("div", { class: "segments", role: "group", "aria-label": "Mesh shown" });
   scene.states.forEach((state, s) => {
     group.append(
       toggle(
         store,
         title_of(state),
-        `show the mesh ${printable(state)} (x swaps)`,
+        `show the mesh ${printable(state)} (press x to swap)`,
         `state-${s}`,
         () => ({ shown: s, split: false }),
         (now) => !now.split && now.shown === s,
@@ -84,7 +84,7 @@ function state_buttons(scene: Scene, store: Store): HTMLElement {
     toggle(
       store,
       "Split",
-      "both, side by side (s)",
+      "show both meshes side by side (s)",
       "split",
       () => ({ split: true }),
       (now) => now.split,
@@ -95,7 +95,7 @@ function state_buttons(scene: Scene, store: Store): HTMLElement {
 
 function field_choice(scene: Scene, store: Store): HTMLElement {
   const choice = element("select", { id: "field-choice" });
-  choice.append(element("option", { value: "-1" }, "nothing, plain"));
+  choice.append(element("option", { value: "-1" }, "no field (plain)"));
   scene.fields?.forEach((field, i) => {
     choice.append(element("option", { value: String(i) }, printable(field.title)));
   });

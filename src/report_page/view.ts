@@ -22,19 +22,19 @@ import { build_surface, values_of, type Surface } from "./surface";
 import { surface_material } from "./surface_material";
 import { on_theme, theme_rgb } from "./theme";
 
-/** What is under the pointer. */
+/** The point of the surface under the pointer. */
 export interface Probe {
   state: number;
   hit: Hit;
   at: Vector3; // in the scene's units, relative to its centre
 }
 
-/** The picture of the mesh. It is drawn when something has changed, and not otherwise. */
+/** The picture of the mesh, drawn only when something has changed. */
 export class View {
   readonly canvas = element("canvas", { tabindex: "0", role: "img" });
   readonly camera: Camera;
   readonly lines: Lines;
-  /** Called after each drawing, for what lies over the picture. */
+  /** Called after each drawing, to update the layer over the picture. */
   after_drawing: () => void = () => {};
   private readonly renderer: WebGLRenderer;
   private readonly surface: Surface;
@@ -42,12 +42,12 @@ export class View {
   private readonly drawn: DrawnSurface[];
   private readonly map = new DataTexture(new Uint8Array(4 * entries), entries, 1);
   private readonly material = surface_material(this.map);
-  private readonly fineness: number; // pixels drawn along one of the page's
+  private readonly fineness: number; // drawn pixels along the side of one CSS pixel
   private field_shown = -2;
   private frame = 0;
   private frames = 0;
 
-  /** Throws where there is no WebGL 2, or where the data are damaged; the message says so. */
+  /** Throws if the browser has no WebGL 2, or if the data are damaged. */
   constructor(
     readonly scene: Scene,
     private readonly buffer: ArrayBuffer,
@@ -57,7 +57,7 @@ export class View {
     const context = open_context(this.canvas);
     this.fineness = fineness_for(context);
     this.renderer = new WebGLRenderer({ canvas: this.canvas, context });
-    // Colours are computed as they are to be seen.
+    // The shader computes the final sRGB colours, so three.js must not convert them.
     this.renderer.outputColorSpace = LinearSRGBColorSpace;
     this.renderer.debug.checkShaderErrors = false;
     this.map.minFilter = this.map.magFilter = LinearFilter;
@@ -94,7 +94,7 @@ export class View {
     });
   }
 
-  /** Flies to a place, `radius` being that of what there is to see; both in the scene's units. */
+  /** Flies to a place. `radius` is the radius of the region to show; both in the scene's units. */
   fly_to(at: readonly number[], radius: number) {
     const target = new Vector3().fromArray(at).multiplyScalar(this.surface.scale);
     const size = Math.min(1, Math.max(radius * this.surface.scale, this.edge_length()));
@@ -103,7 +103,7 @@ export class View {
     this.camera.fly({ target, direction, distance: 6 * size });
   }
 
-  /** Where a point in the scene's units is in the picture, in its pixels; null if behind the eye. */
+  /** The pixel of a point given in the scene's units; null if the point is behind the eye. */
   place_of(at: readonly number[]): { x: number; y: number } | null {
     const point = new Vector3().fromArray(at).multiplyScalar(this.surface.scale);
     point.project(this.camera.lens);
@@ -112,7 +112,7 @@ export class View {
     return { x: ((point.x + 1) / 2) * width, y: ((1 - point.y) / 2) * height };
   }
 
-  /** What is at a point of the picture, in its pixels. */
+  /** The point of the surface at pixel (x, y) of the picture, or null. */
   probe(x: number, y: number): Probe | null {
     const { clientWidth: width, clientHeight: height } = this.canvas;
     const states = this.visible_states();
@@ -127,7 +127,7 @@ export class View {
     return { state, hit, at: at.divideScalar(this.surface.scale) };
   }
 
-  /** The value of the field shown at a probe, or null where it has none. */
+  /** The value of the current field at a probe, or null if there is none. */
   value_at({ state, hit }: Probe): number | null {
     const field = this.current_field();
     if (!field) return null;
@@ -141,7 +141,7 @@ export class View {
     return value !== undefined && Number.isFinite(value) ? value : null;
   }
 
-  /** Turns about the point under the pointer from now on. */
+  /** Makes the point of the surface at pixel (x, y) the centre of rotation. */
   centre_on(x: number, y: number) {
     const target = this.probe(x, y)?.at.multiplyScalar(this.surface.scale);
     if (!target) return;

@@ -10,7 +10,7 @@ import { count_text, file_name, number_text, printable, unit_text } from "./text
 import { switches_of, toolbar } from "./toolbar";
 import { View, type Probe } from "./view";
 
-/** The picture with everything that belongs to it: its controls, its legend, its keys. */
+/** The picture of the mesh with its controls, legend and keys. */
 export class Viewer {
   readonly element: HTMLElement;
   readonly view: View;
@@ -69,29 +69,29 @@ export class Viewer {
     const fields = this.scene.fields?.length ?? 0;
     const next_field = () => store.set({ field: ((store.now.field + 2) % (fields + 1)) - 1 });
     return [
-      ...(two ? [key("x", "swap before and after", () => this.swap())] : []),
+      ...(two ? [key("x", "swap the meshes before and after", () => this.swap())] : []),
       ...(two
-        ? [key("s", "both, side by side", () => store.set({ split: !store.now.split }))]
+        ? [key("s", "show both meshes side by side", () => store.set({ split: !store.now.split }))]
         : []),
-      ...(fields > 0 ? [key("c", "colour by the next field, or plain", next_field)] : []),
+      ...(fields > 0 ? [key("c", "colour by the next field or by no field", next_field)] : []),
       ...switches_of(this.scene).map(({ key: letter, meaning, name }) =>
         key(letter, meaning, () => store.set({ [name]: !store.now[name] })),
       ),
-      key("r", "see the whole mesh again", () => this.reset()),
+      key("r", "show the whole mesh again", () => this.reset()),
       key("1", "look along x", () => view.camera.look_along(new Vector3(1, 0, 0))),
       key("2", "look along y", () => view.camera.look_along(new Vector3(0, 1, 0))),
       key("3", "look along z", () => view.camera.look_along(new Vector3(0, 0, 1))),
-      { keys: ["+", "="], shown: "+", meaning: "nearer", run: () => view.camera.zoom(0.85) },
+      { keys: ["+", "="], shown: "+", meaning: "zoom in", run: () => view.camera.zoom(0.85) },
       {
         keys: ["-", "_"],
         shown: "\u2212",
-        meaning: "further",
+        meaning: "zoom out",
         run: () => view.camera.zoom(1 / 0.85),
       },
       {
         keys: ["ArrowLeft", "ArrowRight", "ArrowUp", "ArrowDown"],
         shown: "\u2190 \u2192 \u2191 \u2193",
-        meaning: "turn; with Shift, move",
+        meaning: "turn the mesh; with Shift, move the mesh",
         where: "view",
         run: (event) => this.arrow(event),
       },
@@ -125,7 +125,7 @@ export class Viewer {
         "aria-label",
         `${name}, ${states.join(" and ")}, ` +
           (field ? `coloured by ${printable(field.title)}` : "plain") +
-          "; arrow keys turn it",
+          "; arrow keys turn the mesh",
       );
     });
   }
@@ -153,15 +153,15 @@ export class Viewer {
         element(
           "p",
           { class: "note" },
-          `For viewing, ${count_text(shown.triangles)} of ${count_text(shown.of)} triangles are ` +
-            "shown. All figures are those of the whole mesh.",
+          `The mesh was decimated for viewing: ${count_text(shown.triangles)} of ` +
+            `${count_text(shown.of)} triangles are shown. All figures refer to the full mesh.`,
         ),
       );
     }
     return element("div", { class: "captions" }, ...parts);
   }
 
-  /** Reads the value under the pointer, at most once a frame. */
+  /** Shows the value under the pointer, updated at most once per frame. */
   private follow_pointer() {
     const { canvas } = this.view;
     let due = 0;

@@ -6,7 +6,7 @@ import { viteSingleFile } from "vite-plugin-singlefile";
 
 const bundled = ["three", "uplot", "d3-scale-chromatic", "d3-interpolate", "d3-color"];
 
-/** The folder of a package, wherever npm has put it. */
+/** The folder in which npm has installed a package. */
 function folder_of(name: string): string {
   const paths = createRequire(import.meta.url).resolve.paths(name) ?? [];
   const found = paths
@@ -29,7 +29,7 @@ function licence_of(name: string): string {
   return `${name} ${version}\n\n${text.replaceAll("--", "- -")}`;
 }
 
-/** Their licences ask for being kept with every copy, and a minifier drops comments. */
+/** Adds the licences of the libraries to the page, as they require; the minifier drops comments. */
 function keep_licences(): Plugin {
   return {
     name: "keep-licences",

@@ -64,7 +64,7 @@ test("steps are drawn as curves, with values under the pointer, and as a table",
     /Step\s*8\s*Norm of the gradient\s*\d/,
     "together",
   );
-  await page.getByText("The same as a table").click();
+  await page.getByText("Steps as a table").click();
   const steps = section(page, "Steps").getByRole("table", { name: "Steps" });
   assert.equal((await column(steps, 1)).length, 17);
   await close();
