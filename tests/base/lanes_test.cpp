@@ -1,4 +1,5 @@
-// Vectors come from memory, and go there, wherever single numbers may stand.
+// Vectors of lanes can be loaded from, and stored to, every address at which a single number can
+// stand.
 #include "ibmfair/base/lanes.h"
 
 #include <array>
@@ -9,7 +10,7 @@
 namespace ibmfair::test {
 namespace {
 
-// One more than four numbers: rows start at every alignment that a number can have.
+// One more than four numbers: the rows start at every alignment that a number can have.
 constexpr int stride = 5;
 
 struct CopyRows {
@@ -21,7 +22,7 @@ struct CopyRows {
 };
 
 TEST(Lanes, RowsComeFromAnyAddressAndGoToAny) {
-  std::array<double, stride * lane_count + 2> numbers;  // two are read behind the last row
+  std::array<double, stride * lane_count + 2> numbers;  // two numbers are read behind the last row
   std::iota(numbers.begin(), numbers.end(), 1.0);
   std::array<double, stride * lane_count> stored{};
   run_kernel<CopyRows>(numbers.data(), stored.data());

@@ -1,3 +1,4 @@
+// Lists of rows are the same for any number of threads.
 #include "ibmfair/base/rows.h"
 
 #include <algorithm>
@@ -11,7 +12,8 @@
 namespace ibmfair::test {
 namespace {
 
-/// Enough of them to be sorted on several threads; one in ten is of no row.
+/// Values to be sorted into rows. There are enough values for several threads; one value in ten is
+/// -1 and belongs to no row.
 std::vector<Index> some_values(Index rows) {
   std::mt19937 random(7);
   std::uniform_int_distribution<Index> any(0, rows - 1), tenth(0, 9);

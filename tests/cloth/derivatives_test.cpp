@@ -1,4 +1,4 @@
-// Gradients and Hessians of the sheet's energies, against central differences.
+// Gradients and Hessians of the sheet's energies agree with central differences.
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -11,7 +11,7 @@ namespace {
 
 using test::random_directions;
 
-/// A term, a sheet of one of the kinds of meshes, and whether the term is damped.
+/// A term of the energy, a sheet with one kind of mesh, and whether the term is damped.
 struct DerivativeCase {
   test::TermRow term;
   SheetMesh mesh;
@@ -61,7 +61,7 @@ class EnergyDerivatives : public testing::TestWithParam<DerivativeCase> {
   Points X_;
 };
 
-constexpr double difference_step = 2e-5;  // metres; edges are a tenth
+constexpr double difference_step = 2e-5;  // metres; edges are a tenth of a metre
 
 TEST_P(EnergyDerivatives, GradientIsThatOfTheEnergyToSecondOrder) {
   const double error = gradient_error(difference_step);

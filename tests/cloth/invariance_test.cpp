@@ -1,4 +1,4 @@
-// How the sheet's energies behave under rigid motions, and near the flat state.
+// The behaviour of the sheet's energies under rigid motions and near the flat state.
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -84,7 +84,7 @@ class BendingModelsAgree : public testing::TestWithParam<SheetMesh> {
       : plate_(test::small_plate(GetParam())),
         H_(element_rows(plate_.topology), static_cast<Index>(plate_.rest.rows())) {}
 
-  /// Energies and gradients of the two models where the sheet is bent by this amplitude.
+  /// Energies and gradients of the two bending models when the sheet is bent by this amplitude.
   struct Two {
     double energy[2];
     Points gradient[2];
@@ -106,7 +106,7 @@ class BendingModelsAgree : public testing::TestWithParam<SheetMesh> {
   BlockHessian H_;
 };
 
-// [W07] Theorem 2: the energies differ by a part of themselves that is of second order.
+// [W07] Theorem 2: the relative difference of the two energies is of second order in the amplitude.
 TEST_P(BendingModelsAgree, InTheEnergyUpToSecondOrder) {
   const auto relative_difference = [&](double amplitude) {
     const Two two = bent(amplitude);
@@ -141,7 +141,7 @@ TEST_P(BendingModelsAgree, InTheHessianAtRest) {
 }
 
 TEST_P(BendingModelsAgree, WithTheLibrarysEnergyUnderIsometry) {
-  Points rolled = plate_.rest;  // onto a cylinder of radius 1/2, nearly an isometry of the mesh
+  Points rolled = plate_.rest;  // rolled onto a cylinder of radius 1/2, nearly an isometry
   rolled.col(0) = (2 * plate_.rest.col(0).array()).sin() / 2;
   rolled.col(2) = (1 - (2 * plate_.rest.col(0).array()).cos()) / 2;
   const auto ibm = bending_force("ibm").bind(plate_, H_);

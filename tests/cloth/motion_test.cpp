@@ -1,4 +1,4 @@
-// What time integration keeps, loses and never does.
+// The conservation laws that time integration keeps, and the orders at which it breaks the others.
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -11,13 +11,13 @@
 namespace ibmfair::cloth {
 namespace {
 
-/// One row of each table.
+/// One row of the table of integrators and one row of the table of bending forces.
 struct MotionCase {
   IntegratorRow integrator;
   BendingForce bending;
 };
 
-/// With all integrators, or with that of a name.
+/// All cases, or only the cases with the integrator of this name.
 std::vector<MotionCase> motion_cases(std::string_view only = "") {
   std::vector<MotionCase> cases;
   for (const IntegratorRow& integrator : integrators()) {
@@ -35,7 +35,7 @@ std::string motion_name(const testing::TestParamInfo<MotionCase>& info) {
   return fmt::format("{}_{}", info.param.integrator.name, info.param.bending.name);
 }
 
-/// A small sheet in empty space, bent and with velocities at random.
+/// A small sheet in empty space, bent and with random velocities.
 class FreeSheet : public testing::TestWithParam<MotionCase> {
  protected:
   FreeSheet() { surroundings_.gravity.setZero(); }
@@ -65,7 +65,7 @@ class FreeSheet : public testing::TestWithParam<MotionCase> {
     return sum;
   }
 
-  /// How far the angular momentum is off after `seconds` in steps of h, as a part of its value.
+  /// The relative error of the angular momentum after `seconds` in steps of h.
   double angular_drift(const Plate& plate, double h, double seconds) const {
     Motion motion = tumbling(plate);
     const Vec3 before = angular_momentum(plate, motion);
@@ -95,8 +95,8 @@ TEST_P(FreeSheet, KeepsItsMomentum) {
   EXPECT_LE((momentum(plate, motion) - before).norm(), 1e-9 * before.norm());
 }
 
-// x_k x f(x_k) sums to nothing, so symplectic Euler keeps the angular momentum to rounding; the
-// strains' rates leave rotations alone in the membrane and in the hinge, but not in IBM.
+// The sum of x_k x f(x_k) is zero, so symplectic Euler keeps the angular momentum to rounding. The
+// rates of strain are zero for rotations in the membrane and in the hinge, but not in IBM.
 TEST_P(FreeSheetInExplicitSteps, KeepsItsAngularMomentum) {
   const Plate elastic = test::small_plate(sheet_meshes()[1]);
   EXPECT_LE(angular_drift(elastic, 0, 0.02), 1e-12);
@@ -106,7 +106,8 @@ TEST_P(FreeSheetInExplicitSteps, KeepsItsAngularMomentum) {
   }
 }
 
-// Implicit Euler takes the moments at x_{k+1}: off by h v x f in each step, first order in all.
+// Implicit Euler takes the moments of the forces at x_{k+1}: the angular momentum is off by h v x f
+// in each step, and by a first-order error in all.
 TEST_P(FreeSheetInImplicitSteps, LosesAngularMomentumToFirstOrder) {
   const Plate plate = test::small_plate(sheet_meshes()[1], {.young = 10, .bending = 1e-4});
   const double coarse = angular_drift(plate, 0.002, 0.04), fine = angular_drift(plate, 0.001, 0.04);
@@ -114,7 +115,7 @@ TEST_P(FreeSheetInImplicitSteps, LosesAngularMomentumToFirstOrder) {
   EXPECT_NEAR(coarse / fine, 2, 0.4);
 }
 
-// Both methods are exact for constant forces up to their own sum of velocities.
+// Both methods are exact for constant forces, except that each sums the velocities in its own way.
 TEST_P(FreeSheet, FallsAsTheMethodSays) {
   surroundings_.gravity = {1, -9.81, 2};
   const Plate plate = test::small_plate(sheet_meshes()[0]);

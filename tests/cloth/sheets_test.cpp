@@ -1,4 +1,4 @@
-// The sheets' meshes, contact, and the tables.
+// The meshes of the sheets, contact with obstacles, and the tables of methods.
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -42,7 +42,8 @@ INSTANTIATE_TEST_SUITE_P(Sizes, SheetMeshes,
                                               std::get<1>(info.param));
                          });
 
-/// One vertex each, sliding or falling on a sphere of radius 1.
+/// Four single vertices that slide on a sphere of radius 1, stick to it, are outside it, or are
+/// held.
 TEST(PushOut, TakesTheVelocityInwardsAndFriction) {
   Sphere sphere;
   sphere.radius = 1;

@@ -1,4 +1,5 @@
-// Meshes of several blocks, whose triangles are shared out among threads.
+// The energy of meshes that consist of several blocks, whose triangles are shared out among
+// threads.
 #include <algorithm>
 #include <set>
 #include <span>
@@ -84,7 +85,7 @@ TEST(EnergyBlocks, ThreadsDoNotChangeAByte) {
   set_thread_count(before);
 }
 
-/// The baseline rounds products before it adds them.
+/// The results differ by rounding only: the baseline rounds products before it adds them.
 void expect_avx2_to_agree_with_the_baseline(const TriangleMesh& mesh, const BendingModel& model,
                                             bool mass) {
   const auto evaluate = [&](InstructionSet set) {
@@ -103,7 +104,7 @@ TEST(EnergyBlocks, Avx2AgreesWithTheBaselineToRounding) {
   for_every_energy(expect_avx2_to_agree_with_the_baseline);
 }
 
-// In which the kernels meet a vertex several times at once.
+// In small meshes the kernels meet a vertex several times at once.
 TEST(EnergyBlocks, Avx2AgreesWithTheBaselineInSmallMeshes) {
   SKIP_WITHOUT_KERNEL_SET(InstructionSet::avx2);
   for (const BendingModel& model : bending_models()) {
@@ -132,7 +133,7 @@ TEST(EnergyBlocks, TheNumberingOfTheInputDoesNotMatter) {
   });
 }
 
-/// Those that are not the filler's.
+/// The number of triangles that are not the filler's.
 std::int64_t count_real(const CornerTriples& triangles) {
   return std::count_if(triangles.begin(), triangles.end(),
                        [](const auto& x) { return x[1] >= filler_vertices; });

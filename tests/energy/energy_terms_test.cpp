@@ -1,5 +1,5 @@
-// The terms that a bending energy may have on top of the plain one: bounded hinges and spontaneous
-// curvature.
+// The terms that a bending energy may have in addition to the plain energy: bounded hinges and
+// spontaneous curvature.
 #include <cmath>
 #include <numbers>
 
@@ -112,8 +112,8 @@ TEST(SpontaneousCurvature, OfZeroIsThePlainEnergy) {
   }
 }
 
-/// The energy of a unit sphere with that spontaneous curvature, and the speed at which the flow
-/// would take it elsewhere.
+/// The energy of a unit sphere with this spontaneous curvature, and the gradient of the energy
+/// along the outward normal, per area.
 std::pair<double, double> unit_sphere(int subdivide, double H0) {
   const State state(make_shape("icosphere", {.subdivide = subdivide}));
   Points G;
@@ -129,8 +129,8 @@ std::pair<double, double> unit_sphere(int subdivide, double H0) {
 }
 
 TEST(SpontaneousCurvature, OfASphereIsTwoOverItsRadius) {
-  // 1/2 (2 - H0)^2 4 pi, and its derivative by the radius at 1: with E(r) = 2 pi (2 - H0 r)^2,
-  // -4 pi H0 (2 - H0).
+  // The energy is 1/2 (2 - H0)^2 4 pi. Its derivative by the radius at 1 is -4 pi H0 (2 - H0),
+  // because E(r) = 2 pi (2 - H0 r)^2.
   for (const double H0 : {2.0, 1.0, -1.0, 3.0}) {
     double last = 0;
     for (const int subdivide : {3, 4, 5}) {

@@ -1,3 +1,5 @@
+// The laws of every bending energy of the family: exact gradients, invariance, and the properties
+// that [W07] proves.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -24,8 +26,8 @@ INSTANTIATE_TEST_SUITE_P(Family, BendingEnergies, testing::ValuesIn(family()),
                          [](const auto& tested) { return identifier(tested.param); });
 
 /// Whether no edge of the intrinsic Delaunay triangulation flips between the two states, and no
-/// angle of the mesh passes a right one, where mixed Voronoi areas change their formula: energies
-/// that have these have kinks there.
+/// angle of the mesh passes a right angle, where mixed Voronoi areas change their formula. Energies
+/// that use this triangulation or these areas have kinks at such changes.
 bool within_one_piece(const Topology& topology, const Points& X, const Points& Y) {
   IntrinsicDelaunay here(topology), there(topology);
   here.triangulate(X);
@@ -103,7 +105,7 @@ TEST_P(BendingEnergies, IsInvariantUnderRigidMotionReflectionAndScaling) {
   }
 }
 
-// A sheet of which every row is turned about the edge that it shares with the one before.
+// A sheet in which every row is turned about the edge that it shares with the row before.
 Points folded(const Points& sheet, Index rows, unsigned seed) {
   const Points turns = random_directions(rows, seed);
   Points X = sheet;
@@ -121,7 +123,7 @@ Points folded(const Points& sheet, Index rows, unsigned seed) {
   return X;
 }
 
-// [W07] Theorem 1, (E3): one matrix for all isometric embeddings of the mesh.
+// [W07] Theorem 1, (E3): one matrix gives the energy of all isometric embeddings of the mesh.
 TEST_P(BendingEnergies, IsQuadraticUnderIsometricDeformations) {
   if (!GetParam().has_own_hessian()) {
     GTEST_SKIP() << "its matrix is dense, or another one than the Jacobian's";
@@ -129,7 +131,7 @@ TEST_P(BendingEnergies, IsQuadraticUnderIsometricDeformations) {
   constexpr Index rows = 9;
   Mesh sheet = flat_sheet(6, rows - 1);
   for (double& x : sheet.X.col(0)) {
-    x += 0.1 * x * x;  // no two columns alike
+    x += 0.1 * x * x;  // no two columns are alike
   }
   const State flat(sheet);
   const auto energy = GetParam().bind(flat.topology);
@@ -252,7 +254,7 @@ TEST(CrouzeixRaviart, AgreesWithDiscreteShellsToSecondOrder) {  // [W07] Theorem
     const double shells = discrete_shells_energy(X, sheet.topology);
     return std::abs(bending_energy(X, sheet.topology, "crouzeix-raviart") - shells) / shells;
   };
-  // Both are of second order in the height; what they differ by is of fourth.
+  // Both energies are of second order in the height; their difference is of fourth order.
   EXPECT_LT(difference(1e-2), 0.1);
   EXPECT_NEAR(difference(1e-2) / difference(5e-3), 4, 0.2);
   EXPECT_NEAR(difference(5e-3) / difference(2.5e-3), 4, 0.1);

@@ -1,3 +1,5 @@
+// The Hessian of the energy agrees with the energy, is positive semi-definite, and annihilates
+// constants.
 #include "ibmfair/energy/hessian.h"
 
 #include <Eigen/Eigenvalues>

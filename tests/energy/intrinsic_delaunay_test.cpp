@@ -1,3 +1,4 @@
+// The intrinsic Delaunay triangulation has no negative weights, and keeps the metric of the mesh.
 #include "ibmfair/energy/intrinsic_delaunay.h"
 
 #include <algorithm>
@@ -16,8 +17,8 @@ namespace {
 
 const Member delaunay{"intrinsic-delaunay", "voronoi"};
 
-/// The largest entry of L off its diagonal, apart from those of boundary edges: no weight of an
-/// inner edge is negative where it is not positive.
+/// The largest off-diagonal entry of L, apart from the entries of boundary edges. If it is not
+/// positive, no inner edge has a negative weight.
 double largest_inner_entry(const Topology& topology, const LaplacianMatrices& matrices) {
   double largest = -1;
   const SymmetricMatrix& L = matrices.L;
@@ -31,7 +32,7 @@ double largest_inner_entry(const Topology& topology, const LaplacianMatrices& ma
   return largest;
 }
 
-/// A mesh with many obtuse triangles: stretched.
+/// The mesh stretched, so that many of its triangles are obtuse.
 Points stretched(const State& state) {
   Points X = shaken(state, 0.2);
   X.col(0) *= 4;
@@ -45,7 +46,7 @@ TEST(IntrinsicDelaunay, HasNoNegativeWeights) {
     EXPECT_LE(largest_inner_entry(state.topology, delaunay.matrices(X, state.topology)), 1e-10)
         << name;
   }
-  const State ball(closed_meshes()[3].mesh);  // which its own triangles have
+  const State ball(closed_meshes()[3].mesh);  // its own triangles have negative weights
   EXPECT_GT(largest_inner_entry(ball.topology, Member{"lagrange", "voronoi"}.matrices(
                                                    stretched(ball), ball.topology)),
             0.1);
@@ -70,7 +71,8 @@ TEST(IntrinsicDelaunay, LeavesADelaunayMeshAsItIs) {
   }
 }
 
-// In a plane it is the Delaunay triangulation, which does not depend on where the flips began.
+// In a plane, the intrinsic Delaunay triangulation is the Delaunay triangulation, which does not
+// depend on the triangulation where the flips began.
 TEST(IntrinsicDelaunay, OfAPlaneDoesNotDependOnTheTriangulation) {
   const Mesh sheet = flat_sheet(9, 7);
   Points X = shaken(State(sheet), 0.25);
@@ -90,7 +92,8 @@ TEST(IntrinsicDelaunay, OfAPlaneDoesNotDependOnTheTriangulation) {
   EXPECT_LE((multiply(a.L, U) - multiply(b.L, U)).norm(), 1e-11 * multiply(a.L, U).norm());
 }
 
-// Rippa: of all triangulations, Delaunay's has the least Dirichlet energy.
+// Rippa's theorem: of all triangulations, the Delaunay triangulation has the least Dirichlet
+// energy.
 TEST(IntrinsicDelaunay, HasNoMoreDirichletEnergyThanTheMesh) {
   for (const auto& [name, mesh] : good_meshes()) {
     const State state(mesh);
@@ -112,7 +115,7 @@ TEST(IntrinsicDelaunay, KeepsTheAreaAndTheMetric) {
     double area = 0, own_area = 0;
     for (const auto& shape : triangulation.shapes()) {
       area += shape.area;
-      // Heron: what is stored of a triangle agrees with itself.
+      // Heron's formula: the stored quantities of a triangle agree with each other.
       EXPECT_NEAR(shape.squared[0], 2 * shape.area * (shape.cot[1] + shape.cot[2]),
                   1e-9 * (shape.squared[0] + shape.squared[1] + shape.squared[2]))
           << name;
@@ -125,7 +128,7 @@ TEST(IntrinsicDelaunay, KeepsTheAreaAndTheMetric) {
   }
 }
 
-// The derivatives by the lengths of flipped edges, brought back to the mesh's own edges.
+// Derivatives by the lengths of flipped edges are brought back to the edges of the mesh.
 TEST(IntrinsicDelaunay, PullsDerivativesBackOverItsFlips) {
   for (const auto& [name, mesh] : good_meshes()) {
     const State state(mesh);

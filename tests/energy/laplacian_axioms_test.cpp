@@ -1,5 +1,5 @@
-// The axioms of discrete Laplacians and mass matrices, [W07] sections 2.1 and 2.2, and that the
-// energies are made of them.
+// The axioms of discrete Laplacians and mass matrices hold, [W07] sections 2.1 and 2.2, and the
+// energies are made of these matrices.
 #include <cmath>
 #include <numbers>
 
@@ -16,7 +16,7 @@
 namespace ibmfair::test {
 namespace {
 
-/// Where the nodes are: vertices, or midpoints of edges ([W07] (5)).
+/// The positions of the nodes: vertices, or midpoints of edges ([W07] (5)).
 Points positions(const LaplacianMatrices& matrices, const Points& X, const Topology& topology) {
   Points nodes(static_cast<Index>(matrices.nodes.size()), 3);
   for (Index i = 0; i < nodes.rows(); ++i) {
@@ -43,7 +43,7 @@ bool is_inner_vertex(const Topology& topology, Index v) {
   return complete;
 }
 
-/// Places of the inner nodes among all.
+/// The indices of the inner nodes among all nodes.
 std::vector<Index> inner_nodes(const LaplacianMatrices& matrices, const Topology& topology) {
   std::vector<Index> inner;
   for (Index i = 0; i < static_cast<Index>(matrices.nodes.size()); ++i) {
@@ -57,7 +57,7 @@ std::vector<Index> inner_nodes(const LaplacianMatrices& matrices, const Topology
 
 class FamilyMembers : public testing::TestWithParam<Member> {
  protected:
-  /// Calls check for small meshes with triangles of many shapes.
+  /// Calls `check` for small meshes with triangles of many shapes.
   template <class Check>
   void for_meshes(const std::vector<NamedMesh>& meshes, const Check& check) const {
     for (const auto& [name, mesh] : meshes) {
@@ -119,7 +119,7 @@ TEST_P(FamilyMembers, L4ZeroOnLinearFunctionsOverAPlane) {
   }
 }
 
-// [W07] calls L intrinsic where another isometric embedding does not change it.
+// [W07] calls L intrinsic if L is the same for every isometric embedding of the mesh.
 TEST_P(FamilyMembers, AreUnchangedByMotionsAndReflections) {
   for_meshes(good_meshes(),
              [](const Topology& topology, const Points& X, const LaplacianMatrices& matrices) {
@@ -188,7 +188,7 @@ TEST_P(FamilyMembers, MakeTheEnergy) {
 
 TEST(Valence, CountsTheTrianglesAroundAVertex) {
   const Member umbrella{"umbrella", "valence"};
-  const State torus(make_shape("torus", {.rows = 8}));  // six around each
+  const State torus(make_shape("torus", {.rows = 8}));  // six triangles around each vertex
   EXPECT_EQ(umbrella.energy(torus.X, torus.topology),
             (Member{"umbrella", "none"}.energy(torus.X, torus.topology)));
   const State icosahedron(make_shape("icosahedron"));

@@ -1,4 +1,4 @@
-// Covers of a mesh's triangles with fans, as the kernels take them.
+// Covers of a mesh's triangles with fans, in the form that the energy kernels take.
 #include "ibmfair/energy/triangle_fans.h"
 
 #include <algorithm>
@@ -26,7 +26,7 @@ struct Fans {
   std::vector<FanGroup> groups;
 };
 
-/// Of F, with its vertices behind those of the filler.
+/// The triangles of F, with their vertices numbered after the vertices of the filler.
 CornerTriples triples(const Triangles& F) {
   CornerTriples result;
   for (const auto& x : F.rowwise()) {
@@ -44,13 +44,13 @@ Fans cover(const CornerTriples& triangles, Index vertex_count) {
   return fans;
 }
 
-/// Begins with the smallest corner.
+/// The triangle turned so that it begins with its smallest corner.
 std::array<Index, 3> turned(std::array<Index, 3> x) {
   std::rotate(x.begin(), std::min_element(x.begin(), x.end()), x.end());
   return x;
 }
 
-/// Sorted; those of the filler apart.
+/// The triangles that the fans list, sorted; the triangles of the filler are listed apart.
 struct Listed {
   CornerTriples triangles, fillers;
 };
@@ -110,8 +110,8 @@ TEST(TriangleFans, OfNothingAreNone) {
   EXPECT_TRUE(cover({}, 0).groups.empty());
 }
 
-/// For each triangle those behind its edges, as long as there is one that runs the other way; with
-/// every third edge left out.
+/// For each triangle, the triangles behind its edges that run along the edge in the other
+/// direction. Every third edge is left out.
 CornerTriples some_beside(const CornerTriples& triangles) {
   std::map<std::pair<Index, Index>, Index> runs_along;
   for (std::size_t t = 0; t < triangles.size(); ++t) {
@@ -169,7 +169,7 @@ TEST(TriangleFans, GoOnOnlyToTheTriangleThatIsNamed) {
   }
 }
 
-// A cover keeps nothing of the triangles before.
+// A cover keeps nothing of the triangles of earlier calls.
 TEST(TriangleFans, AppendToWhatIsThere) {
   const TriangleMesh mesh = make_icosphere({2, {}});
   const CornerTriples all = triples(mesh.F), half(all.begin(), all.begin() + all.size() / 2),
@@ -188,8 +188,8 @@ TEST(TriangleFans, AppendToWhatIsThere) {
   EXPECT_EQ(listed(together).triangles, both);
 }
 
-// Where six triangles meet at nearly all vertices: whole stars, 8 places for 6 triangles, leave few
-// gaps. One by one they would take 3 places each.
+// In these meshes six triangles meet at nearly all vertices. Fans that are whole stars, 8 places
+// for 6 triangles, leave few gaps. Separate triangles would take 3 places each.
 TEST(TriangleFans, AreLong) {
   GridSize size;
   size.rows = 40;

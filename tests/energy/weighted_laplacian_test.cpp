@@ -1,3 +1,4 @@
+// The Laplacian of weighted triangulations, [W07] (6).
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -32,7 +33,7 @@ TEST(WeightedLaplacian, WithEqualWeightsIsTheCotangentOne) {
   }
 }
 
-/// The point of the plane that has the same power |c - x|^2 - w to three others.
+/// The point of the plane that has the same power |c - x|^2 - w with respect to three other points.
 Eigen::Vector2d power_centre(const std::array<Eigen::Vector2d, 3>& x, const ByCorner<double>& w) {
   Eigen::Matrix2d A;
   Eigen::Vector2d b;
@@ -43,7 +44,8 @@ Eigen::Vector2d power_centre(const std::array<Eigen::Vector2d, 3>& x, const ByCo
   return A.inverse() * b;
 }
 
-// [W07] (6): the share of a triangle is the signed height of its centre over the edge, over length.
+// [W07] (6): the share of a triangle in the weight of an edge is the signed height of the
+// triangle's power centre over the edge, divided by the edge's length.
 TEST(WeightedLaplacian, MeasuresTheHeightOfThePowerCentre) {
   const Points random = random_directions(200, 4);
   for (Index n = 0; n < 50; ++n) {

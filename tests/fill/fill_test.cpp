@@ -1,3 +1,4 @@
+// Finding holes, filling them, and fairing regions of a mesh.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -24,7 +25,7 @@
 namespace ibmfair::test {
 namespace {
 
-/// The mesh with its filling behind it.
+/// The mesh with its filling appended.
 Mesh closed_up(const State& state, const Filling& filling) {
   FilledMesh filled = filled_mesh(state.topology, filling);
   return mesh_from_triangles(std::move(filled.X), filled.F);
@@ -128,8 +129,8 @@ TEST(Fill, SameBytesForAnyNumberOfThreadsAndEveryTime) {
   }
 }
 
-/// Takes memory of many sizes and gives half of it back, so that what comes next lies here or
-/// there.
+/// Allocates memory of many sizes and frees half of it again, so that later allocations lie at
+/// scattered addresses.
 std::vector<std::vector<char>> scattered_heap(unsigned seed) {
   std::mt19937 random(seed);
   std::vector<std::vector<char>> blocks;
@@ -141,7 +142,8 @@ std::vector<std::vector<char>> scattered_heap(unsigned seed) {
   return blocks;
 }
 
-/// On a surface as regular as this, some triangulations of a hole are equally good to the last bit.
+/// On a surface as regular as this torus, some triangulations of a hole are equally good to the
+/// last bit.
 TEST(Fill, SameTrianglesWhereverMemoryLies) {
   const State torus(make_shape("torus", {.ratio = 2.5, .rows = 48, .columns = 120}));
   std::vector<Index> middles;
@@ -196,8 +198,8 @@ TEST(Fill, AFlatHoleStaysFlat) {
       1e-12);
 }
 
-/// Spheres are stationary: the patch must be the cap that was cut out. Largest radial error in
-/// units of the cap's height, with 2562 vertices of the whole sphere.
+/// Spheres are stationary: the patch must be the cap that was cut out. The test bounds the largest
+/// radial error in units of the cap's height, with 2562 vertices on the whole sphere.
 TEST(Fill, SphericalCapsComeBack) {
   for (const double degrees : {20.0, 45.0, 90.0}) {
     SCOPED_TRACE(degrees);
@@ -218,7 +220,7 @@ TEST(Fill, EveryLaplacianBringsTheCapToTheEnd) {
     options.fairing.laplacian = model.name;
     const Filling filling = fill_all(state, options);
     EXPECT_EQ(filling.holes[0].status, HoleStatus::filled) << model.name;
-    // The flow's own times are those of an energy whose masses measure area.
+    // Times in units of the flow belong to an energy whose mass matrix measures area.
     const FlowOptions flow = options.fairing.flow_options();
     EXPECT_TRUE(mass_matrix(model, flow.energy_options()).measures_area()) << model.name;
   }
@@ -384,7 +386,7 @@ TEST(Intersections, CrossingsAreFoundAndNeighboursAreNot) {
   X << 0, 0, 0, 2, 0, 0, 0, 2, 0, 0.3, 0.3, -1, 0.3, 0.3, 1, 3, 3, 0;
   const Triangles crossing{{0, 1, 2}, {3, 4, 5}};
   EXPECT_EQ(patch_intersections(X, crossing, 1).size(), 1u);
-  EXPECT_EQ(patch_intersections(X, crossing, 2).size(), 0u);  // neither is of a patch
+  EXPECT_EQ(patch_intersections(X, crossing, 2).size(), 0u);  // neither triangle is in a patch
   const Triangles apart{{0, 1, 2}, {1, 2, 5}};
   EXPECT_EQ(patch_intersections(X, apart, 1).size(), 0u);
   const Triangles through_a_shared_corner{{0, 1, 2}, {0, 4, 5}};

@@ -1,4 +1,4 @@
-// Bending along material directions, [W07] (14).
+// The bending energy with weights along material directions, [W07] (14).
 #include <cmath>
 #include <numbers>
 
@@ -60,7 +60,7 @@ TEST(Anisotropy, DoesNotDependOnPositionOrientationAndScale) {
     const State state(mesh);
     const Points X = shaken(state, 0.05);
     const double E = directed(state, state.X, Vec3::UnitX(), 4)->energy(X);
-    // The directions stay with the material when it is carried elsewhere.
+    // The directions stay with the material when the sheet is rotated, scaled and moved.
     const Eigen::Matrix3d R = Eigen::AngleAxisd(0.7, Vec3(1, -2, 0.5).normalized()).matrix();
     const Points carried = (3 * X * R.transpose()).rowwise() + Eigen::RowVector3d(1, 2, 3);
     EXPECT_NEAR(directed(state, state.X, Vec3::UnitX(), 4)->energy(carried), E, 1e-9 * E) << name;
@@ -72,8 +72,9 @@ TEST(Anisotropy, DoesNotDependOnPositionOrientationAndScale) {
   }
 }
 
-/// A unit square bent onto a cylinder of curvature 1 about the y axis, without stretching: its
-/// energy with directions of the flat square, over the energy without.
+/// A unit square is bent without stretching onto a cylinder of curvature 1 about the y axis.
+/// Returns its energy with material directions of the flat square, divided by its energy without
+/// directions.
 double bent_ratio(Index squares, const Vec3& direction, double factor) {
   const State flat(flat_sheet(squares, squares));
   Points X = flat.X;
@@ -122,7 +123,8 @@ TEST(Anisotropy, HessianIsThatOfTheEnergyOfASheet) {
 }
 
 TEST(Anisotropy, SmoothsRipplesAcrossTheDirectionLess) {
-  // A sheet with ripples in both directions: those along which the curvature counts more go first.
+  // A sheet with ripples in both directions: the ripples along the direction in which curvature
+  // counts more disappear first.
   State sheet(flat_sheet(40, 40));
   for (Index v = 0; v < sheet.X.rows(); ++v) {
     sheet.X(v, 2) = 0.005 * (std::cos(24 * sheet.X(v, 0)) + std::cos(24 * sheet.X(v, 1)));

@@ -1,5 +1,5 @@
-// Spots where a step of the whole mesh goes wrong are slowed: the rest of the mesh does not wait
-// for them.
+// If a step of the whole mesh goes wrong at some vertices, only these vertices are slowed down; the
+// rest of the mesh does not wait for them.
 #include "ibmfair/flow/culprits.h"
 
 #include <algorithm>
@@ -37,7 +37,7 @@ TEST_F(UphillVertices, AreFoundBesideThoseOfUnknownSlope) {
   for (const Index u : {3, 500, 1701}) {
     gradient_.row(u) = move_.row(u);
   }
-  gradient_.row(40) = 1e-3 * move_.row(40);  // next to nothing
+  gradient_.row(40) = 1e-3 * move_.row(40);  // a negligible slope
   gradient_(60, 1) = std::numeric_limits<double>::quiet_NaN();
   std::vector<Index> expected;
   for (const Index u : {3, 60, 500, 1701}) {
@@ -63,8 +63,8 @@ TEST_F(UphillVertices, AreNoLocalTroubleWhereThereAreMany) {
   EXPECT_EQ(found.vertices.size(), static_cast<std::size_t>(gradient_.rows() / 10));
 }
 
-/// Ten vertices, where they are free to move, beyond their first neighbours by half the edge
-/// between them.
+/// Moves about ten vertices, if they are free to move, past their first neighbours by half the
+/// length of the edge between them.
 Points with_tangles(const State& state) {
   Points X = state.X;
   const Rows rings = vertex_rings(state.topology);
@@ -95,7 +95,7 @@ TEST(TangledSpots, HoldUpNothingElse) {
   }
 }
 
-/// Nearly every step of these is held up somewhere.
+/// On these spheres, nearly every step is slowed down at some vertices.
 TEST(CrumpledSpheres, AreSpheresAgainAfterFewSteps) {
   for (const int subdivide : {2, 3}) {
     for (const double noise : {0.7, 1.0}) {

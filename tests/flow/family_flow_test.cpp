@@ -1,4 +1,4 @@
-// The flow with every member of the family.
+// The laws of the flow hold with every member of the family of energies.
 #include <gtest/gtest.h>
 
 #include "ibmfair/base/errors.h"

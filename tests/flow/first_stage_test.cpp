@@ -1,5 +1,6 @@
-// The stage that takes spikes of noise before hinges hold that are as sharp: when there is one, and
-// what it is for.
+// The first stage of a flow that keeps creases removes spikes of noise before the flow keeps hinges
+// that are as sharp as these spikes. The tests check when there is such a stage and what the stage
+// achieves.
 #include "ibmfair/flow/first_stage.h"
 
 #include <algorithm>

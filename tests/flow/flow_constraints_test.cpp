@@ -1,5 +1,5 @@
-// What a flow can be made to keep: volume, area, a distance from the start, and the pace of each
-// vertex.
+// The quantities that a flow can keep or bound: volume, area, the distance of each vertex from its
+// start, and the pace of each vertex.
 #include <cmath>
 #include <numbers>
 
@@ -34,7 +34,7 @@ TEST_P(KeptQuantities, StayToRoundingWhileTheEnergyFalls) {
   for (const auto& [name, mesh] : closed_meshes()) {
     State state(mesh);
     if (state.X.rows() < 100) {
-      continue;  // too coarse to be changed at all
+      continue;  // the mesh is too coarse to be changed at all
     }
     state.X = shaken(state, 0.1);
     for (const char* laplacian : {"crouzeix-raviart", "lagrange"}) {
@@ -63,7 +63,7 @@ INSTANTIATE_TEST_SUITE_P(Closed, KeptQuantities,
                                          Keeping{true, true, false}));
 
 TEST(KeptQuantity, LetsNoiseThatFoldsTheMeshBeSmoothed) {
-  // Vertices withheld from folding must not be moved by what restores the volume.
+  // The correction that restores the volume must not move vertices that are held back from folding.
   State state(make_shape("torus", {.ratio = 2.5, .rows = 48, .columns = 120}));
   state.X = shaken(state, 0.9);
   for (const bool area : {false, true}) {
@@ -77,7 +77,8 @@ TEST(KeptQuantity, LetsNoiseThatFoldsTheMeshBeSmoothed) {
 }
 
 TEST(KeptQuantity, IsKeptFarFromTheOrigin) {
-  // As in the coordinates of a map, which are rounded to more than the volume is summed to.
+  // Coordinates of a map are an example: their rounding error is larger than the rounding error of
+  // the sum that gives the volume.
   State state(make_shape("icosphere", {.subdivide = 3}));
   state.X = shaken(state, 0.3);
   FlowOptions options;
@@ -139,8 +140,8 @@ double thickness(const Points& X, double from, double to) {
 }
 
 TEST(KeptQuantity, MakesABiconcaveDiscOfAFlatEllipsoid) {
-  // Reduced volume 6 sqrt(pi) V / A^1.5: between 0.59 and 0.65 the least energy is that of the red
-  // blood cell (Seifert, Berndl, Lipowsky 1991).
+  // The reduced volume is 6 sqrt(pi) V / A^1.5. If it is between 0.59 and 0.65, the shape of least
+  // energy is that of the red blood cell (Seifert, Berndl, Lipowsky 1991).
   const State state = flattened(3, 0.26);
   const double V = enclosed_volume(state.X, state.topology.F);
   const double A = surface_area(state.X, state.topology.F);
@@ -236,8 +237,8 @@ TEST(SpontaneousFlow, TakesASphereToTheRadiusItAsksFor) {
 }
 
 TEST(SpontaneousFlow, LeavesACylinderOfItsCurvatureAlone) {
-  // H = 1 / r on a cylinder of radius r: the energy is at its least, 0, and nothing pulls at the
-  // boundary, which is held.
+  // H = 1 / r on a cylinder of radius r: the energy has its minimum, 0, and no force acts on the
+  // boundary, which is fixed.
   for (const double radius : {0.5, 2.0}) {
     Mesh mesh = make_shape("cylinder", {.rows = 24, .columns = 64});
     mesh.X *= radius;

@@ -1,3 +1,6 @@
+// The laws of the whole flow: the guarded flow never raises the energy and folds nothing, held
+// vertices stay, and results follow scaling and rigid motions. Options that make no sense are
+// refused.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -17,7 +20,7 @@
 namespace ibmfair::test {
 namespace {
 
-/// Options for a cut-off in mean edge lengths.
+/// Options of a flow whose cut-off is given in mean edge lengths.
 FlowOptions options_for(const State& state, double cutoff, FlowOptions options = {}) {
   const double time = time_for_cutoff(cutoff * mean_edge_length(state.X, state.topology.E));
   options.total_time = time_in_flow_units(time, state.X, state.topology, options);
@@ -41,7 +44,8 @@ double radius_deviation(const Points& X) {
   return std::sqrt((r.array() - r.mean()).square().mean()) / r.mean();
 }
 
-/// The Laplacian, the cut-off in mean edge lengths, and where the meshes are.
+/// The parameters are the Laplacian, the cut-off in mean edge lengths, and the placement of the
+/// meshes.
 class GuardedFlow : public testing::TestWithParam<std::tuple<const char*, double, Placement>> {};
 
 TEST_P(GuardedFlow, EnergyNeverRisesAndNothingFoldsOnAnyMesh) {
@@ -111,7 +115,7 @@ TEST(Flow, HeldVerticesKeepTheirBits) {
 TEST(Flow, CleanInputTakesExactlyTheStepsAndOneFactorization) {
   for (const auto& [name, mesh] : closed_meshes()) {
     if (name.find("cube") != std::string::npos || name.find("hedron") != std::string::npos) {
-      continue;  // all corners: nothing about them is clean
+      continue;  // all vertices of these meshes are corners: no part is clean
     }
     const State state(mesh);
     Points X = state.X;
@@ -183,7 +187,7 @@ TEST(Flow, CommutesWithScalingAndRigidMotion) {
 }
 
 TEST(Flow, RippleOfTheCutoffWavelengthDecaysByE) {
-  // du/dt = -Laplacian^2 u on a flat sheet: what the cut-off is defined by.
+  // The law is du/dt = -Laplacian^2 u on a flat sheet, which defines the cut-off.
   const State state(flat_sheet(64, 64));
   const double wavelength = 0.25, height = 1e-4;
   Points X = state.X;
@@ -194,7 +198,8 @@ TEST(Flow, RippleOfTheCutoffWavelengthDecaysByE) {
   options.steps = 64;
   options.total_time = time_for_cutoff(wavelength);
   willmore_flow(X, state.topology, hold(state), options);
-  // In the middle, a wavelength and more from the boundary that is held.
+  // The height is measured in the middle of the sheet, a wavelength and more from the boundary,
+  // which is held.
   double largest = 0;
   for (Eigen::Index v = 0; v < X.rows(); ++v) {
     const bool inside = (X.row(v).head(2).array() - 0.5).abs().maxCoeff() < 0.13;
@@ -288,9 +293,9 @@ TEST(Flow, MaxMoveIsHeldFarFromTheOriginToo) {
   }
 }
 
-/// A sphere whose triangles shrink toward a pole, the more, the higher the power.
+/// A sphere whose triangles shrink toward a pole; the higher the power, the more they shrink.
 State drawn_to_pole(const State& sphere, double power) {
-  constexpr double radius = 0.6;  // of the part that is drawn together, radians
+  constexpr double radius = 0.6;  // of the part that shrinks, in radians
   State drawn = sphere;
   for (auto x : drawn.X.rowwise()) {
     const double angle = std::acos(std::clamp(x[2], -1.0, 1.0));
@@ -311,7 +316,7 @@ FlowReport flow_by(const State& state, const char* laplacian, double cutoff, con
   return willmore_flow(X, state.topology, hold(state), options_for(state, cutoff, options));
 }
 
-/// The same flow, with the solver left open and by conjugate gradients.
+/// Reports of the same flow with the solver chosen automatically and with conjugate gradients.
 struct OpenAndIterative {
   FlowReport open, iterative;
 };
@@ -327,8 +332,8 @@ OpenAndIterative expect_a_factor(const State& state, const char* laplacian, doub
   return runs;
 }
 
-/// Triangles that vary in size take conjugate gradients many more iterations than most of the mesh
-/// lets expect.
+/// If triangles vary in size, conjugate gradients need many more iterations than most of the mesh
+/// suggests. The flow then factors the matrix instead.
 TEST(Flow, FactorsWhereIterationsTurnOutToBeMany) {
   const State regular(shape("icosphere", 4)), drawn = drawn_to_pole(regular, 2);
   for (const char* laplacian : {"lagrange", "crouzeix-raviart"}) {
@@ -339,7 +344,8 @@ TEST(Flow, FactorsWhereIterationsTurnOutToBeMany) {
   }
 }
 
-/// So do needles, and these can be seen beforehand.
+/// If there are needles, conjugate gradients also need many more iterations. The flow detects
+/// needles beforehand and factors at once.
 TEST(Flow, FactorsAtOnceWhereThereAreNeedles) {
   const State regular(shape("icosphere", 4)), needles = drawn_to_pole(regular, 4);
   for (const char* laplacian : {"lagrange", "crouzeix-raviart"}) {
@@ -351,8 +357,8 @@ TEST(Flow, FactorsAtOnceWhereThereAreNeedles) {
   }
 }
 
-/// Triangles by themselves have no energy: they are no needles beside the rest, nor is the rest
-/// beside them.
+/// Isolated triangles have no energy. They do not count as needles compared with the rest of the
+/// mesh, nor does the rest of the mesh count as needles compared with them.
 TEST(Flow, IteratesAsBeforeBesideTrianglesApart) {
   const State sphere(shape("icosphere", 4));
   const Index shared = sphere.topology.vertex_count, apart = 2 * shared;

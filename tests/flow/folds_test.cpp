@@ -1,3 +1,4 @@
+// The checks for folds find every fold.
 #include "ibmfair/flow/folds.h"
 
 #include <algorithm>
@@ -16,8 +17,8 @@
 namespace ibmfair::test {
 namespace {
 
-// The energy is asked before the hinges are: it must never overlook a fold, and seldom raise a
-// false alarm, or asking is no use.
+// The flow asks the energy for possible folds before it checks the hinges. The energy must never
+// overlook a fold, and it must seldom raise a false alarm; otherwise the question is of no use.
 TEST(Folds, AreNeverRuledOutWhereThereAreAnyAndMostlyWhereThereAreNone) {
   for (const double angle : {fold_angle, fold_to_undo}) {
     int folded = 0, ruled_out = 0, in_doubt = 0;
@@ -44,7 +45,8 @@ TEST(Folds, AreNeverRuledOutWhereThereAreAnyAndMostlyWhereThereAreNone) {
   }
 }
 
-// Nor does it matter that the watch looks only where the energy saw something.
+// The watch for folds may look only at the places where the energy has seen large turns: it still
+// sees all folds.
 TEST(Folds, AreSeenWhereTheEnergyHasSeenTurns) {
   const State state(make_shape("icosphere", {.subdivide = 5}));
   const auto energy = bending_model("crouzeix-raviart").bind(state.topology, {});
@@ -56,7 +58,7 @@ TEST(Folds, AreSeenWhereTheEnergyHasSeenTurns) {
   for (const int moved : {0, 1, 3, 10}) {
     Points X = state.X;
     for (int i = 0; i < moved; ++i) {
-      auto x = X.row(any(random));  // slides over its neighbours
+      auto x = X.row(any(random));  // this vertex slides over its neighbours
       x += 2.5 * edge * x.cross(Vec3(0.36, 0.48, 0.8)).normalized();
     }
     energy->energy(X);

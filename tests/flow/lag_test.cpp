@@ -1,4 +1,5 @@
-// How far what a flow slows down lags behind.
+// The lag of an unknown is the flow time that it misses when a flow slows it down. The lag adds up
+// over the steps and is forgotten as time goes by.
 #include "ibmfair/flow/lag.h"
 
 #include <cmath>

@@ -1,4 +1,5 @@
-// A flow numbers scattered meshes anew; nobody must see it.
+// A flow renumbers meshes whose vertices are in a scattered order; the results must not show the
+// renumbering.
 #include "ibmfair/flow/local_mesh.h"
 
 #include <algorithm>
@@ -30,15 +31,16 @@ TriangleMesh noisy_torus(Index rows, Index columns) {
   return mesh;
 }
 
-/// Without some of its triangles, and with one of each kind of defect that leaves it orientable.
+/// The mesh without some of its triangles, and with one defect of each kind that leaves it
+/// orientable.
 TriangleMesh wounded(TriangleMesh mesh) {
   const Eigen::Index vertices = mesh.X.rows(), triangles = mesh.F.rows() - 40;
-  mesh.X.conservativeResize(vertices + 2, 3);  // two more, one in no triangle
+  mesh.X.conservativeResize(vertices + 2, 3);  // two more vertices, one of them in no triangle
   const Eigen::RowVector3i x = mesh.F.row(0);
   mesh.X.row(vertices) = 0.5 * (mesh.X.row(x[0]) + mesh.X.row(x[1]));
   mesh.X.row(vertices + 1) << 5, 5, 5;
   mesh.F.conservativeResize(triangles + 3, 3);
-  mesh.F.row(triangles) << x[0], static_cast<Index>(vertices), x[1];  // no area
+  mesh.F.row(triangles) << x[0], static_cast<Index>(vertices), x[1];  // a triangle of no area
   mesh.F.row(triangles + 1) = mesh.F.row(7);
   mesh.F.row(triangles + 2) << mesh.F(90, 0), mesh.F(90, 1), mesh.F(90, 0);
   return mesh;
@@ -46,7 +48,7 @@ TriangleMesh wounded(TriangleMesh mesh) {
 
 struct Shuffled {
   TriangleMesh mesh;
-  std::vector<Index> number;  // which each vertex got
+  std::vector<Index> number;  // the new number of each vertex
 };
 
 Shuffled shuffled(const TriangleMesh& mesh) {
@@ -58,7 +60,8 @@ State state_of(const TriangleMesh& mesh) {
   return State(mesh_from_triangles(mesh.X, mesh.F));
 }
 
-/// As many rows as a list of triples, each turned so that its smallest comes first, all sorted.
+/// The rows as a sorted list of triples. Each triple is rotated so that its smallest number comes
+/// first.
 std::vector<std::array<Index, 3>> sorted_triangles(const Triangles& F) {
   std::vector<std::array<Index, 3>> triangles;
   for (const auto row : F.rowwise()) {
@@ -136,7 +139,7 @@ TEST(LocalMesh, IsForLargeScatteredMeshes) {
   EXPECT_FALSE(is_scattered(state_of(shuffled(noisy_torus(80, 90)).mesh).topology)) << "small";
 }
 
-/// A grid whose last column is joined to the first one upside down.
+/// A grid whose last column is joined to its first column upside down.
 TEST(LocalMesh, IsNotForMeshesWithoutAnOrientation) {
   constexpr Index columns = 400, rows = 81;
   TriangleMesh strip{Points(columns * rows, 3), Triangles(2 * columns * (rows - 1), 3)};
@@ -160,7 +163,7 @@ TEST(LocalMesh, IsNotForMeshesWithoutAnOrientation) {
   EXPECT_FALSE(is_scattered(state.topology));
 }
 
-/// Whatever belongs to vertices and triangles goes with them.
+/// Values that belong to vertices and triangles are renumbered with them.
 TEST(LocalMesh, FlowsLikeTheMeshInOrder) {
   const TriangleMesh mesh = wounded(noisy_torus(160, 200));
   const Shuffled other = shuffled(mesh);
@@ -187,7 +190,7 @@ TEST(LocalMesh, FlowsLikeTheMeshInOrder) {
     };
     const Points one = flown(mesh), two = flown(other.mesh);
     const double largest = (two(other.number, Eigen::all) - one).rowwise().norm().maxCoeff();
-    EXPECT_LT(largest, 1e-7) << laplacian;  // sums in float32 have another order
+    EXPECT_LT(largest, 1e-7) << laplacian;  // sums in float32 are in another order
     EXPECT_GT((one - mesh.X).norm(), 1e-3) << "nothing moved";
   }
 }

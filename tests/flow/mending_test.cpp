@@ -1,4 +1,5 @@
-// What a flow of the whole mesh leaves behind is seen to at its end.
+// At its end, a flow of the whole mesh mends the regions that it had slowed down: these regions
+// catch up, and folds are undone.
 #include "ibmfair/flow/mending.h"
 
 #include <algorithm>
@@ -27,7 +28,7 @@ State sphere() {
   return State(make_shape("icosphere", {.subdivide = 4}));
 }
 
-/// A sphere with noise within two rings of a vertex, which lags behind.
+/// A sphere that is noisy only within two rings of one vertex. This spot lags behind the flow.
 class LaggingSpot : public testing::Test {
  protected:
   static constexpr Index middle = 1000;
@@ -66,7 +67,7 @@ TEST_F(LaggingSpot, CatchesUpAndMovesNothingElse) {
   EXPECT_LT(problem.energy_at(X_ + move), 1.001 * smooth);
 }
 
-/// Crumpled so much that nearly all steps slow something down.
+/// The spheres are crumpled so much that nearly all steps slow some vertices down.
 TEST(Mending, LeavesMuchLessEnergyAndNoMoreFolds) {
   std::int64_t caught_up = 0;
   double mended_energy = 0, left_energy = 0;
@@ -93,7 +94,7 @@ TEST(Mending, LeavesMuchLessEnergyAndNoMoreFolds) {
   EXPECT_LT(mended_energy, 0.6 * left_energy);
 }
 
-/// Long after its last culprit the flow has nothing to catch up with.
+/// Long after the last step that slowed vertices down, the flow has nothing to catch up with.
 TEST(Mending, HasNothingToDoAfterManySteps) {
   State state(make_shape("torus", {.ratio = 2.5, .rows = 20, .columns = 50}));
   add_noise(state.X, 0.5 * mean_edge_length(state.X, state.topology.E), 1);

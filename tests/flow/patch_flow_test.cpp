@@ -1,4 +1,4 @@
-// A patch of a mesh that flows by itself does what it would do in the mesh.
+// A patch of a mesh that flows by itself moves as it would move in a flow of the whole mesh.
 #include "ibmfair/flow/patch_flow.h"
 
 #include <algorithm>
@@ -85,7 +85,7 @@ TEST(PatchFlow, GoesWhereTheMeshWouldGoWithTheRestHeld) {
     FlowOptions options_alone = options;
     options_alone.mend = false;
     FlowProblem alone(state.X, state.topology, held, options_alone, MeshParts::one());
-    run_guarded(alone, {});  // patches come last: a first stage lies behind them
+    run_guarded(alone, {});  // patches come last, after any first stage
     EXPECT_GT(move.norm(), 0.01 * edge);
     EXPECT_LT((state.X + move - alone.X).rowwise().norm().maxCoeff(), 1e-6 * edge);
   }

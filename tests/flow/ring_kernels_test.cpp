@@ -1,4 +1,5 @@
-// What the kernels find around several vertices at a time is what there is around each.
+// The kernels process the rings of several vertices at a time. Their results agree with those of
+// each vertex by itself.
 #include "ibmfair/flow/ring_kernels.h"
 
 #include <algorithm>
@@ -20,7 +21,7 @@ namespace {
 
 constexpr double rounding = 1e-13;
 
-/// A state with some vertices held, and its rings.
+/// A state with some of its vertices held, and the rings of its vertices.
 struct Held {
   State state;
   Rows rings;
@@ -99,7 +100,7 @@ TEST(RingKernels, FindTheNormalsAndTheMeans) {
   });
 }
 
-/// As distortion.h defines it, edge by edge.
+/// The distortion as distortion.h defines it, computed edge by edge.
 double distortion(const Held& mesh, const Points& step, const PerVertex& edge_length) {
   const auto move = [&](Index v) -> Vec3 {
     const Index u = mesh.unknowns.unknown[v];
@@ -127,7 +128,7 @@ double distortion(const Held& mesh, const Points& step, const PerVertex& edge_le
 TEST(Distortion, IsTheLargerOfRoughnessAndStrain) {
   for_all_meshes([](const Held& mesh) {
     const PerVertex edge_length =
-        local_edge_length(mesh.state.X, mesh.rings).array() + 0.01;  // lone vertices have none
+        local_edge_length(mesh.state.X, mesh.rings).array() + 0.01;  // lone vertices have no edges
     const Points rough = random_directions(mesh.unknowns.size());
     const Points smooth = mesh.state.X(mesh.unknowns.vertex, Eigen::all);
     Distortion measure(mesh.groups, mesh.unknowns, MeshParts::one());

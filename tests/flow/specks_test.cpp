@@ -1,4 +1,5 @@
-// What noise leaves where creases are kept: what counts as that, and that it goes.
+// Specks are the remains of noise in a flow that keeps creases. The tests check which patches count
+// as specks, and that the flow removes them.
 #include "ibmfair/flow/specks.h"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
-// The sweep of tangential relaxation: within the surface, but off it where noise left spikes and
-// flaps, which the energy does not turn back.
+// A sweep of tangential relaxation moves vertices within the surface. It moves vertices off the
+// surface only if noise left spikes and foldovers, which the energy does not turn back.
 #include "ibmfair/flow/tangential_relaxation.h"
 
 #include <cmath>
@@ -50,11 +50,12 @@ TEST(TangentialRelaxation, StaysWithinSurfacesThatAreSmoothOrThin) {
   }
 }
 
-/// A cube whose vertices are anywhere on the faces, edges and corners that they are on.
+/// A cube whose vertices lie at uneven positions on the faces, edges and corners that they belong
+/// to.
 State uneven_cube() {
   State cube = made("cube");
   for (double& x : cube.X.reshaped()) {
-    x += 0.02 * (1 - x * x) * std::sin(100 * x);  // keeps -1 and 1
+    x += 0.02 * (1 - x * x) * std::sin(100 * x);  // keeps coordinates of -1 and 1
   }
   const Points even = cube.X;
   for (Index v = 0; v < cube.X.rows(); ++v) {

@@ -1,5 +1,5 @@
-// The time steps of the guarded flow: noise does not make them wrong, and costs a clean mesh
-// nothing.
+// The time steps of the guarded flow: noise does not make the steps wrong, and the precautions
+// against noise cost a clean mesh nothing.
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -13,7 +13,7 @@
 namespace ibmfair::test {
 namespace {
 
-/// How far two surfaces near a torus are apart along its normals, root mean square.
+/// The root mean square distance between two surfaces near a torus, along the torus's normals.
 double apart(const Points& X, const Points& Y) {
   const ExactTorus torus(Vec3::Zero(), 1, 0.4);
   double squares = 0;
@@ -25,7 +25,7 @@ double apart(const Points& X, const Points& Y) {
 
 class NoiseInTime : public testing::TestWithParam<double> {};
 
-// A long first step would take the force that noise has on the shape for one that lasts: at a
+// A long first step would take the force of the noise on the shape for a force that lasts: at a
 // cut-off of 16 and noise of 0.2, the torus would come out wrong by half an edge.
 TEST_P(NoiseInTime, FewStepsGoWhereManyGo) {
   State state(make_shape("torus", {.ratio = 2.5, .rows = 40, .columns = 100}));

@@ -1,4 +1,5 @@
-// Twicing: what it puts back, and that the flow's promises hold for it.
+// Twicing smooths the removed part as well and adds it back. The tests check which part twicing
+// adds back, and that the promises of the flow also hold with twicing.
 #include <cmath>
 #include <limits>
 #include <memory>
@@ -30,9 +31,9 @@ Points repeated(const State& state, int times, const FlowOptions& options) {
   return now.X;
 }
 
-// Over a flat sheet the flow of small heights is linear, z -> G z, so that n passes leave
-// (1 - (1 - G)^(n + 1)) z: 2 G - G^2 and 3 G - 3 G^2 + G^3. Without noise all steps of the flow are
-// as long as those of the passes.
+// Over a flat sheet the flow of small heights is linear, z -> G z. Therefore n passes of twicing
+// leave (1 - (1 - G)^(n + 1)) z: 2 G - G^2 after one pass and 3 G - 3 G^2 + G^3 after two. Without
+// noise all steps of the flow are as long as the steps of the passes.
 TEST(Twicing, OfSmallHeightsIsThePolynomialOfTheFlow) {
   State state(flat_sheet(24, 20));
   const double height = 1e-5;
@@ -60,7 +61,7 @@ TEST(Twicing, OfSmallHeightsIsThePolynomialOfTheFlow) {
   }
 }
 
-/// The umbrella's, with slides put back.
+/// Options of a flow with the umbrella Laplacian whose twicing also puts slides back.
 FlowOptions umbrella_with_slides(int twicing) {
   FlowOptions options;
   options.laplacian = "umbrella";
@@ -70,8 +71,8 @@ FlowOptions umbrella_with_slides(int twicing) {
   return options;
 }
 
-// The umbrella's flow is linear in each coordinate, X -> G X, however large the move. Where slides
-// are put back, too, the same polynomials hold for whole meshes.
+// The flow with the umbrella Laplacian is linear in each coordinate, X -> G X, however large the
+// moves are. If slides are put back, too, the same polynomials hold for whole meshes.
 TEST(Twicing, WithSlidesIsThePolynomialOfTheUmbrellasFlow) {
   for (const char* shape : {"torus", "cylinder"}) {
     State state(make_shape(shape, {.rows = 20}));
@@ -97,7 +98,7 @@ TEST(Twicing, WithSlidesIsThePolynomialOfTheUmbrellasFlow) {
   }
 }
 
-// What a vertex slides though there is no noise.
+// The umbrella Laplacian makes vertices slide even if there is no noise.
 TEST(Twicing, WithSlidesKeepsVerticesNearerToTheirPlaces) {
   for (const Mesh& mesh :
        {make_shape("icosphere", {.subdivide = 4}), make_shape("torus", {.rows = 24})}) {
@@ -216,8 +217,8 @@ TEST(Twicing, KeepsBoundsOnMovesVolumeAndArea) {
   }
 }
 
-// A flow that kept the volume would end elsewhere: the thinner a torus is beside the cut-off, the
-// further away.
+// If every pass kept the volume, the flow would end in another shape: the thinner a torus is
+// compared with the cut-off, the further away.
 TEST(Twicing, WithSlidesKeepsTheVolumeAtTheEndOnly) {
   const Noisy torus("torus", {.ratio = 2.5, .rows = 40, .columns = 100},
                     std::make_unique<ExactTorus>(Vec3::Zero(), 1, 0.4));

@@ -1,6 +1,6 @@
-// Any bytes, read as a job file, are jobs whose arguments can be put together, or are refused with
-// a message; read as the journal of a killed batch, they say what they can and hold nothing up, or
-// are left as they are.
+// Any bytes that are read as a job file are jobs whose arguments can be put together, or are
+// refused with a message. Any bytes that are read as the journal of a killed batch yield the
+// records that they contain and cause no failure, or are left as they are.
 #include <algorithm>
 
 #include <CLI/CLI.hpp>
@@ -31,7 +31,7 @@ void require_runnable(const commands::Job& job) {
       try {
         commands::expand_pattern(value, "a/b.off");
       } catch (const BadOption&) {
-        continue;  // braces without a meaning
+        continue;  // braces in the name have no meaning
       }
     }
   }
@@ -42,8 +42,8 @@ void as_jobs(std::string_view bytes) {
   try {
     jobs = commands::parse_jobs(bytes, "jobs");
   } catch (const BadFile& error) {
-    // In JSON, a carriage return alone ends no line, as it does in the texts that require_clear
-    // knows.
+    // In JSON a carriage return alone does not end a line, but in the texts that require_clear
+    // knows it does.
     std::string text(bytes);
     std::replace(text.begin(), text.end(), '\r', ' ');
     require_clear(error, "jobs", text);

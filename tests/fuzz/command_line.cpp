@@ -1,5 +1,6 @@
-// Any arguments, one a line, are understood, or refused in words; nothing is run. What is
-// understood can be written as a job (--dump-config), and the job means the same arguments.
+// Any arguments, one per line, are understood or refused with a message; no command is run.
+// Arguments that are understood can be written as a job (--dump-config), and the job means the same
+// arguments.
 #include "commands/command_line.h"
 
 #include <algorithm>
@@ -30,7 +31,7 @@ std::vector<std::string> lines_of(std::string_view text) {
   return lines;
 }
 
-/// JSON is UTF-8, which names of files need not be.
+/// Only ASCII names are compared: JSON is UTF-8, but names of files need not be.
 bool is_ascii(std::string_view text) {
   return std::all_of(text.begin(), text.end(), [](char c) { return c > 0; });
 }
@@ -44,7 +45,8 @@ std::vector<std::string> words_of(const commands::Job& job, CLI::App& command) {
   return commands::words_for(command, settings);
 }
 
-/// What is equal where two commands do the same; a job calls the file `-a` `./-a`.
+/// A text that is equal for two commands that do the same. A job writes the file name `-a` as
+/// `./-a`.
 std::string meaning_of(CommandLine& line) {
   const std::string text = commands::job_file_text({commands::effective_job(line.command())});
   return test::replaced(text, "\"./-", "\"-");

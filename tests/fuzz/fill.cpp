@@ -1,6 +1,6 @@
-// Whatever the mesh and the options, filling its holes adds sound triangles in finite places and
-// moves nothing that it should not; a hole that is called filled is closed. Run again, it gives the
-// same bits.
+// For any mesh and options, filling the holes adds sound triangles with finite positions and moves
+// no vertex that it should not move; a hole that is reported as filled is closed. A second run
+// gives the same bits.
 #include <algorithm>
 #include <array>
 #include <set>
@@ -15,7 +15,7 @@ namespace ibmfair::fuzz {
 namespace {
 
 FillOptions fill_options(Bytes& bytes, HoleChoice& choice) {
-  constexpr Index most = 60;  // vertices; more take longer and show no more
+  constexpr Index most = 60;  // vertices; more would only take longer
   FillOptions options;
   const std::uint8_t kinds = bytes.next();
   options.fairing.laplacian = (kinds & 1) == 0 ? "lagrange" : "crouzeix-raviart";
@@ -33,7 +33,7 @@ bool in_range(const std::vector<Index>& numbers, Eigen::Index count) {
   return std::all_of(numbers.begin(), numbers.end(), [&](Index n) { return n >= 0 && n < count; });
 }
 
-/// Sizes and numbers fit together and to the mesh.
+/// The sizes and indices of the filling agree with each other and with the mesh.
 void require_fit(const Filling& filling, const Mesh& mesh, const Topology& topology) {
   const Eigen::Index vertices = mesh.X.rows() + filling.new_X.rows();
   law(filling.X.rows() == mesh.X.rows(), "no vertex is lost");
@@ -56,7 +56,7 @@ void require_fit(const Filling& filling, const Mesh& mesh, const Topology& topol
   law(in_range(filling.rim(), mesh.X.rows()), "the rim is of the mesh");
 }
 
-/// Values at the rim extend to the new vertices within their range.
+/// Values at the rim are extended to the new vertices without leaving their range.
 void require_extension(const Filling& filling) {
   const auto rim = static_cast<Eigen::Index>(filling.rim().size());
   if (filling.new_X.rows() == 0 || rim == 0) return;
@@ -66,7 +66,7 @@ void require_extension(const Filling& filling) {
   law((is_one || ones.array().isNaN()).all(), "constants extend to themselves");
 }
 
-/// No edge along a filled hole has a triangle on one side only.
+/// Every edge along a filled hole has triangles on both sides.
 void require_closed(const Filling& filling, const Topology& topology) {
   FilledMesh filled = filled_mesh(topology, filling);
   const Topology after = build_topology(filled.X, std::move(filled.F));

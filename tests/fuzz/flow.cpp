@@ -1,6 +1,6 @@
-// Whatever the mesh and the options, the flow ends in finite places, with held vertices where they
-// were, the guarded one with no more energy than at its start; or it says why not, with the mesh as
-// it was. Run again, it gives the same bits.
+// For any mesh and options, the flow ends with finite positions and with the held vertices in their
+// places, and the guarded flow ends with no more energy than at its start; or the flow says why it
+// failed and leaves the mesh as it was. A second run gives the same bits.
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -47,14 +47,14 @@ struct FlowCase {
     options.newton_iterations = 1 + bytes.below(3);
     cutoff_edges = cutoffs[bytes.below(cutoffs.size())];
     if (short_moves) options.max_move = 0.01;
-    options.twicing =
-        std::max(0, options.steps - 2);  // no byte of its own: seeds mean what they did
+    // Twicing takes no byte of its own, so that old seeds keep their meaning.
+    options.twicing = std::max(0, options.steps - 2);
     options.keep_volume = asks_for(1);
     options.keep_area = asks_for(2);
     options.sharp_angle = asks_for(4) ? 0.4 : 0;
   }
 
-  /// What has a value for each vertex or triangle.
+  /// Sets the options that have a value for each vertex or triangle.
   void fit_to(const Mesh& mesh, const Topology& topology) {
     if (asks_for(8)) {
       const auto values = Eigen::VectorXd::LinSpaced(mesh.X.rows(), 0.2, 3);
@@ -70,13 +70,13 @@ struct FlowCase {
   }
 
  private:
-  /// No byte of its own, either.
+  /// These options take no bytes of their own, either.
   bool asks_for(std::uint8_t kind) const { return (further_ & kind) != 0; }
 
   std::uint8_t further_ = 0;
 };
 
-/// Where a flow ended, or why it did not begin.
+/// The result of a flow, or the reason why it did not begin.
 struct Ending {
   Points X;
   FlowReport report;
@@ -106,7 +106,8 @@ double energy_of(const Points& X, const Topology& topology, const std::vector<st
   return bending_model(options.laplacian).bind(topology, energy)->energy(X);
 }
 
-/// Volume and area, where they are to be kept, up to what rounding the coordinates changes.
+/// If the volume or the area is to be kept, it must be unchanged up to the rounding of the
+/// coordinates.
 void require_kept(const Points& from, const Points& to, const Topology& topology,
                   const FlowOptions& options) {
   constexpr double rounding = 1e-9;

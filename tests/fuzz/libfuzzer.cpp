@@ -1,5 +1,5 @@
-// What libFuzzer calls: the target that `--target=NAME` names. `--list` prints, for tools/fuzz, one
-// line a target: its name, its kinds, and its folders of seeds.
+// The functions that libFuzzer calls. They run the target that `--target=NAME` names. For
+// tools/fuzz, `--list` prints one line per target: its name, its kinds, and its folders of seeds.
 #include <cstdint>
 #include <cstdlib>
 #include <iostream>

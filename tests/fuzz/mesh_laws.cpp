@@ -36,7 +36,7 @@ void require_complete(const MeshAttributes& attributes, const Mesh& mesh) {
       "statements stand before faces");
 }
 
-/// Words of the bytes that might name a group or a property; a few, from the end.
+/// A few words, taken from the end of the bytes, that might name a group or a property.
 std::vector<std::string> some_names(std::string_view bytes) {
   constexpr std::string_view blanks = " \t\r\n";
   std::vector<std::string> names{""};
@@ -51,8 +51,8 @@ std::vector<std::string> some_names(std::string_view bytes) {
   return names;
 }
 
-/// Whether there is such a place, counted from 1; the end of a line, which is LF, CRLF or CR, is
-/// part of it. What follows the last end is a line, too.
+/// Whether the bytes have this place, counted from 1. The end of a line (LF, CRLF or CR) belongs to
+/// the line. The bytes after the last line end are a line, too.
 bool has_place(std::string_view bytes, std::int64_t line, std::int64_t column) {
   std::string_view rest = bytes;
   for (std::int64_t at_line = 1; at_line < line; ++at_line) {
@@ -65,7 +65,7 @@ bool has_place(std::string_view bytes, std::int64_t line, std::int64_t column) {
   return column >= 1 && column <= static_cast<std::int64_t>(length) + 1;
 }
 
-/// Takes a whole number and what must follow it off the start of a text.
+/// Removes a whole number, and the text that must follow it, from the start of a text.
 std::optional<std::int64_t> take_number(std::string_view& text, std::string_view follower) {
   std::int64_t number = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
@@ -75,7 +75,7 @@ std::optional<std::int64_t> take_number(std::string_view& text, std::string_view
   return number;
 }
 
-/// LINE and COL of `LINE:COL: message`.
+/// The numbers LINE and COL of a message `LINE:COL: message`.
 std::optional<std::pair<std::int64_t, std::int64_t>> place_in_text(std::string_view message) {
   const auto line = take_number(message, ":");
   if (!line) return std::nullopt;
@@ -84,7 +84,7 @@ std::optional<std::pair<std::int64_t, std::int64_t>> place_in_text(std::string_v
   return std::pair(*line, *column);
 }
 
-/// B of `ELEMENT ROW (byte B): message`.
+/// The number B of a message `ELEMENT ROW (byte B): message`.
 std::optional<std::int64_t> byte_in(std::string_view message) {
   constexpr std::string_view sign = "(byte ";
   const std::size_t at = message.find(sign);
@@ -118,7 +118,7 @@ void require_sound(const MeshFile& file) {
           "a mask is about every vertex");
     } catch (const BadOption&) {
       continue;                       // no such group or property
-    } catch (const BadFile& error) {  // two of them
+    } catch (const BadFile& error) {  // two groups or properties
       require_clear(error, file.bytes().name(), file.bytes().view());
     }
   }

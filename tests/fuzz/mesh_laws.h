@@ -1,4 +1,4 @@
-// What holds for every mesh that a reader returns, and for every message that it refuses one with.
+// Laws for every mesh that a reader returns, and for every message with which it refuses a file.
 #pragma once
 
 #include <string>
@@ -12,11 +12,11 @@ namespace ibmfair::fuzz {
 /// Numbers in range, coordinates finite, sizes that agree; attributes and masks included.
 void require_sound(const MeshFile& file);
 
-/// The message names the file and, where it names a place, one that the file has; it holds nothing
-/// that a terminal would obey, and is no longer than one can read.
+/// The message names the file. If the message names a place, the file has this place. The message
+/// contains no control characters that a terminal would obey, and it is short enough to be read.
 void require_clear(const BadFile& error, const std::string& name, std::string_view bytes);
 
-/// The same faces.
+/// Whether the two lists have the same faces.
 bool same_faces(const Polygons& a, const Polygons& b);
 
 }  // namespace ibmfair::fuzz

@@ -1,5 +1,5 @@
-// Any bytes, read as OBJ, PLY or OFF, are a sound mesh or a clear message. tools/fuzz limits time
-// and memory: nothing is allocated for a size that the file only claims.
+// Any bytes that are read as OBJ, PLY or OFF give a sound mesh or a clear message. tools/fuzz
+// limits time and memory: nothing is allocated for a size that the file only claims.
 #include <optional>
 
 #include "fuzz/mesh_laws.h"

@@ -1,4 +1,4 @@
-// The laws of the fuzz targets hold for every seed and for every input that ever broke one.
+// The laws of the fuzz targets hold for every seed and for every input that ever broke a law.
 #include <algorithm>
 
 #include <gtest/gtest.h>
@@ -11,8 +11,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The files of the folders, sorted; those of the project alone are what is tested here, the others
-/// have tests of their own.
+/// The files of the target's folders, sorted. Only the files of the project are tested here; the
+/// other files have tests of their own.
 std::vector<fs::path> saved_inputs(const fuzz::Target& target) {
   const std::string own = project_file("tests");
   std::vector<fs::path> files;

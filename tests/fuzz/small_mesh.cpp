@@ -14,7 +14,7 @@ constexpr Index most_faces = 100;
 
 using Faces = std::vector<std::vector<Index>>;
 
-/// What a mesh is while bytes change it.
+/// A mesh while bytes change it.
 struct Draft {
   std::vector<Vec3> X;
   Faces faces;
@@ -25,7 +25,7 @@ struct Draft {
 enum class Surface { nothing, sheet, tube, torus, moebius_strip, klein_bottle, sphere };
 constexpr int surface_count = 7;
 
-/// A place on the surface; u and v go once around it, or from side to side.
+/// A point of the surface; u and v go once around the surface, or from side to side.
 Vec3 place(Surface surface, double u, double v) {
   const double a = 2 * std::numbers::pi * u;
   const double b = 2 * std::numbers::pi * v;
@@ -52,8 +52,8 @@ Vec3 place(Surface surface, double u, double v) {
   }
 }
 
-/// columns x rows quadrilaterals, one diagonal of each drawn or none; the sides joined as the
-/// surface has them, a sphere's ends closed by two polygons.
+/// A grid of columns x rows quadrilaterals, each with one diagonal or with none. The sides are
+/// joined as the surface requires; the ends of a sphere are closed by two polygons.
 Draft grid(Surface surface, Index columns, Index rows, bool triangles) {
   const bool around = surface != Surface::sheet;
   const bool across = surface == Surface::torus || surface == Surface::klein_bottle;
@@ -112,7 +112,7 @@ double odd_number(Bytes& bytes) {
   return numbers[bytes.below(numbers.size())];
 }
 
-/// -1 .. 1 in 256 steps.
+/// A number in -1 .. 1, in 256 steps.
 double small_number(Bytes& bytes) {
   return (bytes.next() - 128) / 128.0;
 }
@@ -129,7 +129,7 @@ void add_face(Draft& draft, Bytes& bytes, std::size_t corners) {
   draft.faces.push_back(face);
 }
 
-/// One change of a vertex or of all.
+/// Makes one change of one vertex or of all vertices.
 void change_places(Draft& draft, int kind, Bytes& bytes) {
   Vec3& x = draft.X[bytes.below(draft.X.size())];
   const Eigen::Index c = bytes.below(3);
@@ -166,7 +166,7 @@ void change_places(Draft& draft, int kind, Bytes& bytes) {
   }
 }
 
-/// One change of the connectivity.
+/// Makes one change of the connectivity.
 void change_faces(Draft& draft, int kind, Bytes& bytes) {
   if (kind == 0 && draft.vertices() < most_vertices) {
     draft.X.emplace_back(small_number(bytes), small_number(bytes), small_number(bytes));
@@ -216,7 +216,7 @@ Mesh small_mesh(Bytes& bytes) {
   mesh.X.resize(draft.vertices(), 3);
   for (Index v = 0; v < draft.vertices(); ++v)
     mesh.X.row(v) = draft.X[static_cast<std::size_t>(v)].transpose();
-  // A reader would let no other coordinate pass.
+  // A reader accepts finite coordinates only.
   mesh.X = mesh.X.unaryExpr([](double x) { return std::isfinite(x) ? x : 0.0; }).eval();
   for (const std::vector<Index>& face : draft.faces)
     mesh.faces.add(face);

@@ -1,4 +1,4 @@
-// Small meshes of any topology and any coordinates, made of bytes.
+// Small meshes of any topology and with any coordinates, made from bytes.
 #pragma once
 
 #include <cstdint>
@@ -8,7 +8,7 @@
 
 namespace ibmfair::fuzz {
 
-/// Takes bytes one after the other; zeros once there are none left.
+/// Returns the bytes one after the other, and zeros after the last byte.
 class Bytes {
  public:
   explicit Bytes(std::string_view bytes) : rest_(bytes) {}
@@ -22,7 +22,7 @@ class Bytes {
     return byte;
   }
 
-  /// 0 .. count - 1.
+  /// A number in 0 .. count - 1.
   template <class Count>
   Count below(Count count) {
     return static_cast<Count>(next() % count);
@@ -35,8 +35,9 @@ class Bytes {
 };
 
 /// Three bytes choose a sheet, tube, torus, Moebius strip, Klein bottle or sphere of at most 25
-/// vertices, or nothing; the others change it: move vertices, to 1e300 and 1e-300, too; scale and
-/// shift; add, turn, repeat and remove faces; join vertices. Takes all bytes that there are.
+/// vertices, or nothing. The other bytes change the mesh: they move vertices (also to 1e300 and
+/// 1e-300); scale and shift the mesh; add, turn, repeat and remove faces; and join vertices. All
+/// bytes are used.
 Mesh small_mesh(Bytes& bytes);
 
 }  // namespace ibmfair::fuzz

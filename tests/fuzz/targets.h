@@ -1,6 +1,6 @@
-// The fuzz targets: functions that take any bytes and check a law about them. tools/fuzz feeds them
-// what libFuzzer makes up; replay_test.cpp feeds them, in every run of the tests, the seeds and
-// every input that ever broke a law.
+// The fuzz targets are functions that take any bytes and check a law about them. tools/fuzz runs
+// them on inputs that libFuzzer makes up. In every run of the tests, replay_test.cpp runs them on
+// the seeds and on every input that ever broke a law.
 #pragma once
 
 #include <filesystem>
@@ -12,7 +12,7 @@
 
 namespace ibmfair::fuzz {
 
-/// A law that does not hold. Nothing in the library or the program knows it.
+/// The exception for a law that does not hold. Neither the library nor the program knows it.
 class LawBroken : public std::logic_error {
  public:
   using std::logic_error::logic_error;
@@ -25,23 +25,23 @@ inline void law(bool holds, const std::string& text) {
 
 struct Target {
   std::string_view name;
-  /// What its inputs are: names of folders in corpus/ and of dictionaries.
+  /// The kinds of its inputs: names of folders in corpus/ and of dictionaries.
   std::vector<std::string_view> kinds;
-  /// Returns where the law holds; throws what it does not expect.
+  /// Returns if the law holds; otherwise throws LawBroken or an unexpected exception.
   void (*run)(std::string_view bytes);
 };
 
-/// All of them.
+/// All fuzz targets.
 std::span<const Target> targets();
 
-/// The target of that name; throws std::out_of_range where there is none.
+/// The target of that name; throws std::out_of_range if there is none.
 const Target& find_target(std::string_view name);
 
-/// The folders of inputs to begin with: the seeds, what has broken a law before, and the collection
-/// of malformed files where it is there (support/files.h).
+/// The folders of the first inputs: the seeds, the inputs that have broken a law before, and the
+/// collection of malformed files if it is present (support/files.h).
 std::vector<std::filesystem::path> seed_folders(const Target& target);
 
-// The functions of the table, one file each or one a kind of thing.
+// The functions of the table of targets; each file has one function, or the functions of one kind.
 void read_obj(std::string_view bytes);
 void read_ply(std::string_view bytes);
 void read_off(std::string_view bytes);

@@ -1,5 +1,6 @@
-// What is read, moved, written and read again is what was moved, bit for bit: patched, extended,
-// and in every other format. With nothing moved, the same bytes come out.
+// A mesh that is read, moved, written and read again has exactly the moved positions, bit for bit:
+// if the file is patched, extended, or written in any other format. If nothing is moved, the same
+// bytes are written.
 #include <cmath>
 #include <cstring>
 #include <limits>
@@ -18,7 +19,8 @@ namespace {
 
 constexpr std::array<std::string_view, 3> exact_formats{"obj", "ply", "off"};
 
-/// Of the formats that are not assimp's, the one that the bytes start like; OBJ starts anyhow.
+/// The format that the bytes start like, among the formats that are not assimp's; a file of any
+/// start may be OBJ.
 std::string format_of(std::string_view bytes) {
   for (const std::string_view name : {"ply", "off"}) {
     if (find_format(name)->recognises(bytes)) return std::string(name);
@@ -33,7 +35,7 @@ std::uint64_t hash(std::string_view bytes) {
   return value;
 }
 
-/// A finite number with any bits.
+/// A finite number with random bits.
 double any_number(RandomNumbers& random) {
   double value = 0;
   do {
@@ -59,7 +61,7 @@ double moved(double x, RandomNumbers& random) {
   }
 }
 
-/// A third of the vertices stays.
+/// The positions with about two thirds of the vertices moved.
 Points some_moved(const Points& X, RandomNumbers& random) {
   Points Y = X;
   for (Eigen::Index v = 0; v < Y.rows(); ++v) {
@@ -70,7 +72,8 @@ Points some_moved(const Points& X, RandomNumbers& random) {
   return Y;
 }
 
-/// The numbers nearest to these that a binary OFF file, which has single precision, can hold.
+/// Rounds the coordinates to the nearest numbers that a binary OFF file, which has single
+/// precision, can hold.
 void round_to_single(Points& X) {
   constexpr double most = std::numeric_limits<float>::max();
   X = X.cwiseMax(-most).cwiseMin(most).cast<float>().cast<double>().eval();
@@ -85,7 +88,7 @@ void require_same_attributes(const MeshFile& file, const MeshFile& again) {
   law(a.face_statements == b.face_statements, "groups and materials stay");
 }
 
-/// Writes, reads and compares one mesh in all the ways there are.
+/// Writes, reads and compares one mesh in all available ways.
 class RoundTrip {
  public:
   RoundTrip(const MeshFile& file, std::string_view bytes, test::MeshFiles& files)

@@ -1,4 +1,5 @@
-// What another project writes: the bending energy of an icosphere, which tends to 8 pi.
+// A program of another project that uses the library: the bending energy of an icosphere, which
+// tends to 8 pi.
 #include <iostream>
 
 #include "ibmfair/energy/bending_energy.h"

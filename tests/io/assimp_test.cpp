@@ -1,4 +1,5 @@
-// Formats that go through assimp: read, never written, and said to be float32.
+// Formats that are read through assimp: the program reads them, never writes them, and reports that
+// their coordinates are float32.
 #include <cstdlib>
 
 #include <gtest/gtest.h>
@@ -12,7 +13,7 @@
 namespace ibmfair::test {
 namespace {
 
-/// Two triangles of a square, each facet with its own corners as the format has it.
+/// Two triangles of a square; each facet has its own corners, as in every STL file.
 constexpr std::string_view square_stl =
     "solid square\n"
     "facet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 1 1 0\nendloop\nendfacet\n"
@@ -57,7 +58,7 @@ TEST(AssimpFile, ReadsEveryForeignFormatFromFileAndMemory) {
     EXPECT_EQ(X.rows(), 3);
     EXPECT_EQ(MeshFiles::read(bytes, "standard input", {.format = extension}).mesh().X, X);
     if (extension == "glb") {
-      EXPECT_EQ(MeshFiles::read(bytes, "standard input").mesh().X, X);  // told by its first bytes
+      EXPECT_EQ(MeshFiles::read(bytes, "standard input").mesh().X, X);  // known by its first bytes
     }
   }
 }
@@ -71,7 +72,8 @@ TEST(AssimpFile, ReadsAFileWhoseNameDoesNotTellTheFormat) {
 TEST(AssimpFile, AppliesNodeTransforms) {
   if (!imports_can_refer_to_files()) GTEST_SKIP() << "no openat2";
   const TemporaryDirectory directory;
-  // One triangle shown by two nodes, the second a child that doubles and shifts.
+  // One triangle is shown by two nodes. The second node is a child that doubles and shifts the
+  // triangle.
   write_bytes(directory / "a.gltf", R"({"asset":{"version":"2.0"},"scene":0,
     "scenes":[{"nodes":[0]}],
     "nodes":[{"mesh":0,"translation":[10,0,0],"children":[1]},

@@ -1,4 +1,5 @@
-// What the writers of all formats copy their files with, beside doing the same with strings.
+// The byte patcher, by which the writers of all formats copy their files, does the same as edits of
+// a string.
 #include "ibmfair/io/byte_patcher.h"
 
 #include <string>
@@ -14,7 +15,7 @@
 namespace ibmfair::test {
 namespace {
 
-/// A text, places in it, and what shall stand there.
+/// A text, and edits of the text: the places and their replacements.
 struct Edits {
   enum class What { real, single, text, nothing };
 
@@ -27,7 +28,8 @@ struct Edits {
   std::string text;
   std::vector<Edit> edits;
 
-  /// Words, and `gap` bytes between each two; of the words some are replaced by what `choose` says.
+  /// The text consists of words with `gap` bytes after each word. `choose` says by what each word
+  /// is replaced; every fifth word stays.
   template <class Choose>
   Edits(int count, std::size_t gap, Choose choose) {
     RandomNumbers random(7);
@@ -77,7 +79,7 @@ void expect_right(const Edits& edits) {
   for (const int threads : {1, 2, 3}) {
     set_thread_count(threads);
     EXPECT_TRUE(edits.patched() == expected)
-        << edits.edits.size() << " edits, " << threads << " threads";  // not printed: they are long
+        << edits.edits.size() << " edits, " << threads << " threads";  // the texts are long
   }
   set_thread_count(before);
 }

@@ -1,4 +1,4 @@
-// What an OBJ text looks like once something is put behind it.
+// The text of an OBJ file after an extension has been appended.
 #include <gtest/gtest.h>
 
 #include "support/extensions.h"
@@ -18,7 +18,7 @@ TEST(ExtendedObj, TakesTheStateOfTheModelFace) {
   EXPECT_EQ(with_tent(groups, "a.obj", 1, &report),
             std::string(groups) + vertices +
                 "g a\nusemtl m\nf 3 2 5\nf 2 4 5\nf 4 3 6\nf 3 5 6\nf 5 4 6\nf 5 6 7\n");
-  // No statement takes faces out of an object.
+  // OBJ has no statement that takes faces out of an object.
   ASSERT_EQ(report.notes.size(), 1U);
   EXPECT_NE(report.notes[0].find("6 new faces beside faces without object"), std::string::npos);
 
@@ -28,7 +28,7 @@ TEST(ExtendedObj, TakesTheStateOfTheModelFace) {
 
   const std::string first = with_tent(groups, "a.obj", 0, &report);
   EXPECT_NE(first.find("\ng default\ns off\nf 2 3 5\n"), std::string::npos) << first;
-  EXPECT_EQ(report.notes.size(), 2U);  // nor out of a material
+  EXPECT_EQ(report.notes.size(), 2U);  // OBJ has no statement that ends a material either
 }
 
 TEST(ExtendedObj, RepeatsStatementsOnlyWhereTheyChange) {
@@ -53,7 +53,8 @@ TEST(ExtendedObj, RepeatsStatementsOnlyWhereTheyChange) {
 TEST(ExtendedObj, NamesThatEndWithABackslashContinueNothing) {
   for (const std::string end : {"\n", "\r\n", "\r"}) {
     for (const std::string keyword : {"g", "o", "usemtl"}) {
-      // A blank behind the backslash makes it a part of the name; later the name is needed again.
+      // A blank behind the backslash makes the backslash a part of the name; the name is needed
+      // again later.
       const std::string text = replaced(
           "v 0 0 0\nv 1 0 0\nv 0 1 0\n" + keyword + " C:\\ \nf 1 2 3\n" + keyword + " b\nf 3 2 1\n",
           "\n", end);
@@ -76,7 +77,7 @@ TEST(ExtendedObj, KeepsToTheLinesOfTheFile) {
         SCOPED_TRACE(testing::PrintToString(text));
         const std::string out = with_tent(text, "a.obj");
         ASSERT_EQ(out.substr(0, text.size()), text);
-        // Nothing but the line end of the file, and only one behind each line.
+        // The new lines have the line end of the file, and only one line end behind each line.
         const std::string added = replaced(out.substr(text.size()), end, "\n");
         EXPECT_EQ(added.find('\r'), std::string::npos);
         EXPECT_TRUE(added.ends_with("f 4 5 6\n"));
@@ -89,7 +90,7 @@ TEST(ExtendedObj, KeepsToTheLinesOfTheFile) {
 }
 
 TEST(ExtendedObj, ContinuesTextureCoordinatesAndNormalsOfTheModelFace) {
-  // Vertex 2 has a texture seam; normals point to the inside of the second face.
+  // Vertex 2 has a texture seam; the normals of the second face point to the inside.
   constexpr std::string_view text =
       "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nvt 0 0\nvt 1 0\nvt 0 1\nvt 9 9\nvn 0 0 -1\nvn 0 0 1\n"
       "f 1/1/2 2/2/2 3/3/2\nf 4/-1/1 3/-1/1 2/-1/1\n";
@@ -111,7 +112,7 @@ TEST(ExtendedObj, ContinuesTextureCoordinatesAndNormalsOfTheModelFace) {
 }
 
 TEST(ExtendedObj, GivesUpNormalsWithThoseOfTheFile) {
-  // Both vertices of the shared normal are in a face that moves: it is dropped.
+  // Both vertices of the shared normal are in a face that moves: the normal is dropped.
   constexpr std::string_view text =
       "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nvn 0 0 1\nf 1//1 2//1 3//1\nf 4//1 3//1 2//1\n";
   MeshFiles files;
@@ -131,11 +132,13 @@ TEST(ExtendedObj, ExtendsWhatOnlyAPartOfTheRimHas) {
       "v 0 0 0 1 0.5 0\nv 1 0 0 0 0.5 0.25\nv 1 1 0\nv 0 1 0\nvt 0.5 0.25\n"
       "f 1/1 2 3 4\n";
   const std::string added = with_tent(text, "a.obj").substr(text.size());
-  // p is 1/2 of the first and 1/4 of the second; r is 1/4 and 1/8 of them.
+  // The weights of p are 1/2 for the first and 1/4 for the second vertex; those of r are 1/4 and
+  // 1/8.
   EXPECT_NE(added.find(" 0.6666666666666666 0.5 0.08333333333333333\n"), std::string::npos)
       << added;
   EXPECT_NE(added.find("vt 0.5 0.25\n"), std::string::npos);
-  // No face has texture coordinates at some of its corners only, but one of new vertices has.
+  // A new face has texture coordinates at all of its corners or at none; the face of new vertices
+  // has them at all corners.
   EXPECT_NE(added.find("\nf 2 3 5\n"), std::string::npos);
   EXPECT_NE(added.find("\nf 5/2 6/3 7/4\n"), std::string::npos);
 }

@@ -1,4 +1,4 @@
-// What an OFF file looks like once something is put behind its vertices and faces.
+// An OFF file after an extension has been appended to its vertices and faces.
 #include <algorithm>
 
 #include <gtest/gtest.h>
@@ -37,7 +37,7 @@ TEST(ExtendedOff, KeepsToTheLayoutOfTheNumbers) {
     ASSERT_EQ(again.mesh().faces.size(), 14);
     EXPECT_EQ(again.mesh().faces.corner[6], 1);
     EXPECT_EQ(again.mesh().faces.corner.back(), 9);
-    // Without the new rows and with the old counts it is the source.
+    // Without the new rows and with the old counts, the file is the source.
     std::string counted(text);
     const bool edges = text.find("4 2 5") != std::string_view::npos;
     counted.replace(counted.find("4 2"), edges ? 5 : 3, edges ? "10 14 21" : "10 14");
@@ -63,11 +63,11 @@ TEST(ExtendedOff, StaysOnOneLine) {
 
 TEST(ExtendedOff, CountsEdgesWhereTheFileDoes) {
   const std::string rows = "\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2\n3 0 2 3\n";
-  // Three edges to p, three to q, two to r.
+  // The tent adds three edges to p, three to q, and two to r.
   EXPECT_TRUE(with_tent("OFF\n4 2 5" + rows, "a.off").starts_with("OFF\n7 8 13\n"));
   EXPECT_TRUE(with_tent("OFF\n4 2 0" + rows, "a.off").starts_with("OFF\n7 8 0\n"));
   EXPECT_TRUE(with_tent("OFF\n4 2" + rows, "a.off").starts_with("OFF\n7 8\n"));
-  // More than the faces have corners, and the largest number there is.
+  // An edge count larger than the number of face corners, and the largest number there is, stay.
   EXPECT_TRUE(with_tent("OFF\n4 2 7" + rows, "a.off").starts_with("OFF\n7 8 7\n"));
   const std::string huge = "9223372036854775807";
   EXPECT_TRUE(with_tent("OFF\n4 2 " + huge + rows, "a.off").starts_with("OFF\n7 8 " + huge + "\n"));

@@ -1,4 +1,4 @@
-// What a PLY file looks like once something is put behind its vertices and faces.
+// A PLY file after an extension has been appended to its vertices and faces.
 #include <array>
 
 #include <fmt/format.h>
@@ -11,7 +11,7 @@
 namespace ibmfair::test {
 namespace {
 
-/// A row of a PLY body: each value with the type that it is stored as.
+/// A row of a PLY body: each value with the type in which it is stored.
 using Row = std::vector<std::pair<std::string, double>>;
 
 struct PlyText {
@@ -47,7 +47,8 @@ struct PlyText {
     return bytes;
   }
 
-  /// Faces first, an element that nobody knows, and vertices with a bit of everything.
+  /// A PLY file with faces first, then an unknown element, and vertices with properties of every
+  /// kind.
   std::string file(const std::vector<Row>& faces, const std::vector<Row>& vertices) const {
     std::string text =
         line("ply") + line("format " + encoding + " 1.0") + line("comment 7 vertex") +
@@ -93,7 +94,8 @@ struct PlyText {
   }
 };
 
-/// Four vertices; a quadrilateral and a triangle. With `tent`, one over the triangle behind them.
+/// A file of four vertices, a quadrilateral and a triangle. With `tent`, a tent over the triangle
+/// follows.
 std::string ply_file(const PlyText& text, bool tent) {
   std::vector<Row> faces{text.face({0, 1, 2, 3}, -2, true), text.face({3, 1, 0}, 5, true)};
   std::vector<Row> vertices{text.vertex({0, 0, 0.5}, 1, {255, 0, 0}, 11, 0.5),
@@ -101,7 +103,8 @@ std::string ply_file(const PlyText& text, bool tent) {
                             text.vertex({1, 1, 0.5}, 2, {1, 2, 3}, 13, 0.125),
                             text.vertex({0, 1, 0.5}, 3, {0, 0, 9}, 14, 1)};
   if (tent) {
-    // The corners are 3, 1 and 0; p's nearest vertex is 1, q's is 3, and r's that of p.
+    // The corners are 3, 1 and 0. The nearest vertex of p is 1, that of q is 3, and that of r is
+    // the same as that of p.
     vertices.push_back(text.vertex({0.25, 0.5, 0.5 + 1.0 / 3.0}, 0, {64, 64, 5}, 12, 0.6875));
     vertices.push_back(text.vertex({0.5, 0.25, 0.75}, 0, {64, 128, 2}, 14, 0.5));
     vertices.push_back(text.vertex({0.25, 0.25, 0.7}, 0, {128, 64, 2}, 12, 0.5625));
@@ -123,7 +126,7 @@ TEST(ExtendedPly, IsTheFileThatOneWouldWriteByHand) {
         EXPECT_EQ(with_tent(ply_file(text, false), "a.ply", 1, &report), ply_file(text, true));
         EXPECT_TRUE(report.notes.empty());
         if (encoding != "ascii") continue;
-        // The new rows are ended whether the file's last one was or not.
+        // The new rows end with a line end whether or not the last row of the file did.
         text.last_end = false;
         const std::string without = ply_file(text, false);
         text.last_end = true;
@@ -151,7 +154,7 @@ TEST(ExtendedPly, PromotesOrRoundsFloats) {
 
 TEST(ExtendedPly, TakesFacesAlone) {
   for (const std::string encoding : {"ascii", "binary_little_endian", "binary_big_endian"}) {
-    // Neither another type nor a line end behind the vertices is needed then.
+    // An extension of faces only needs neither another type nor a line end behind the vertices.
     const PlyText text{.encoding = encoding, .real = "float", .last_end = false};
     const std::vector<Row> vertices{text.vertex({0, 0, 0.5}, 1, {1, 2, 3}, 11, 0.5),
                                     text.vertex({1, 0, 0.5}, 0, {4, 5, 6}, 12, 0.25),
@@ -171,7 +174,7 @@ TEST(ExtendedPly, TakesFacesAlone) {
 }
 
 TEST(ExtendedPly, CopiesNormalsInIntegers) {
-  // What they mean is not known; but where nothing moves they need not be dropped.
+  // The meaning of integer normals is not known; but if no vertex moves, they need not be dropped.
   const std::string out = with_tent(
       "ply\nformat ascii 1.0\nelement vertex 3\nproperty char nx\nproperty char ny\n"
       "property double x\nproperty double y\nproperty double z\nproperty char nz\n"

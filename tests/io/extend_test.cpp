@@ -18,7 +18,7 @@
 namespace ibmfair::test {
 namespace {
 
-/// Written and read again, the mesh is the source with the extension behind it, bit for bit.
+/// After writing and reading, the mesh is the source with the extension appended, bit for bit.
 void expect_extended(const MeshFile& again, const Mesh& mesh, const Points& X,
                      const Extension& extension) {
   const Eigen::Index vertices = X.rows();
@@ -78,7 +78,7 @@ TEST(Extension, LeavesTheSourcesRowsAsTheyAre) {
         EXPECT_EQ(out.substr(0, bytes.size()), bytes);
         continue;
       }
-      // The rows of the vertices and those of the faces, each in one piece.
+      // The rows of the vertices and the rows of the faces are each in one piece.
       const auto vertices = static_cast<std::size_t>(named.mesh.X.rows());
       std::size_t start = bytes.find("end_header\n") + 11;
       std::size_t faces = start + 24 * vertices;
@@ -112,7 +112,8 @@ TEST(Extension, WithNothingInItChangesNothing) {
   }
 }
 
-/// Files of every format with colours, normals and texture coordinates wherever these can be.
+/// Files of every format, with colours, normals and texture coordinates if the format can have
+/// them.
 const std::vector<std::pair<std::string, std::string>>& rich_files() {
   static const std::vector<std::pair<std::string, std::string>> files = {
       {"a.obj",
@@ -161,7 +162,8 @@ TEST(Extension, AttributesSurviveTheWayThroughAnotherFormat) {
     SCOPED_TRACE(target);
     WriteReport report;
     files.write(obj, obj.mesh().X, tents.extension, target, {}, &report);
-    // What is lost, once; nothing about statements that the format has not.
+    // The report notes the lost data once, and notes nothing about statements that the format does
+    // not have.
     EXPECT_EQ(report.notes.size(), 1U);
     const MeshFile other = read_mesh(files.path(target));
     EXPECT_EQ(other.attributes().colours, direct.colours);
@@ -175,8 +177,8 @@ TEST(Extension, AttributesSurviveTheWayThroughAnotherFormat) {
       EXPECT_EQ(at(other.attributes()), at(direct));
     }
   }
-  // p, q and r: a half, a quarter and a quarter of red, green and blue, each beginning with
-  // another.
+  // The colours of p, q and r are mixtures of red, green and blue with weights of a half, a quarter
+  // and a quarter; a different colour has the weight of a half in each.
   ASSERT_EQ(direct.colours.size(), 7U);
   EXPECT_EQ(direct.colours[4], (std::array{0.5, 0.25, 0.25, 1.0}));
   EXPECT_EQ(direct.colours[5], (std::array{0.25, 0.5, 0.25, 1.0}));

@@ -1,5 +1,5 @@
-// Odd and hostile files that others collected: read where they mean something, else refused in
-// words, and whatever is read can be written again.
+// Odd and hostile files that others collected: files with a meaning are read, all other files are
+// refused with a message, and every mesh that is read can be written again.
 #include <filesystem>
 
 #include <gtest/gtest.h>

@@ -1,4 +1,5 @@
-// OBJ: what goes in comes out, and what cannot is refused with its place.
+// OBJ: files are written back as they were read, and files that cannot be read are refused with the
+// place of the error.
 #include <cmath>
 
 #include <fmt/format.h>
@@ -82,13 +83,14 @@ TEST(ObjFile, KeepsTextureCoordinatesAndRenewsNormalsOfOneVertex) {
 
   MeshFiles files;
   Points X = file.mesh().X;
-  X(3, 2) = 1.0;  // the second face only
+  X(3, 2) = 1.0;  // moves the second face only
   const std::string out = files.write(file, X, "b.obj");
-  // The vertex itself, and the normals of the three vertices whose second face has moved.
+  // The line of the vertex changes, and the lines of the normals of the three vertices whose second
+  // face has moved.
   EXPECT_EQ(different_lines(out, text), (std::vector<int>{4, 12, 13, 14}));
   X = file.mesh().X;
   X.row(4) << 5, 5, 4;
-  // A normal that pointed to the inside still does.
+  // A normal that pointed to the inside still points to the inside.
   const std::string inside = files.write(file, X, "b.obj");
   EXPECT_EQ(different_lines(inside, text), (std::vector<int>{5, 15, 16, 17}));
   const std::size_t at = inside.find("vn ", inside.find("vn 0 0 1\nvn 0 0 1\n") + 10);
@@ -242,7 +244,7 @@ TEST(ObjFile, SurvivesRandomBytes) {
 
 TEST(ObjFile, NamesOfGroupsMayGoOnOnTheNextLine) {
   for (const std::string continuation : {"\\\n", " \\\n", "\\\n ", "\\\r\n"}) {
-    // The second line of the name looks like a face of a vertex that is not there.
+    // The second line of the name looks like a face with a vertex that does not exist.
     const std::string text =
         "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nf 2 4 3\ng left" + continuation + "f 1 2 9\nf 1 2 3\n";
     const MeshFile file = expect_carried(text, "a.obj");

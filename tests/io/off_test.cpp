@@ -1,4 +1,5 @@
-// OFF in its many variants: text with and without keyword, prefixes and lines, and binary.
+// OFF in its many variants: text files with and without keyword, prefixes and line breaks, and
+// binary files.
 #include <gtest/gtest.h>
 
 #include "ibmfair/base/errors.h"
@@ -52,7 +53,7 @@ TEST(OffFile, KeepsWhatFollowsEachPosition) {
     MeshFiles files;
     Points X = file.mesh().X;
     X(1, 0) = 1.5;
-    // A move within the plane leaves the normals' values, though not their text.
+    // A move within the plane leaves the values of the normals unchanged, though not their text.
     const std::string out = files.write(file, X, "b.off");
     EXPECT_EQ(different_lines(out, text), std::vector<int>{4});
   }

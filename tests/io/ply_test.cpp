@@ -1,5 +1,5 @@
-// PLY: what goes in comes out in all three encodings, and what cannot is refused before anything is
-// allocated for it.
+// PLY: files are written back as they were read in all three encodings, and files that cannot be
+// read are refused before anything is allocated for them.
 #include <array>
 
 #include <fmt/format.h>
@@ -53,8 +53,8 @@ struct Numbers {
   bool real;
 };
 
-/// A binary file: faces with a list of bytes behind them, an unknown element, vertices with a list
-/// between y and z, and a few bytes after the end.
+/// A binary file. Its faces have a list of bytes behind them; an unknown element follows; its
+/// vertices have a list between y and z; there are a few bytes after the end.
 std::string binary_ply(bool big, const Numbers& number, const Numbers& count, const Numbers& index,
                        const std::string& line_end = "\n") {
   std::string text;
@@ -319,7 +319,7 @@ TEST(PlyFile, RefusesEveryTruncation) {
   const Numbers byte{"uchar", 1, false};
   const std::string binary = binary_ply(false, {"float", 4, true}, {"int", 4, false}, byte);
   const std::string text(with_everything);
-  // Blanks after the end are not missed, nor is the last end of line; the last number's digits are.
+  // Blanks after the end and the last line end are not needed; the digits of the last number are.
   const std::size_t last_needed = binary.size() - 3;
   for (std::size_t size = 0; size < last_needed; ++size) {
     EXPECT_NE(read_error(binary.substr(0, size), "a.ply"), "");

@@ -1,4 +1,5 @@
-// Output appears complete or not at all, and other formats keep what they can hold.
+// Output files appear complete or not at all, and a file in another format keeps all data that the
+// format can hold.
 #include <array>
 #include <cmath>
 #include <filesystem>
@@ -114,7 +115,7 @@ TEST(WriteMesh, OutputMayBeTheInput) {
   EXPECT_THROW(write_mesh(file, X, files.path("a.obj")), CannotWrite);
   EXPECT_EQ(read_bytes(files.path("a.obj")), text);
   EXPECT_EQ(files.write(file, X, "a.obj"), "v 0.5 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
-  // The bytes in memory are those that were read, whatever has become of the file.
+  // The bytes in memory are the bytes that were read, whatever has happened to the file since.
   EXPECT_EQ(files.write(file, file.mesh().X, "a.obj"), text);
 }
 
@@ -129,7 +130,7 @@ TEST(WriteMesh, RefusesWhatItCannotWrite) {
   EXPECT_THROW(write_mesh(file, file.mesh().X, files.path("b"), {.format = "none"}), BadOption);
   EXPECT_THROW(write_mesh(file.mesh(), "-"), BadOption);
   EXPECT_EQ(files.entries(), 0U);
-  // An extension that says nothing leaves the source's format.
+  // If the file name extension is unknown, the format of the source is used.
   EXPECT_TRUE(files.write(file, file.mesh().X, "b.new").starts_with("v 0 0 0\n"));
 }
 
@@ -237,7 +238,8 @@ TEST(Convert, WeldedFilesKeepTheirEncoding) {
 }
 
 TEST(Weld, MergesEqualPositionsOnly) {
-  // A strip whose every position occurs as +0 and as -0, and once more one rounding away.
+  // A strip in which every position occurs with z = +0, with z = -0, and with the smallest z above
+  // 0.
   std::string text;
   for (int i = 0; i < 300; ++i) {
     for (const char* z : {"0", "-0", "5e-324"})

@@ -1,3 +1,4 @@
+// The measures of meshes agree with known surfaces, whatever the scale and place.
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -98,7 +99,7 @@ TEST(MeshSummary, DoesNotDependOnOrientationExceptForTurnedTriangles) {
 TEST(SphereFit, FindsTheSphereOfPointsOnOneAtAnyPlaceAndScale) {
   for (const double scale : {1e-8, 1.0, 1e8}) {
     for (const Vec3& center : {Vec3(0, 0, 0), Vec3(3, -2, 100)}) {
-      // A cap will do: the fit need not see all of the sphere.
+      // A cap is enough: the points need not cover the whole sphere.
       const Points all = make_icosphere({3}).X;
       for (const Eigen::Index count : {Eigen::Index{12}, all.rows() / 2, all.rows()}) {
         Points X = 2.5 * scale * all.topRows(count);
@@ -112,11 +113,11 @@ TEST(SphereFit, FindsTheSphereOfPointsOnOneAtAnyPlaceAndScale) {
   }
 }
 
-// Whatever centre is tried beside the fitted one, the variance of the distances is larger.
+// For every centre near the fitted centre, the variance of the distances is larger.
 TEST(SphereFit, IsALocalMinimum) {
   for (const auto& [name, mesh] : test::good_meshes()) {
     if (name == "triangle" || name == "annulus" || name == "quadrilateral square") {
-      EXPECT_THROW(fit_sphere(mesh.X), BadMesh) << name;  // flat or too few
+      EXPECT_THROW(fit_sphere(mesh.X), BadMesh) << name;  // flat or too few points
       continue;
     }
     SCOPED_TRACE(name);
@@ -186,14 +187,15 @@ TEST(SurfaceDeviation, NormalErrorFallsWithTheEdgeLength) {
     const TriangleMesh mesh = make_icosphere({level});
     const double angle = deviation_from(sphere, mesh.X, mesh.F).angles.degrees.mean;
     if (level > 2) {
-      // The centroid's normal is met at second order on near-equilateral triangles.
+      // The normal at the centroid has a second-order error on near-equilateral triangles.
       EXPECT_GT(last / angle, 1.9);
     }
     last = angle;
   }
 }
 
-// Against points on all triangles, and the point found must be a point of the surface.
+// The closest point is compared with points on all triangles, and must itself be a point of the
+// surface.
 TEST(ClosestPoint, IsNoFartherThanAnyPointOfTheSurface) {
   RandomNumbers random(11);
   for (const auto& [name, mesh] : test::at_all_scales(test::all_meshes())) {
@@ -217,7 +219,7 @@ TEST(ClosestPoint, IsNoFartherThanAnyPointOfTheSurface) {
         }
       }
       EXPECT_LE(hit.distance, nearest + rounding);
-      // The point found lies on the triangle that is named.
+      // The closest point lies on the triangle that the result names.
       EXPECT_LE(ClosestPoint(mesh.X, F.row(hit.triangle))(hit.point).distance, rounding);
     }
   }
@@ -267,14 +269,16 @@ TEST(DirectedDistance, KnowsParallelSurfacesAndIsNotSymmetric) {
   EXPECT_NEAR(d.max, 0.25, 1e-15);
   EXPECT_NEAR(d.angles.degrees.max, 0.0, 1e-12);
 
-  // A square inside one of twice the side: from it nothing is far, to it a corner is.
+  // A square lies inside a square of twice the side. No point of the small square is far from the
+  // large square, but a corner of the large square is far from the small square.
   TriangleMesh large = a;
   large.X *= 2.0;
   EXPECT_NEAR(directed_distance(a.X, a.F, large.X, large.F, 100).max, 0.0, 1e-15);
   const DirectedDistance back = directed_distance(large.X, large.F, a.X, a.F, 50000);
   EXPECT_NEAR(back.max, std::sqrt(2.0), 1e-12);
   EXPECT_NEAR((back.farthest - Vec3(2, 2, 0)).norm(), 0.0, 1e-12);
-  // Mean over [0,2]^2: two strips of mean 1/2, a square whose mean is that of |x| over [0,1]^2.
+  // The mean over [0,2]^2: two strips with a mean of 1/2, and a square whose mean is the mean of
+  // |x| over [0,1]^2.
   const double corner = (std::sqrt(2.0) + std::log(1.0 + std::sqrt(2.0))) / 3.0;
   EXPECT_NEAR(back.mean, (0.0 + 0.5 + 0.5 + corner) / 4.0, 2e-3);
   EXPECT_NEAR(back.rms, std::sqrt((1.0 / 3.0 + 1.0 / 3.0 + 2.0 / 3.0) / 4.0), 2e-3);

@@ -1,4 +1,4 @@
-// Laws of the fields that people look at.
+// Laws of the fields on surfaces that users look at.
 #include "ibmfair/measure/surface_fields.h"
 
 #include <cmath>
@@ -20,7 +20,7 @@ namespace {
 
 using test::State;
 
-/// The largest distance of finite values to `expected`; infinite where there is no finite one.
+/// The largest distance of the finite values to `expected`; infinite if no value is finite.
 double largest_error(const PerVertex& values, double expected) {
   double error = -1;
   for (const double value : values) {
@@ -29,7 +29,7 @@ double largest_error(const PerVertex& values, double expected) {
   return error < 0 ? std::numeric_limits<double>::infinity() : error;
 }
 
-/// Both NaN, or within `tolerance`.
+/// Checks that the entries of a and b are both NaN, or differ by at most `tolerance`.
 void expect_alike(const Eigen::VectorXd& a, const Eigen::VectorXd& b, double tolerance) {
   ASSERT_EQ(a.size(), b.size());
   for (Eigen::Index i = 0; i < a.size(); ++i) {
@@ -159,7 +159,7 @@ TEST(TriangleQuality, IsOneForEquilateralOnesAndZeroForNone) {
 }
 
 TEST(RobustRange, LeavesOutWildValuesOfLittleArea) {
-  // A fine sphere: all vertices have about the same area.
+  // On a fine sphere, all vertices have about the same area.
   const TriangleMesh sphere = make_icosphere({.levels = 4});
   const State state(mesh_from_triangles(sphere.X, sphere.F));
   Eigen::VectorXd values = Eigen::VectorXd::LinSpaced(sphere.X.rows(), -1, 3);
@@ -176,7 +176,7 @@ TEST(RobustRange, LeavesOutWildValuesOfLittleArea) {
 }
 
 TEST(RobustRange, CountsAreaNotVertices) {
-  // Many small triangles at one place, where the value is 7, and two large ones.
+  // Many small triangles at one place have the value 7; there are two large triangles besides.
   const TriangleMesh fine = make_plane(1, {.rows = 24});
   const Eigen::Index n = fine.X.rows(), m = fine.F.rows();
   Points X(n + 4, 3);

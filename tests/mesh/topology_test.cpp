@@ -1,3 +1,4 @@
+// The connectivity of triangle meshes, and the geometric sizes of meshes.
 #include "ibmfair/mesh/topology.h"
 
 #include <algorithm>
@@ -24,7 +25,7 @@ Topology topology_of(const Mesh& mesh) {
   return State(mesh).topology;
 }
 
-/// The vertices of a hinge without regard to the order of its edge and of its sides.
+/// The vertices of every hinge, regardless of the order of its edge's ends and of its sides.
 std::set<std::pair<std::set<Index>, std::set<Index>>> hinge_set(const Topology& topology) {
   std::set<std::pair<std::set<Index>, std::set<Index>>> set;
   for (const auto x : topology.H.rowwise()) {
@@ -200,7 +201,7 @@ TEST(Topology, DefectsCarryNoHinge) {
   }
 }
 
-/// `size` triangles around the last vertex, closed to a ring; those in `missing` are left out.
+/// A ring of `size` triangles around the last vertex, without the triangles in `missing`.
 Triangles wheel(Index size, const std::set<Index>& missing) {
   Triangles F(size - static_cast<Index>(missing.size()), 3);
   Eigen::Index row = 0;
@@ -227,7 +228,7 @@ TEST(Topology, HubsOfAnySizeAreToldFromBowTies) {
 }
 
 TEST(Topology, TwoTrianglesOverTheSameVerticesAreDuplicates) {
-  for (const Index last : {1, 2}) {  // a pillow, and one folded onto itself
+  for (const Index last : {1, 2}) {  // a pillow, and a triangle folded onto itself
     const Triangles F = (Triangles(2, 3) << 0, 1, 2, 0, 3 - last, last).finished();
     const Topology topology = build_topology(3, F);
     EXPECT_EQ(topology.defects.duplicate, (std::vector<Index>{0, 1}));

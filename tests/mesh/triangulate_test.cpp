@@ -1,4 +1,4 @@
-// Polygons become triangles that cover them, whatever the polygon.
+// Every polygon is cut into triangles that cover it, whatever its shape.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -37,7 +37,8 @@ double signed_area(const std::vector<std::array<double, 2>>& corners) {
   return sum;
 }
 
-/// Covers without folding exactly if the areas of the triangles add up to that of the polygon.
+/// The triangles cover the polygon without folding exactly if their areas add up to the polygon's
+/// area.
 void expect_covered(const std::vector<std::array<double, 2>>& corners) {
   const Mesh mesh = polygon(corners);
   const Triangulation T = triangulate(mesh);

@@ -1,4 +1,4 @@
-// The PETSc engine: laws that hold for any number of ranks, through the real program.
+// Laws of the PETSc engine that hold for any number of ranks, checked with the real program.
 #include <cmath>
 #include <filesystem>
 
@@ -15,7 +15,7 @@
 namespace ibmfair::test {
 namespace {
 
-constexpr double same = 1e-8;  // of the mesh's size
+constexpr double same = 1e-8;  // relative to the mesh's size
 
 Mesh noisy(Mesh mesh, double amount = 0.15) {
   mesh.X = shaken(State(mesh), amount);
@@ -54,7 +54,7 @@ TEST_F(Ranks, EveryNumberGivesTheMeshOfOneProcess) {
 TEST_F(Ranks, AllMeshesOfTheTestsEndAsOnOneProcess) {
   for (const NamedMesh& mesh : all_meshes()) {
     if (mesh.name == "Moebius strip" || mesh.name == "Klein bottle") {
-      continue;  // where the cut lies is nobody's choice
+      continue;  // the place of the cut is arbitrary
     }
     expect_the_same(file_of(mesh.mesh), {"--steps", "2", "--cutoff", "4"}, 3, mesh.name);
   }

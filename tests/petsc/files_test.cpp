@@ -1,4 +1,4 @@
-// What the PETSc engine does with files: nothing is lost, whatever goes wrong.
+// The files of the PETSc engine: no data is lost, whatever goes wrong.
 #include "support/files.h"
 
 #include <cmath>
@@ -25,11 +25,12 @@ Mesh noisy_sphere(int subdivide = 3) {
   return mesh;
 }
 
-/// Bytes of a vertex of rich_ply behind its coordinates and normals, which no run may touch.
+/// The number of bytes of a vertex of rich_ply behind its coordinates and normals. No run may
+/// change these bytes.
 constexpr std::size_t pace_bytes = 3;
 
 /// A binary PLY file with normals, a property `pace` (0, 1, 2 in turn), properties of faces, and
-/// elements before and behind.
+/// other elements before and after the vertices and faces.
 std::string rich_ply(const Mesh& mesh, bool big_endian) {
   std::string bytes = fmt::format(
       "ply\nformat binary_{}_endian 1.0\ncomment of a scan\nelement camera 1\nproperty double f\n"

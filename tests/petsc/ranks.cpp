@@ -46,7 +46,7 @@ Words RanksTest::mpi_environment() const {
 
 Fair RanksTest::on_one(const std::string& input, const Words& options,
                        const std::string& output) const {
-  std::filesystem::remove(files_ / output);  // what is there afterwards is of this run
+  std::filesystem::remove(files_ / output);  // the file that is there afterwards is from this run
   return collect(run_program(Words{"smooth", input, files_ / output, "--overwrite", "--json",
                                    "--solver", "cholmod", "--solver-tolerance", "1e-12"} +
                              options),

@@ -1,4 +1,4 @@
-// Runs `smooth` on several ranks, beside the single process.
+// Runs `smooth` on several ranks, and on a single process for comparison.
 #pragma once
 
 #include <string>
@@ -13,10 +13,10 @@
 
 namespace ibmfair::test {
 
-/// What became of a mesh.
+/// The result of smoothing a mesh.
 struct Fair {
   RunResult run;
-  std::string bytes;  ///< of the output; empty where there is none, which fails the test
+  std::string bytes;  ///< of the output; empty if there is none, which fails the test
   nlohmann::json report;
 
   Points X() const;  ///< of the output, which must be PLY
@@ -27,20 +27,20 @@ class RanksTest : public testing::Test {
   /// Writes the mesh as a binary PLY file and returns its name.
   std::string file_of(const Mesh& mesh, const std::string& name = "in.ply") const;
 
-  /// One process that solves as exactly as it can.
+  /// Runs one process that solves as exactly as it can.
   Fair on_one(const std::string& input, const Words& options,
               const std::string& output = "one.ply") const;
 
-  /// `count` ranks that do so; `petsc` are PETSc's own options.
+  /// Runs `count` ranks that solve as exactly as they can; `petsc` are PETSc's own options.
   Fair on_ranks(int count, const std::string& input, const Words& options, const Words& petsc = {},
                 const std::string& output = "ranks.ply") const;
 
-  /// Any arguments, on `count` ranks.
+  /// Runs the program with any arguments on `count` ranks.
   RunResult run_on_ranks(int count, const Words& arguments, RunOptions options = {}) const;
 
-  /// Fewer cores than ranks are no mistake in a test, nor is a container's root. Open MPI keeps the
-  /// files of its runs in one directory of the user, which a run that ends removes under one that
-  /// begins: each test has its own.
+  /// Variables for Open MPI. They allow fewer cores than ranks, and the root user of a container.
+  /// Open MPI keeps the files of its runs in one directory of the user, and a run that ends may
+  /// remove this directory under a run that begins: therefore each test has a directory of its own.
   Words mpi_environment() const;
 
   TemporaryDirectory files_;
@@ -51,7 +51,7 @@ class RanksTest : public testing::Test {
   TemporaryDirectory sessions_;
 };
 
-/// The largest difference of two states over the size of the first.
+/// The largest difference between two states, divided by the size of the first state.
 double relative_difference(const Points& X, const Points& Y);
 
 }  // namespace ibmfair::test

@@ -1,5 +1,5 @@
-// Laws of coloured pictures: colours keep the order of numbers, texts and legends can be read, and
-// a picture of a field shows where it is large.
+// Laws of coloured pictures: colours keep the order of numbers, texts and legends are legible, and
+// a picture of a field shows at which places the field is large.
 #include <array>
 #include <cmath>
 #include <limits>
@@ -20,7 +20,7 @@ namespace {
 constexpr Rgb paper{255, 255, 255};
 constexpr Rgb black{0, 0, 0};
 
-/// L* of CIELAB, 0 to 100.
+/// The lightness L* of CIELAB, 0 to 100.
 double lightness(Rgb colour) {
   const Light light = light_of(colour);
   const double Y = 0.2126 * light[0] + 0.7152 * light[1] + 0.0722 * light[2];
@@ -64,7 +64,7 @@ TEST(ColourMap, SignsDarkenAlikeAndDifferInHue) {
     EXPECT_LT(lightness(below), lightness(diverging_colour(t + 1.0 / 64)) + 0.2) << t;
   }
   const Rgb cool = diverging_colour(0), warm = diverging_colour(1);
-  EXPECT_NEAR(cool.red, 59, 1);  // as published
+  EXPECT_NEAR(cool.red, 59, 1);  // the published values
   EXPECT_NEAR(cool.blue, 192, 1);
   EXPECT_NEAR(warm.red, 180, 1);
   EXPECT_NEAR(warm.blue, 38, 1);
@@ -142,7 +142,7 @@ TEST(Legend, OneValueHasTheColourOfTheMiddle) {
 }
 
 TEST(FieldPicture, IsLighterWhereTheFieldIsLarge) {
-  // Triangles that are flattened to the left have a lower quality there.
+  // Triangles that are flattened on the left have a lower quality there.
   const TriangleMesh sheet = make_plane(1, {.rows = 12});
   Points X = sheet.X;
   const double left = X.col(0).minCoeff(), right = X.col(0).maxCoeff();

@@ -1,5 +1,5 @@
-// Laws of the pictures: what the camera holds, which triangle hides which, what light and paint do,
-// and that PNG files give the pixels back.
+// Laws of the pictures: the part of the scene that the camera shows, the triangles that hide
+// others, the effects of light and paint, and the exact storage of pixels in PNG files.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -40,7 +40,7 @@ RenderOptions small_picture() {
   return {.width = 60, .height = 40, .samples = 2};
 }
 
-/// Straight on, without perspective and margins: one square fills a square picture.
+/// A view straight on, without perspective and margins: one square fills a square picture.
 RenderOptions straight_on(int side) {
   return {.width = side,
           .height = side,
@@ -217,7 +217,7 @@ TEST(Render, IsTheSameForEveryOrientation) {
     const Image image = render({mesh.X, F}, small_picture());
     EXPECT_GT(pixels_unlike(image, {255, 255, 255}), 100U) << name;
     const Image other = render({mesh.X, turned}, small_picture());
-    // Rounding may decide otherwise where two triangles meet.
+    // Rounding may give pixels at common edges to the other triangle.
     EXPECT_LT(pixels_that_differ(image, other), image.pixels.size() / 100) << name;
   }
 }
@@ -277,7 +277,7 @@ TEST(Render, DrawsSilhouettesOnlyWhereTheSurfaceBreaksOff) {
   EXPECT_EQ(drawn.at(40, 40), plain.at(40, 40)) << "on the upper square";
   EXPECT_LT(drawn.at(20, 40).green, plain.at(20, 40).green / 2) << "on the upper one's edge";
 
-  // A slope, however steep, is relief: inside it, nothing is drawn.
+  // A slope, however steep, is no silhouette: no line is drawn inside it.
   const Mesh sheet = test::flat_sheet(4, 4);
   options.view = {.from = {0.0, -1.0, 0.15}, .up = {0.0, 0.0, 1.0}, .margin = 0.1};
   const Triangles G = triangulate(sheet).F;

@@ -1,4 +1,4 @@
-// Job files: what they say, and what is said of bad ones.
+// Job files: the jobs that they describe, and the messages about bad job files.
 #include <algorithm>
 #include <filesystem>
 #include <string>
@@ -80,7 +80,7 @@ TEST_F(BatchTest, DumpedArgumentsAreAJobThatDoesTheSame) {
     EXPECT_EQ(batch.exit_code, 0) << batch.err << dump.out;
     EXPECT_EQ(bytes("out" + extension), expected);
     fs::remove(full("out" + extension));
-    // Dumping the job gives the job.
+    // Dumping a dumped job gives the dumped job again.
     EXPECT_EQ(run({"batch", "-", "--dump-config"}, {.input = dump.out}).out, dump.out);
   }
 }
@@ -116,7 +116,7 @@ TEST_F(BatchTest, AGlobLeavesOutWhatItsOwnJobWrites) {
 struct BadList {
   std::string text;
   int exit_code;
-  Words messages;  // parts of what is said
+  Words messages;  // parts of the error output
 };
 
 TEST_F(BatchTest, BadJobFilesAreRefusedBeforeAnythingRuns) {
@@ -196,7 +196,7 @@ TEST_F(BatchTest, BadJobFilesAreRefusedBeforeAnythingRuns) {
        2,
        {"job 2:", "x.off", "second batch"}},
   };
-  write_bytes(full("x.off"), bytes(path("a")));  // what an earlier run may have left
+  write_bytes(full("x.off"), bytes(path("a")));  // an earlier run may have left this file
   for (const auto& [pattern, exit_code, messages] : lists) {
     std::string text = pattern;
     if (const std::size_t at = text.find("GOOD"); at != std::string::npos) {

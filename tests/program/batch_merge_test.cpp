@@ -1,4 +1,4 @@
-// The one summary of a list whose parts were run apart.
+// `batch --merge` gives one summary of a list whose parts were run separately.
 #include <filesystem>
 #include <string>
 
@@ -23,7 +23,8 @@ using test::Words;
 using test::write_bytes;
 using test::operator+;
 
-/// A list of which an item fails, and another has a file of somebody else's in its way.
+/// A list in which one item fails, and the output of another item exists already as somebody else's
+/// file.
 class MergeTest : public BatchTest {
  protected:
   MergeTest() {
@@ -47,7 +48,7 @@ class MergeTest : public BatchTest {
     }
   }
 
-  /// A report without what differs from one run to the next.
+  /// A report without the values that differ from one run to the next.
   static json lasting(const std::string& text) {
     json report = json::parse(text);
     for (json& item : report.at("items")) {
@@ -111,7 +112,7 @@ TEST_F(MergeTest, WhatHasNotBeenRunIsNotDone) {
   }
   EXPECT_EQ(statuses(list_ + Words{"--merge"}), expected);
 
-  // It is the items as they are now that count.
+  // The summary depends on the items as they are now.
   make("c", 77);
   fs::remove(full("out/d.off"));
   expected[path("c")] = expected[path("d")] = "not run";
@@ -125,7 +126,7 @@ TEST_F(MergeTest, AnItemThatWasKilledIsBegunNotEnded) {
   run_parts(1);
   const std::string journal = full("out/.ibmfair-batch.journal");
   std::string text = test::read_bytes(journal);
-  write_bytes(journal, text.substr(0, text.size() - 20));  // d's end
+  write_bytes(journal, text.substr(0, text.size() - 20));  // cuts off the end record of item d
   const json items = json::parse(run(list_ + Words{"--merge", "--json"}).out)["items"];
   EXPECT_EQ(items[4]["status"], "not run");
   EXPECT_EQ(items[4]["message"], "started, but not finished");

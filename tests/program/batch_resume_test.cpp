@@ -1,4 +1,4 @@
-// Batches that are interrupted, gone on with and run again.
+// Batches that are interrupted, resumed and run again.
 #include <algorithm>
 #include <chrono>
 #include <csignal>
@@ -55,10 +55,10 @@ TEST_F(BatchTest, ResumeRedoesExactlyWhatHasChanged) {
   expect(options_, "skipped", "skipped", "ok");
   expect(options_ + Words{"--no-mass"}, "ok", "ok", "ok");
   expect(options_ + Words{"--no-mass"}, "skipped", "skipped", "skipped");
-  // A new date alone does not matter, nor does a value that is the default anyway.
+  // A new date alone does not make an item run again, nor does an option with its default value.
   fs::last_write_time(full(path("a")), fs::file_time_type::clock::now());
   expect(options_ + Words{"--no-mass", "--metric", "mass"}, "skipped", "skipped", "skipped");
-  // The same size and date, other content.
+  // A file of the same size and date, but with other content, makes the item run again.
   const auto date = fs::last_write_time(full(path("a")));
   std::string text = bytes(path("a"));
   std::swap(text[text.find("0.")], text[text.find("0.") + 2]);
@@ -104,7 +104,7 @@ TEST_F(BatchTest, AJournalsHalfWrittenLastLineIsIgnored) {
   const std::string journal = full("out/.ibmfair-batch.journal");
   const std::string text = test::read_bytes(journal);
   ASSERT_TRUE(text.ends_with("}\n"));
-  write_bytes(journal, text.substr(0, text.size() - 20));  // c's end
+  write_bytes(journal, text.substr(0, text.size() - 20));  // cuts off the end record of item c
   const Statuses expected{{path("a"), "skipped"}, {path("b"), "skipped"}, {path("c"), "ok"}};
   EXPECT_EQ(statuses(words + Words{"--resume"}), expected);
   const Statuses all{{path("a"), "skipped"}, {path("b"), "skipped"}, {path("c"), "skipped"}};
@@ -125,7 +125,7 @@ TEST_F(BatchTest, OneBatchAtATimeWritesAJournal) {
   EXPECT_EQ(run(words).exit_code, 0);
 }
 
-/// Files large enough that a batch of them can be met in the middle.
+/// A batch of files large enough that a signal can reach it in the middle of its work.
 class InterruptedBatchTest : public BatchTest {
  protected:
   InterruptedBatchTest() {
@@ -137,7 +137,8 @@ class InterruptedBatchTest : public BatchTest {
     words_ = Words{"smooth"} + many_ + Words{"--jobs", "2", "--out-dir", "out"};
   }
 
-  /// Stops the batch once more has been written than runs at a time: some, but not all, is done.
+  /// Stops the batch once more files are written than processes run at a time: some items, but not
+  /// all, are done.
   RunResult stopped_by(int signal_number) {
     RunOptions options;
     options.signal_number = signal_number;
@@ -171,7 +172,7 @@ class InterruptedBatchTest : public BatchTest {
 
 TEST_F(InterruptedBatchTest, KilledItLosesNothingAndResumes) {
   EXPECT_EQ(stopped_by(SIGKILL).exit_code, -SIGKILL);
-  // Its processes end with it: nothing more appears.
+  // The processes of the batch end with it: no more files appear.
   std::this_thread::sleep_for(std::chrono::milliseconds(20));
   const std::size_t left = count("out");
   EXPECT_LT(left, many_.size());
@@ -210,7 +211,7 @@ TEST_F(BatchTest, ResumeClearsAwayWhatDeadProcessesLeft) {
   const Words words = Words{"smooth"} + inputs_ + Words{"--out-dir", "out"} + options_;
   EXPECT_EQ(run(words).exit_code, 0);
   EXPECT_TRUE(exists(stale));
-  // The other parts of a list may be at work on other machines.
+  // The other parts of a list may still be at work on other machines.
   EXPECT_EQ(run(words + Words{"--resume", "--shard", "1/2"}).exit_code, 0);
   EXPECT_TRUE(exists(stale));
   EXPECT_EQ(run(words + Words{"--resume"}).exit_code, 0);

@@ -1,4 +1,4 @@
-// One list run by several processes at once, as on the nodes of a cluster.
+// One list of items is run by several processes at once, as on the nodes of a cluster.
 #include <algorithm>
 #include <chrono>
 #include <csignal>
@@ -38,7 +38,7 @@ using test::operator+;
 
 constexpr std::chrono::minutes past_any_expiry{60};
 
-/// Waits for what must come about sooner or later.
+/// Waits for a condition that must come true sooner or later.
 void await(const std::function<bool()>& condition) {
   const auto end = std::chrono::steady_clock::now() + test::patience;
   while (!condition()) {
@@ -65,7 +65,7 @@ class SharedBatchTest : public BatchTest {
 
   void TearDown() override { EXPECT_EQ(count(folder_, ".tmp"), 0U); }
 
-  /// Runs all of these at once.
+  /// Runs all of these processes at once.
   std::vector<RunResult> run_together(const std::vector<Words>& processes) const {
     std::vector<std::future<RunResult>> running;
     running.reserve(processes.size());
@@ -79,7 +79,7 @@ class SharedBatchTest : public BatchTest {
     return results;
   }
 
-  /// How often each item was started, by the name of its output.
+  /// The number of times that each item was started, by the name of its output.
   std::map<std::string, int> starts() const {
     std::map<std::string, int> found;
     for (const auto& entry : fs::directory_iterator(full(folder_))) {
@@ -132,7 +132,7 @@ class SharedBatchTest : public BatchTest {
     return fs::file_time_type::clock::now() - fs::last_write_time(file) > past_any_expiry / 2;
   }
 
-  /// As if a process of another machine held the claim.
+  /// Changes a claim as if a process of another machine held it.
   static void make_foreign(const std::string& claim) {
     const auto date = fs::last_write_time(claim);
     std::string text = test::read_bytes(claim);
@@ -142,7 +142,7 @@ class SharedBatchTest : public BatchTest {
     fs::last_write_time(claim, date);
   }
 
-  /// As if all processes that are at work had been dead for an hour.
+  /// Changes dates of files as if all processes that are at work had been dead for an hour.
   void make_stale() const {
     for (const std::string& folder : {std::string("out"), folder_}) {
       for (const auto& entry : fs::directory_iterator(full(folder))) {
@@ -154,7 +154,8 @@ class SharedBatchTest : public BatchTest {
     }
   }
 
-  /// A process that runs an item for ever: before the file is put in its place.
+  /// Options with which a process never finishes an item: it stops before it puts the file in
+  /// place.
   RunOptions in_the_midst() const {
     test::Fault fault{"rename", 1, 1};
     fault.signal_number = SIGSTOP;
@@ -167,7 +168,8 @@ class SharedBatchTest : public BatchTest {
            contains(test::read_bytes(only_claim()), "\"process\"");
   }
 
-  /// A process begins by making a file and removing it, to see whether it may; that one is empty.
+  /// Whether a process has written a part of its output. A process begins by making and removing an
+  /// empty file to see whether it may write; this empty file does not count.
   bool has_written() const {
     std::error_code gone;
     for (const auto& entry : fs::directory_iterator(full("out"), gone)) {
@@ -179,7 +181,7 @@ class SharedBatchTest : public BatchTest {
     return false;
   }
 
-  /// Leaves a list of which the first item was running when the process was killed.
+  /// Leaves a list whose first item was running when the process was killed.
   void kill_one_in_the_midst() const {
     RunOptions options = in_the_midst();
     options.signal_number = SIGKILL;
@@ -221,7 +223,7 @@ TEST_F(SharedBatchTest, WhatFailsIsTriedOnceUnlessAskedForAgain) {
   write_bytes(full(path("b")), "OFF 3 1 0\n0 0 0\n1 0 0\n0 one 0\n3 0 1 2\n");
   whole_.erase("out/b.off");
   std::vector<RunResult> results = run_together(std::vector<Words>(4, shared_));
-  results.push_back(run(shared_));  // one that comes when all is over
+  results.push_back(run(shared_));  // a process that starts when all items are done
   for (const RunResult& result : results) {
     EXPECT_EQ(result.exit_code, 1);
     EXPECT_TRUE(contains(result.err, "in/b.off:4:3")) << result.err;
@@ -229,7 +231,7 @@ TEST_F(SharedBatchTest, WhatFailsIsTriedOnceUnlessAskedForAgain) {
   EXPECT_EQ(starts().at("b.off"), 1);
   EXPECT_EQ(run(shared_ + Words{"--resume"}).exit_code, 1);
   EXPECT_EQ(starts().at("b.off"), 2);
-  // Another input is another task.
+  // An item with changed input is a new task.
   make("b", 5);
   EXPECT_EQ(run(shared_).exit_code, 0);
   EXPECT_EQ(starts().at("b.off"), 3);
@@ -263,9 +265,11 @@ TEST_F(SharedBatchTest, OthersMakeUpForOneThatIsKilled) {
     EXPECT_EQ(count("out", ".tmp"), 1U);
     Words words = shared_;
     if (elsewhere) {
-      // Its time is over after a second; until then the others do the rest.
+      // The claim of the killed process expires after a second; until then the others do the other
+      // items.
       make_foreign(only_claim());
-      // It had another expiry and gave no sign of life after it wrote, which may have taken longer.
+      // The killed process had another expiry time, and gave no sign of life after it had written
+      // its file; writing may have taken longer than a second.
       fs::last_write_time(only_claim(), fs::file_time_type::clock::now());
       words = words + Words{"--claim-expiry", "1"};
     }
@@ -316,7 +320,7 @@ TEST_F(SharedBatchTest, ATakerThatDiesIsMadeUpForAsWell) {
   for (const RunResult& result : run_together(std::vector<Words>(3, shared_))) {
     EXPECT_EQ(result.exit_code, 0) << result.err;
   }
-  EXPECT_GE(starts().at("a.off"), 2);  // the second may not have got as far as that
+  EXPECT_GE(starts().at("a.off"), 2);  // the second process may not have started item a
   expect_all_is_done();
 }
 
@@ -332,10 +336,10 @@ TEST_F(SharedBatchTest, OneThatLivesKeepsWhatItHasAndOneThatSleptGivesWay) {
   const std::string claim = only_claim();
   const int process = json::parse(
       std::string(test::read_bytes(claim), 0, test::read_bytes(claim).find('\n')))["pid"];
-  // It gives signs of life, though the item itself sleeps.
+  // The process gives signs of life, although the item itself sleeps.
   make_old(claim);
   await([&] { return !is_old(claim); });
-  // Meanwhile others do the rest and wait.
+  // Meanwhile another process does the other items and waits.
   RunOptions waiting;
   waiting.signal_number = SIGINT;
   waiting.signal_when = [this] { return count("out") + 1 == whole_.size(); };
@@ -343,7 +347,7 @@ TEST_F(SharedBatchTest, OneThatLivesKeepsWhatItHasAndOneThatSleptGivesWay) {
   EXPECT_EQ(patient.exit_code, 128 + SIGINT);
   EXPECT_FALSE(contains(patient.err, "failed")) << patient.err;
   kill(process, SIGSTOP);
-  await([&] {  // all of its threads have stopped
+  await([&] {  // waits until all threads of the process have stopped
     make_old(claim);
     std::this_thread::sleep_for(std::chrono::milliseconds(50));
     return is_old(claim);
@@ -367,7 +371,7 @@ TEST_F(SharedBatchTest, WhatIsLeftOfAClaimToWhatIsDoneIsClearedAway) {
   const std::string claim = only_claim();
   const std::string left = bytes(folder_ + "/" + fs::path(claim).filename().string());
   EXPECT_EQ(run(shared_).exit_code, 0);
-  write_bytes(claim, left);  // as one leaves it that is killed when it has noted the end
+  write_bytes(claim, left);  // as left by a process that is killed after it noted the end
   EXPECT_EQ(run(shared_).exit_code, 0);
   EXPECT_EQ(starts().at("a.off"), 2);
   expect_all_is_done();
@@ -398,7 +402,7 @@ TEST_F(SharedBatchTest, WhoeverIsInTheWayIsSaidToBe) {
   EXPECT_EQ(run(shared_ + Words{"--merge"}).exit_code, 2);
   EXPECT_FALSE(exists("out"));
 
-  // What somebody else has put at the names of claims leads nowhere, and holds nothing up.
+  // Other things that somebody has put at the names of claims are neither followed nor waited for.
   if (!test::faults_can_be_injected()) {
     return;
   }

@@ -1,4 +1,4 @@
-// Many files at once, run as users run them.
+// Batches of many files, run as users run them.
 #include <algorithm>
 #include <filesystem>
 #include <string>
@@ -112,7 +112,7 @@ TEST_F(BatchTest, DryRunPrintsCommandsForAShell) {
             "ibmfair smooth 'in/it'\\''s $1.off' 'out/it'\\''s $1.off' --max-move=2%\n"
             "ibmfair smooth in/b.off out/b.off --max-move=2%\n");
   EXPECT_FALSE(exists("out"));
-  // Of a list that is gone on with, what is left.
+  // When a list is resumed, only the remaining items are listed.
   const Words words = Words{"smooth"} + inputs_ + Words{"--out-dir", "out"} + options_;
   EXPECT_EQ(run(words).exit_code, 0);
   fs::remove(full("out/b.off"));
@@ -180,7 +180,7 @@ TEST_F(BatchTest, TheSummaryHoldsEveryItemWithItsFigures) {
   EXPECT_TRUE(contains(csv, "\r\nsmooth,in/a.off,out/a.off,ok,0,")) << csv;
   EXPECT_TRUE(contains(csv, "after.energy"));
   EXPECT_TRUE(contains(csv, ",\"in/bad.off:2")) << csv;
-  // Resuming tells the figures of what it skips.
+  // A resumed run also reports the figures of the items that it skips.
   const RunResult resumed =
       run(words + Words{"--out-dir", "out", "--json", "--resume", "--summary", "s.csv"});
   EXPECT_EQ(json::parse(resumed.out)["items"][1]["figures"], first["figures"]);

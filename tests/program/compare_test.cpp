@@ -1,4 +1,4 @@
-// How far apart the program says that meshes are.
+// `ibmfair compare`: the distances between meshes that the program reports.
 #include <string>
 
 #include <gtest/gtest.h>

@@ -1,6 +1,5 @@
-// The program on a system that fails it: what a run writes is there completely or not at all, what
-// it reads is never touched, temporary files do not stay behind, and the exit code says what
-// happened.
+// The program on a system with faults: each output of a run is complete or absent, inputs are never
+// touched, temporary files do not stay behind, and the exit code says what happened.
 #include "support/faults.h"
 
 #include <chrono>
@@ -65,7 +64,8 @@ class Faults : public testing::Test {
   std::string bytes_, smoothed_;
 };
 
-/// A file system of this size of its own, while the process lives. Only root can have one.
+/// A separate file system of this size, which exists while the process lives. Only root can make
+/// such a file system.
 class SmallDisk {
  public:
   SmallDisk(const std::string& folder, int kilobytes) : folder_(folder) {
@@ -167,8 +167,8 @@ TEST_F(Faults, ALimitOfFileSizesIsAnErrorNotTheEnd) {
 }
 
 TEST_F(Faults, WhatIsDoneToTheTargetMeanwhileIsNotUndone) {
-  // Long enough to be met while it runs; what comes before the first look at the target is an error
-  // all the same.
+  // The run takes long enough that the target can be changed while it runs. A change before the
+  // first look at the target is an error, too.
   const Words words{"smooth", in_, directory_ / "folder/out.ply", "--steps", "3000", "--overwrite"};
   const auto meanwhile = [&](const Words& run_words, const auto& act) {
     fs::remove_all(directory_ / "folder");
@@ -207,7 +207,7 @@ TEST_F(Faults, RunsWithoutAnyOfTheStandardStreams) {
     const RunResult result = run(smooth(out_, {"--overwrite"}), {.closed = closed});
     EXPECT_EQ(result.exit_code, 0);
     EXPECT_EQ(read_bytes(out_), smoothed_);
-    // What has nowhere to go is an error.
+    // Output that has nowhere to go is an error.
     EXPECT_EQ(run({"info", in_}, {.closed = closed}).exit_code,
               std::count(closed.begin(), closed.end(), 1) > 0 ? cannot_write : 0);
   }
@@ -223,7 +223,7 @@ TEST_F(Faults, TheOutputMayBeTheInputUnderAnyName) {
     EXPECT_EQ(run(smooth(name)).exit_code, cannot_write) << name;
     EXPECT_EQ(read_bytes(in_), bytes_);
   }
-  // Another name of the file becomes another file.
+  // A hard link to the input becomes a file of its own.
   EXPECT_EQ(run(smooth(hard, {"--overwrite"})).exit_code, 0);
   EXPECT_EQ(read_bytes(hard), smoothed_);
   EXPECT_EQ(read_bytes(in_), bytes_);
@@ -288,7 +288,7 @@ TEST_F(Faults, AnInputThatChangesWhileItIsReadIsRefused) {
   if (!test::faults_can_be_injected()) {
     GTEST_SKIP() << "AddressSanitizer is in the way";
   }
-  Fault fault{"read", 2, 2};  // the first call has got bytes, the second one meets the end
+  Fault fault{"read", 2, 2};  // the first call reads bytes, the second one reaches the end
   fault.truncated = in_;
   const RunResult result = run(smooth(out_), {.environment = environment_of(fault)});
   EXPECT_EQ(result.exit_code, bad_file) << result.err;
@@ -297,7 +297,7 @@ TEST_F(Faults, AnInputThatChangesWhileItIsReadIsRefused) {
 }
 
 TEST_F(Faults, AFormatThatCannotBeWrittenIsRefusedBeforeTheWork) {
-  // Steps for a minute.
+  // So many steps would take a minute.
   const RunResult result = run({"smooth", in_, directory_ / "out.stl", "--steps", "1000000"});
   EXPECT_LE(result.cpu_seconds, 10);
   EXPECT_EQ(result.exit_code, 2);
@@ -305,7 +305,7 @@ TEST_F(Faults, AFormatThatCannotBeWrittenIsRefusedBeforeTheWork) {
 }
 
 TEST_F(Faults, AnInputOfMoreThanTheMemoryIsRefusedUnread) {
-  fs::resize_file(in_, std::uintmax_t{1} << 42U);  // all but the start takes no space
+  fs::resize_file(in_, std::uintmax_t{1} << 42U);  // only the start takes space
   const RunResult sparse = run({"info", in_});
   EXPECT_EQ(sparse.exit_code, 5);
   EXPECT_TRUE(contains(sparse.err, "4398047 MB of memory")) << sparse.err;

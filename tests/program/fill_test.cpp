@@ -138,7 +138,7 @@ TEST_F(FillProgram, FairsARegionAgain) {
   const Points X = read_mesh(out("out.off")).mesh().X;
   EXPECT_LT((X.rowwise().norm().array() - 1).abs().maxCoeff(), 0.005);
 
-  // The same region as an OBJ group, whose inner vertices move.
+  // The same region is given as an OBJ group, whose inner vertices move.
   std::string groups[2] = {"g rest\n", "g cap\n"};
   for (Index f = 0; f < mesh.faces.size(); ++f) {
     const auto corners = mesh.faces[f];

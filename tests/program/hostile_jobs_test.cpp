@@ -1,4 +1,4 @@
-// What a job file, or a folder that somebody else prepared, cannot make a batch do.
+// Actions that neither a job file nor a folder prepared by somebody else can make a batch perform.
 #include <filesystem>
 #include <string>
 
@@ -78,7 +78,8 @@ TEST_F(BatchTest, AJobCannotSetWhatBelongsToTheBatch) {
 
 TEST_F(BatchTest, ANameDoesNotEndWhereTheSystemWouldEndIt) {
   const std::string before = bytes(path("a"));
-  // Seen as a whole it differs from the input; as an argument it would be the input.
+  // The whole name differs from the input's name; as an argument, which ends at the zero character,
+  // it would be the input.
   const std::string name = path("a") + std::string(1, '\0') + ".off";
   const json job{{"command", "smooth"},
                  {"input", path("a")},
@@ -133,7 +134,7 @@ TEST_F(BatchTest, TheJournalIsNeverWrittenIntoAnotherFile) {
   EXPECT_FALSE(exists("not-there"));
   fs::remove(full("jobs.json.journal"));
 
-  for (const std::string begun : {"", "{", R"({"event":"sta)"}) {  // by a run that was killed
+  for (const std::string begun : {"", "{", R"({"event":"sta)"}) {  // left by a killed run
     write_bytes(full("jobs.json.journal"), begun);
     EXPECT_EQ(run({"batch", "jobs.json", "--overwrite"}).exit_code, 0) << begun;
   }

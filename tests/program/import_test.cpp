@@ -1,5 +1,5 @@
-// What a file that goes through assimp cannot do: reach files outside its folder, or make the
-// program believe what the process that reads it replies.
+// A file that is read through assimp can neither reach files outside its folder, nor make the
+// program believe a forged reply of the process that reads the file.
 #include <cstring>
 #include <filesystem>
 #include <limits>
@@ -21,7 +21,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Folders `in` with a scene and `out` with the buffer that it wants.
+/// A folder `in` with a scene, and a folder `out` with the buffer that the scene refers to.
 class ReferenceTest : public testing::Test {
  protected:
   ReferenceTest() {
@@ -30,7 +30,7 @@ class ReferenceTest : public testing::Test {
     write_bytes(folder_ / "out/secret.bin", triangle_buffer());
   }
 
-  /// The message that refuses a scene with this reference; empty where it is read.
+  /// The message that refuses a scene with this reference; empty if the scene is read.
   std::string refusal(const std::string& uri) const {
     write_bytes(folder_ / "in/scene.gltf", triangle_gltf(uri));
     try {
@@ -100,12 +100,12 @@ TEST_F(ReferenceTest, AnOddFormatNameIsNoWayRoundTheImporterThatItNames) {
   EXPECT_THROW(read_mesh(folder_ / "in/a.stl"), BadFile);
 }
 
-/// The reply of a process that is none of ours: it sends these bytes and ends.
+/// A forged reply: a foreign process sends these bytes and ends.
 class ForgedReply {
  public:
   explicit ForgedReply(const std::string& bytes) { write_bytes(folder_ / "reply", bytes); }
 
-  /// What is made of it.
+  /// The mesh that the program makes of the reply.
   ParsedMesh received(ImportLimits limits = {std::chrono::seconds(10), 1 << 20}) const {
     const auto source = SourceBytes::from_memory("a.stl", "hostile");
     ImportProcess process("/bin/sh", {"-c", "cat \"$0\" >&0", folder_ / "reply"}, limits.time);
@@ -122,7 +122,7 @@ std::string raw(const std::vector<T>& values) {
   return {reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T)};
 }
 
-/// A reply with one triangle, its parts to be spoilt.
+/// A reply with one triangle, whose parts the tests spoil.
 struct Reply {
   ImportHeader header{.vertices = 3, .faces = 1, .corners = 3};
   std::vector<double> positions{0, 0, 0, 1, 0, 0, 0, 1, 0};
@@ -152,7 +152,7 @@ TEST(ImportReply, ThatMakesNoSenseIsRefused) {
     spoilt().header.corners = count;
     spoilt().header.faces = count;
   }
-  spoilt().header.vertices = 1U << 17U;  // more than the limit of memory holds
+  spoilt().header.vertices = 1U << 17U;  // needs more than the memory limit
   spoilt().header.message_size = huge;
   spoilt().header.outside_size = 1U << 20U;
   spoilt().header.texture = 2;
@@ -167,7 +167,7 @@ TEST(ImportReply, ThatMakesNoSenseIsRefused) {
   folded.header.corners = 6;
   folded.first = {0, std::numeric_limits<std::int64_t>::min(), 6};
   folded.corner = {0, 1, 2, 0, 1, 2};
-  spoilt().corner.pop_back();  // ends too early
+  spoilt().corner.pop_back();  // the reply ends too early
   for (const Reply& reply : replies) {
     SCOPED_TRACE(&reply - replies.data());
     EXPECT_THROW(ForgedReply(reply.bytes()).received(), BadFile);

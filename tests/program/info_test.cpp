@@ -1,4 +1,4 @@
-// What the program finds out about meshes.
+// `ibmfair info`: the figures that the program reports about meshes.
 #include <numbers>
 #include <string>
 
@@ -98,7 +98,7 @@ TEST(Info, FitsASphere) {
   EXPECT_NEAR(found["sphere"]["radius"], 2.0, 1e-13);
   EXPECT_NEAR(found["sphere"]["center"][2], 7.0, 1e-12);
   EXPECT_LE(found["sphere"]["relative_deviation"], 1e-14);
-  // The twelve corners of the icosahedron are on the sphere, the middle of its edges is not.
+  // The twelve corners of the icosahedron are on the sphere; the midpoints of its edges are not.
   const json flat =
       figures({"info", "-", "--sphere"}, {.input = made({"icosahedron", "--subdivide", "4"})});
   EXPECT_GT(flat["sphere"]["relative_deviation"], 0.03);

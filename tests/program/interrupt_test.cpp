@@ -1,4 +1,4 @@
-// Runs that are asked to stop: at once, or after the step with --checkpoint.
+// Runs that are asked to stop end at once, or after the current step with --checkpoint.
 #include <csignal>
 #include <filesystem>
 #include <regex>
@@ -25,8 +25,8 @@ class Interrupt : public testing::Test {
       GTEST_SKIP() << "AddressSanitizer is in the way";
     }
     EXPECT_EQ(run_program({"make", "torus", in_, "--noise", "0.2", "--rows", "20"}).exit_code, 0);
-    // As many allocations as one step and all around it make lie, in a run of very many steps,
-    // somewhere in the midst of those.
+    // The number of allocations in a run of one step. In a run of very many steps, the allocation
+    // of this number happens somewhere in the middle of the steps.
     in_a_step_ = count_calls({"malloc"}, steps(1));
     fs::remove(out_);
     EXPECT_EQ(run_program(steps(many)).exit_code, 0);
@@ -37,7 +37,7 @@ class Interrupt : public testing::Test {
     return {"smooth", in_, out_, "--steps", std::to_string(count), "--threads", "1"};
   }
 
-  /// Runs many steps and sends a signal, or two, in one of them.
+  /// Runs many steps and sends one signal or two during one of the steps.
   RunResult interrupted(const Words& more, int signal_number = SIGINT, int signals = 1) const {
     Fault fault{"malloc", in_a_step_, in_a_step_ + signals - 1};
     fault.signal_number = signal_number;
@@ -101,7 +101,7 @@ TEST_F(Interrupt, WithoutOneOrASecondTimeItEndsAtOnce) {
   const RunResult second = interrupted({"--checkpoint", state_}, SIGINT, 2);
   EXPECT_EQ(second.exit_code, 130);
   EXPECT_TRUE(contains(second.err, "once more")) << second.err;
-  EXPECT_EQ(directory_.entries(), 2U);  // the input, and the result of the run that was not
+  EXPECT_EQ(directory_.entries(), 2U);  // the input and the result of the uninterrupted run
 }
 
 TEST_F(Interrupt, ARunThatIsNotInterruptedLeavesNoCheckpoint) {
@@ -119,7 +119,8 @@ TEST_F(Interrupt, ACheckpointThatCannotBeWrittenIsRefusedBeforeTheWork) {
   EXPECT_EQ(interrupted({"--checkpoint", directory_ / "missing/state.ply"}).exit_code, 6);
 }
 
-// Each of them in the midst of a call of malloc: nothing may be allocated for the message.
+// Each signal comes during a call of malloc, so that the program must not allocate memory for its
+// message.
 TEST_F(Interrupt, ACrashTellsVersionKernelsStageAndSignal) {
   const std::vector<std::pair<int, std::string>> signals{{SIGSEGV, "SIGSEGV"},
                                                          {SIGBUS, "SIGBUS"},
@@ -140,7 +141,8 @@ TEST_F(Interrupt, ACrashTellsVersionKernelsStageAndSignal) {
 
 TEST_F(Interrupt, ACrashWhileReadingSaysSo) {
   RunOptions options;
-  options.input = std::string(1 << 20, '#');  // more than a pipe holds: it is being read by then
+  // The input is more than a pipe holds, so that the program is reading when the signal comes.
+  options.input = std::string(1 << 20, '#');
   options.signal_number = SIGSEGV;
   const RunResult result = run_program({"smooth", "-", out_, "--input-format", "obj"}, options);
   EXPECT_EQ(result.exit_code, -SIGSEGV);
@@ -148,7 +150,7 @@ TEST_F(Interrupt, ACrashWhileReadingSaysSo) {
 }
 
 TEST_F(Interrupt, SignalsThatAreIgnoredStaySo) {
-  // As under nohup, or in the background of a shell without job control.
+  // SIGINT is ignored, as under nohup or in the background of a shell without job control.
   signal(SIGINT, SIG_IGN);
   const RunResult result = interrupted({"--checkpoint", state_});
   signal(SIGINT, SIG_DFL);

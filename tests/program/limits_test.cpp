@@ -1,4 +1,5 @@
-// Sizes that are too large for the numbers or for the memory are refused before anything is taken.
+// Sizes that are too large for the index type or for the memory are refused before any memory is
+// taken.
 #include <cstdint>
 #include <filesystem>
 #include <limits>
@@ -27,7 +28,7 @@ namespace fs = std::filesystem;
 using nlohmann::json;
 
 TEST(Limits, ListsOfMoreEntriesThanCanBeNumberedAreRefused) {
-  // Nobody may look at them: the memory cannot be read.
+  // The program must not look at the entries: this memory cannot be read.
   const std::size_t count = std::size_t{1} << 31U;
   void* const memory = mmap(nullptr, count * sizeof(Index), PROT_NONE,
                             MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
@@ -53,7 +54,7 @@ TEST(Limits, MeshesOfMoreElementsThanCanBeNumberedAreRefused) {
   }
 }
 
-/// A folder that stands for the root of a system.
+/// A folder that stands for the root folder of a system.
 class SystemFiles : public testing::Test {
  protected:
   void put(const std::string& name, const std::string& text) const {
@@ -83,7 +84,7 @@ TEST_F(SystemFiles, SayWhatEveryControlGroupAroundLeaves) {
   EXPECT_EQ(available(), 7e6);
   put("/sys/fs/cgroup/slice/job/memory.max", "3000000\n");
   EXPECT_EQ(available(), 3e6);
-  put("/sys/fs/cgroup/memory.max", "1000\n");  // as a container sees its own
+  put("/sys/fs/cgroup/memory.max", "1000\n");  // as a container sees its own group
   EXPECT_EQ(available(), 1000);
   put("/sys/fs/cgroup/memory.current", "2000\n");
   EXPECT_EQ(available(), 0);
@@ -134,7 +135,7 @@ TEST(Limits, MemoryComesInLargePagesWhereTheSystemHasThem) {
   ASSERT_EQ(run_program({"make", "torus", in, "--rows", "240", "--columns", "600"}).exit_code, 0);
   const RunResult run = run_program({"smooth", in, out, "--quiet", "--solver", "cg"});
   ASSERT_EQ(run.exit_code, 0) << run.err;
-  const double small_pages = run.peak_megabytes * 256;  // of 4 KiB, if there were no others
+  const double small_pages = run.peak_megabytes * 256;  // the number of pages if all had 4 KiB
   EXPECT_LT(static_cast<double>(run.page_faults), small_pages / 8);
 }
 

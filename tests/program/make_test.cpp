@@ -1,4 +1,4 @@
-// Shapes that the program makes.
+// `ibmfair make`: the shapes that the program generates.
 #include <cmath>
 #include <string>
 
@@ -45,7 +45,7 @@ TEST(Make, NoiseHasTheStandardDeviationAskedFor) {
   const json found =
       figures({"compare", directory / "clean.off", directory / "noisy.off", "--samples", "1"});
   const json& distance = found["vertex_distance"];
-  // Three coordinates; five standard errors of 30726 normal numbers.
+  // Noise in three coordinates; the tolerance is five standard errors of 30726 normal numbers.
   EXPECT_NEAR(distance["rms"].get<double>() / distance["mean_edge"].get<double>(),
               0.3 * std::sqrt(3.0), 0.3 * std::sqrt(3.0) * 5.0 / std::sqrt(2.0 * 30726));
 }

@@ -57,7 +57,7 @@ TEST(Program, HelpAndVersionGoToStandardOutputAndSucceed) {
 
 struct Misuse {
   Words arguments;
-  std::string message;  // a part of it
+  std::string message;  // a part of the message
 };
 
 TEST(Program, MisuseIsExplainedWithExitCode2) {
@@ -146,7 +146,7 @@ TEST(Program, GeometryThatCannotBeProcessedHasExitCode4) {
   const RunResult strict = run_program({"info", "-", "--strict"}, {.input = fin});
   EXPECT_EQ(strict.exit_code, 4);
   EXPECT_TRUE(contains(strict.err, "edges of three or more triangles")) << strict.err;
-  EXPECT_EQ(strict.out, lenient.out);  // told all the same
+  EXPECT_EQ(strict.out, lenient.out);  // --strict prints the figures, too
 
   EXPECT_EQ(run_program({"info", "-", "--sphere"}, {.input = made({"plane"})}).exit_code, 4);
   const std::string line = "OFF 3 1 0\n0 0 0\n1 1 1\n2 2 2\n3 0 1 2\n";

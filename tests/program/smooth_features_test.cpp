@@ -72,8 +72,8 @@ class SmoothFeatures : public testing::Test {
   TemporaryDirectory files_;
 };
 
-/// How far a noisy unit cube (-1 to 1) is from its twelve edges' sharpness: the mean distance of
-/// what were vertices on edges from the edge.
+/// The blunting of the twelve edges of a cube (-1 to 1): the mean distance of the vertices that
+/// were on an edge from this edge.
 double edge_error(const Points& X, const Points& clean) {
   double sum = 0;
   int count = 0;
@@ -252,7 +252,7 @@ TEST_F(SmoothFeatures, DenoiseIsTheOptionsThatItNames) {
   ASSERT_EQ(quiet.exit_code, 0) << quiet.err;
   EXPECT_EQ(quiet.X, smooth(input, named).X);
   EXPECT_EQ(quiet.X, smooth(input, named + Words{"--denoise"}).X);
-  // What is given counts, on whichever side of it.
+  // Options that are given explicitly take precedence, before and after --denoise.
   const Words own{"--cutoff", "6", "--laplacian", "lagrange", "--twicing", "0", "--steps", "2"};
   const Points given = smooth(input, own + Words{"--keep-volume"}).X;
   EXPECT_EQ(smooth(input, own + Words{"--denoise"}).X, given);
@@ -308,7 +308,7 @@ TEST_F(SmoothFeatures, DenoiseKeepsCreasesWhereThatLeavesLess) {
       smooth(input, {"--cutoff", fmt::format("{}u", choice["cutoff"].get<double>()), "--steps", "8",
                      "--keep-sharp", fmt::format("{}", angle), "--keep-volume"});
   EXPECT_LT((named.X - kept.X).norm(), 1e-9);
-  // What is given counts.
+  // Options that are given explicitly take precedence.
   const Smoothed rounded = smooth(input, {"--denoise", "--laplacian", "umbrella"});
   EXPECT_FALSE(rounded.report["cutoff_choice"].contains("keep_sharp"));
   EXPECT_GT(degrees_off(), 2);

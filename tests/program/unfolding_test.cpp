@@ -1,4 +1,4 @@
-// Flaps that noise left lying on their backs are unfolded, and nothing else is touched.
+// Foldovers (flaps) that noise left upside down are unfolded, and no other vertices are moved.
 #include "ibmfair/flow/unfolding.h"
 
 #include <algorithm>
@@ -22,7 +22,7 @@ namespace {
 
 constexpr double flat = 0.6;
 
-/// What is moved, with those of these flags held.
+/// The moves of the vertices when the flagged vertices are held.
 Points unfolded_by(const State& state, const std::vector<std::uint8_t>& held) {
   const Rows rings = vertex_rings(state.topology);
   Points X = state.X;
@@ -43,14 +43,14 @@ std::int64_t folds_in(const Points& X, const Topology& topology) {
   return std::count(folded.begin(), folded.end(), 1);
 }
 
-/// Smooth surfaces of triangles small enough that a few are nearly flat.
+/// Smooth surfaces with triangles so small that a few neighbouring triangles are nearly flat.
 std::vector<State> smooth_states() {
   return {State(make_shape("icosphere", {.subdivide = 4})),
           State(make_shape("torus", {.rows = 48, .columns = 120})),
           State(make_shape("plane", {.rows = 25, .columns = 40}))};
 }
 
-/// Vertices with their rings two and more rings away from each other and from any boundary.
+/// Interior vertices whose rings are two or more rings away from each other and from any boundary.
 std::vector<Index> far_apart(const Topology& topology) {
   const Rows rings = vertex_rings(topology);
   std::vector<std::uint8_t> taken(static_cast<std::size_t>(topology.vertex_count), 0);
@@ -76,8 +76,8 @@ std::vector<Index> far_apart(const Topology& topology) {
   return chosen;
 }
 
-/// Each of these vertices changes places with its first neighbour: the two triangles at their edge
-/// lie on their backs.
+/// Each of these vertices changes places with its first neighbour, so that the two triangles at the
+/// edge between them are upside down.
 Points with_flaps(const State& state, const std::vector<Index>& vertices) {
   const Rows rings = vertex_rings(state.topology);
   Points X = state.X;

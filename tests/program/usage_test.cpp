@@ -1,5 +1,5 @@
-// What the program says of itself: help, JSON, man pages, completions and the README's exit codes
-// agree.
+// The program's descriptions of itself agree: help, JSON, man pages, completions and the README's
+// exit codes.
 #include <algorithm>
 #include <sstream>
 #include <string>
@@ -19,7 +19,7 @@ namespace {
 
 using nlohmann::json;
 
-/// What a question prints: it must succeed and say nothing else.
+/// The output of a question; the run must succeed and print nothing else.
 std::string answer(const Words& question, const Words& environment = {}) {
   const RunResult result = run_program(question, {.environment = environment});
   EXPECT_EQ(result.exit_code, 0) << result.err;

@@ -1,6 +1,6 @@
-"""Runs the commands of `ibmfair help batch` for clusters as they stand there: with Slurm, whose
-commands are played by fake_slurm.py, and with GNU parallel, if it is installed, which reaches its
-nodes by an ssh that stays on this machine. In each case the merged summary is that of a single run.
+"""Runs the cluster commands of `ibmfair help batch` exactly as the help text prints them: with
+Slurm, whose commands fake_slurm.py simulates, and with GNU parallel, if installed, whose ssh to
+the nodes stays on this machine. In each case, the merged summary must equal that of a single run.
 
     cluster.py PROGRAM WORK
 """
@@ -16,7 +16,7 @@ import textwrap
 HERE = os.path.dirname(os.path.abspath(__file__))
 JOBS = """{"defaults": {"command": "smooth", "options": {"steps": 2, "cutoff": 4}},
            "jobs": [{"input": "scans/*.ply", "output": "fair/"}]}"""
-# Like a login, it sets the shell and begins at home: parallel relies on both.
+# Like a login, this ssh sets the shell and starts at home: parallel relies on both.
 SSH = """#!/bin/sh
 while [ "${1#-}" != "$1" ]; do shift; done
 echo "$1" >> "$NODES"
@@ -29,7 +29,7 @@ exec sh -c "$*"
 
 
 def blocks_of_help(program):
-    """The indented blocks: Slurm's script, its submission, parallel here, and on several machines."""
+    """The indented blocks: Slurm script, its submission, parallel here and on several machines."""
     text = subprocess.run([program, "help", "batch"], check=True, capture_output=True, text=True).stdout
     section = text.split("\nOn a cluster:\n", 1)[1]
     blocks = re.findall(r"(?:^ {6}.*\n)+", section, re.MULTILINE)
@@ -44,7 +44,7 @@ def make_executable(path, text):
 
 
 def prepare(program, work):
-    """A folder with meshes to smooth, one of them bad, and another of commands."""
+    """Makes a folder with meshes to smooth, one of them invalid, and a folder of commands."""
     shutil.rmtree(work, ignore_errors=True)
     commands = os.path.join(work, "commands")
     os.makedirs(commands)
@@ -66,7 +66,7 @@ def prepare(program, work):
 
 
 def lasting(work, name):
-    """The lines of a summary without times and memory."""
+    """The lines of a summary without times and memory, which differ between runs."""
     with open(os.path.join(work, name), newline="", encoding="utf-8") as file:
         rows = list(csv.DictReader(file))
     return [{key: row[key] for key in row if key not in ("seconds", "peak_megabytes")} for row in rows]
@@ -110,7 +110,7 @@ def main():
     check("items that are done", sum(row["status"] == "ok" for row in summary), 20)
 
     make_executable(os.path.join(work, "fair.sbatch"), script)
-    # The second time, nodes die and are lost sight of, and their tasks are started anew.
+    # In the second run, nodes die or become unreachable, and their tasks are restarted.
     for mishaps in ("", "killed", "lost"):
         start_anew(work)
         run(submission, [0, 1], MISHAPS=mishaps)
@@ -123,7 +123,7 @@ def main():
     *several, merge = remote.splitlines()
     for command in (local, "\n".join(several)):
         start_anew(work)
-        run(command, [1])  # how many of its jobs have failed
+        run(command, [1])  # the exit code is the number of failed jobs
         run(merge, [1])
         check("the summary of parallel's jobs", lasting(work, "summary.csv"), summary)
         check("what parallel's jobs write", outputs(work), meshes)

@@ -1,5 +1,5 @@
-"""Runs the commands of the README's recipes, and of the text about energies, as somebody would who
-types them: one after the other, in a folder that tools/demo has made.
+"""Runs the commands of the README's recipes and of the text about energies as a user would type
+them: one after the other, in a folder that tools/demo has made.
 
     commands.py PROGRAM WORK
 """
@@ -14,7 +14,7 @@ ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__)
 
 
 def blocks(path, section=None):
-    """The blocks of commands of a text, or of one of its sections."""
+    """The blocks of commands in a text or in one of its sections."""
     with open(os.path.join(ROOT, path), encoding="utf-8") as file:
         text = file.read()
     if section is not None:

@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
-"""Plays `sbatch` and `srun`, by whose name it is called, as far as `ibmfair help batch` uses them: a
-job is an array of tasks, all of which run at once on this machine, or one command; sbatch returns
-when it has ended, so that whatever depends on it may run.
+"""Simulates `sbatch` or `srun`, depending on the name by which it is called, as far as
+`ibmfair help batch` uses them. A job is one command or an array of tasks that all run at once on
+this machine. sbatch returns when the job has ended, so that dependent jobs may run.
 
-MISHAPS in the environment says what happens to each second task of an array once it has made
-something: `killed`, its processes die and it is started anew; `lost`, it is started anew while it
-still runs.
+The environment variable MISHAPS says what happens to every second task of an array once the task
+has produced output: `killed`: its processes are killed and the task is restarted; `lost`: the task
+is restarted while its first run continues.
 """
 
 import argparse
@@ -17,7 +17,7 @@ import time
 
 
 def options_of(script):
-    """The arguments in the script's lines for Slurm."""
+    """The arguments in the #SBATCH lines of a script."""
     with open(script, encoding="utf-8") as file:
         lines = [line.split()[1:] for line in file if line.startswith("#SBATCH ")]
     return [word for line in lines for word in line]
@@ -42,7 +42,7 @@ def begin(script, task, restarts):
 
 
 def begin_anew(script, task, process, mishap):
-    """Waits until the list has been begun, lets the mishap happen, and returns what runs then."""
+    """Waits until the list has begun, lets the mishap happen, and returns running processes."""
     while process.poll() is None and not os.path.exists("fair"):
         time.sleep(0.002)
     if mishap == "killed" and process.poll() is None:

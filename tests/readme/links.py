@@ -1,5 +1,5 @@
-"""Checks the links of every text of the project: the file that a link names exists, and so does the
-heading that it names in it. Files that a text names in backticks exist, too.
+"""Checks the links of every text of the project: the linked file must exist, and the linked heading
+must exist in that file. Files that a text names in backticks must exist, too.
 
     links.py [ROOT]
 """
@@ -11,7 +11,7 @@ import sys
 ROOT = sys.argv[1] if len(sys.argv) > 1 else os.path.dirname(os.path.dirname(
     os.path.dirname(os.path.abspath(__file__))))
 LINK = re.compile(r"\]\(([^)\s]+)\)")
-# `tools/bench --full`, `src/ibmfair/energy/README.md`: from the root, or from the text's folder.
+# As in `tools/bench --full`; paths are relative to the root or to the folder of the text.
 NAMED = re.compile(r"`((?:src|tools|data|tests|\.github)/[\w./-]+)[^`]*`")
 
 
@@ -32,7 +32,7 @@ def read(path):
 
 
 def anchors(path):
-    """As GitHub makes them: lower case, blanks as hyphens, no punctuation."""
+    """Anchors of headings as GitHub makes them: lower case, hyphens for blanks, no punctuation."""
     headings = re.findall(r"(?m)^#+ (.*)$", without_code(read(path)))
     return {re.sub(r"[^\w\- ]", "", heading.lower()).replace(" ", "-") for heading in headings}
 
@@ -41,7 +41,7 @@ def broken_links(path):
     text = without_code(read(path))
     for link in LINK.findall(text):
         if re.match(r"[a-z]+:", link):
-            continue  # another site's
+            continue  # a link to another site
         name, _, anchor = link.partition("#")
         target = os.path.join(os.path.dirname(path), name) if name else path
         if not os.path.exists(target):

@@ -1,4 +1,4 @@
-"""What --report writes, and what it refuses before anything is computed."""
+"""The files that --report writes, and the names that --report rejects before any computation."""
 
 import csv
 import io

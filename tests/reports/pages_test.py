@@ -1,4 +1,4 @@
-"""What is in a page: the arrays are the mesh's, and names of files are only text."""
+"""The content of a page: its arrays equal those of the mesh, and file names are only text."""
 
 import collections
 import json
@@ -125,7 +125,7 @@ class PagesTest(ProgramTest):
         self.assertTrue(190_000 <= shown["triangles"] <= 200_000)
         self.assertEqual(page.scene["state_vertices"][0], page.scene["state_vertices"][1])
         self.assertEqual(max(map(max, page.triangles())) + 1, page.scene["vertices"])
-        for row in page.positions(0)[::97]:  # vertices stay where they are: on the torus, but noise
+        for row in page.positions(0)[::97]:  # vertices do not move: on the torus, up to noise
             tube = math.hypot(math.hypot(row[0], row[1]) - 1, row[2])
             self.assertAlmostEqual(tube, math.sqrt(0.5), delta=0.01)
         for field in page.scene["fields"]:

@@ -1,4 +1,4 @@
-"""Runs the real program in a folder of the test's own, and reads what it writes."""
+"""Runs the real program in a folder of the test's own, and reads the files that it writes."""
 
 import base64
 import gzip
@@ -17,7 +17,7 @@ codes = {"float32": "f", "uint32": "I", "uint8": "B"}
 
 
 class Page:
-    """What a page says of itself, as the browser finds it."""
+    """The data in a report page, read as a browser would read them."""
 
     def __init__(self, html):
         self.html = html
@@ -27,7 +27,7 @@ class Page:
         self.bytes = gzip.decompress(packed) if packed else b""
 
     def script(self, name):
-        """The text of the element, up to where a browser takes it to end."""
+        """The text of the script element with this id, up to the end tag seen by a browser."""
         found = re.findall(f'<script id="{name}"[^>]*>(.*?)</script', self.html, re.S | re.I)
         assert len(found) == 1, f"{len(found)} scripts called {name}"
         return found[0].strip()
@@ -45,7 +45,7 @@ class Page:
         return self.rows(self.scene["arrays"]["triangles"], 3)
 
     def positions(self, state):
-        """In the mesh's own coordinates."""
+        """Vertex positions of a state in the coordinates of the mesh."""
         centre = self.scene["centre"]
         place = self.scene["arrays"]["positions"][state]
         return [[x + c for x, c in zip(row, centre)] for row in self.rows(place, 3)]
@@ -63,7 +63,7 @@ class ProgramTest(unittest.TestCase):
         self.folder = pathlib.Path(folder.name)
 
     def run_program(self, *words, code=0):
-        """Runs it in the folder; it must end with this code."""
+        """Runs the program in the folder; the exit code must be `code`."""
         result = subprocess.run([program, *map(str, words)], cwd=self.folder, capture_output=True,
                                 timeout=600)
         self.assertEqual(result.returncode, code, result.stderr)
@@ -83,7 +83,7 @@ class ProgramTest(unittest.TestCase):
         return Page(self.path(name).read_text("utf-8"))
 
     def require_pages(self):
-        """A build may have no page."""
+        """Skips the test if this build has no report page."""
         self.make("tiny.off", "cube")
         result = subprocess.run([program, "view", "tiny.off", "tiny.html"], cwd=self.folder,
                                 capture_output=True)

@@ -1,4 +1,4 @@
-"""Reports of every command are as data/report.schema.json says, which describes nothing else."""
+"""Reports of every command match data/report.schema.json, and all its fields occur in reports."""
 
 import json
 import os
@@ -18,7 +18,7 @@ schema = json.loads((data / "report.schema.json").read_text())
 
 
 def fields_in(value, path=""):
-    """The names of all fields, without those of lists that depend on the run."""
+    """The names of all fields of a report, including those of nested objects and lists."""
     if isinstance(value, dict):
         for name, part in value.items():
             yield name
@@ -41,7 +41,7 @@ def described_fields(part):
 
 class SchemaTest(ProgramTest):
     def reports(self):
-        """One of each kind, and with what is there only sometimes."""
+        """One report of each kind, including the optional fields."""
         self.make("ball.off", "icosphere", "--subdivide", "2", "--noise", "0.2")
         self.make("open.off", "cylinder", "--rows", "6")
         self.path("defects.off").write_text(

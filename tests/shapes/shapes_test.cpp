@@ -1,3 +1,5 @@
+// The generated shapes have the topology, the area and the volume of their surfaces; the noise is
+// normal and reproducible.
 #include "ibmfair/shapes/shapes.h"
 
 #include <algorithm>
@@ -100,8 +102,8 @@ TEST(Shapes, FlatOnesHaveTheirExactAreaHoweverTheyAreSplit) {
   }
 }
 
-// The error of a quantity on a coarse mesh over that on one of half the edge length: 4 at second
-// order.
+// The error of a quantity on a coarse mesh, divided by the error on a mesh of half the edge length:
+// 4 at second order.
 double error_ratio(double coarse, double fine, double exact) {
   return (coarse - exact) / (fine - exact);
 }
@@ -183,7 +185,8 @@ TEST(Shapes, SubdivisionKeepsTheVerticesThatStand) {
   EXPECT_NEAR(sphere.X.rowwise().norm().maxCoeff(), 1.0, 1e-15);
 }
 
-// Red: 4 children for each triangle of the face; green: 2 for each one across its border.
+// Red refinement gives 4 children for each triangle of the face; green refinement gives 2 for each
+// triangle across the border of the face.
 TEST(Shapes, RefiningAFaceSplitsItAndItsNeighboursOnly) {
   for (const int levels : {0, 1, 3}) {
     const Eigen::Index side = 1 << levels;
@@ -194,7 +197,7 @@ TEST(Shapes, RefiningAFaceSplitsItAndItsNeighboursOnly) {
   }
 }
 
-// Marks that leave triangles with two split edges, so that the closure has something to close.
+// The marked sets leave triangles with two split edges, so that the closure has work to do.
 TEST(Shapes, SplittingAnyMarkedSetIsConforming) {
   const TriangleMesh base = make_icosphere({2});
   for (unsigned seed = 0; seed < 8; ++seed) {
@@ -260,7 +263,8 @@ TEST(Shapes, EveryRowOfTheTableCanBeMade) {
   EXPECT_GE(names.size(), 5U);
 }
 
-// Computed once, never to change: a seed in somebody's script means these bits.
+// These values were computed once and must never change: users' scripts rely on a seed giving these
+// bits.
 TEST(Noise, IsTheSameForEver) {
   RandomNumbers random(0);
   EXPECT_EQ(random.integer(), 0x99ec5f36cb75f2b4U);  // splitmix64 seed 0, as in the authors' code
@@ -286,14 +290,14 @@ TEST(Noise, IsNormal) {
       moment[k] += std::pow(value, k) / count;
     }
   }
-  // Five standard errors each.
+  // The tolerance of each moment is five standard errors.
   const double error = 5.0 / std::sqrt(count);
   EXPECT_NEAR(moment[1], 0.0, error);
   EXPECT_NEAR(moment[2], 1.0, error * std::sqrt(2.0));
   EXPECT_NEAR(moment[3], 0.0, error * std::sqrt(15.0));
   EXPECT_NEAR(moment[4], 3.0, error * std::sqrt(96.0));
-  // Kolmogorov-Smirnov: the largest distance between the distributions, scaled, exceeds 2.2 in one
-  // of 10000 samples.
+  // Kolmogorov-Smirnov test: the largest scaled distance between the distributions exceeds 2.2 in
+  // one of 10000 samples.
   std::sort(values.begin(), values.end());
   double distance = 0.0;
   for (int i = 0; i < count; ++i) {

@@ -1,4 +1,4 @@
-// Completions, tried in the shells that they are for.
+// Shell completions, tried in the shells that they are written for.
 #include <string>
 #include <vector>
 
@@ -61,7 +61,7 @@ class Completion : public testing::Test {
 
   std::string folder() const { return directory_.path().string(); }
 
-  /// Checks what a shell offers, one word a line, for every case.
+  /// Checks the words that a shell offers, one word per line, for every case.
   template <class Offers>
   void check(const Offers& offers) const {
     for (const CompletionCase& test : completion_cases()) {
@@ -72,7 +72,7 @@ class Completion : public testing::Test {
       SCOPED_TRACE(line);
       const std::string out = "\n" + offers(test.words);
       for (const std::string& word : test.offered) {
-        // Some shells write the slash behind a folder later.
+        // Some shells add the slash behind a folder only later.
         const std::string name = word.ends_with('/') ? word.substr(0, word.size() - 1) : word;
         EXPECT_TRUE(contains(out, "\n" + name)) << "no " << word << " in" << out;
       }
@@ -107,7 +107,7 @@ TEST_F(Completion, WorksInBash) {
   EXPECT_EQ(offers({"smooth", "--laplacian", "=", "l"}), "lagrange\n");
   EXPECT_EQ(offers({"smooth", "--laplacian", "="}),
             "crouzeix-raviart\nlagrange\nweighted\nintrinsic-delaunay\numbrella\n");
-  // Meshes first: other files only where there is no mesh of such a name.
+  // Meshes are offered first; other files are offered only if no mesh has such a name.
   EXPECT_EQ(offers({"smooth", "sc"}), "scan.ply\n");
   EXPECT_EQ(offers({"smooth", "scan.t"}), "scan.txt\n");
   EXPECT_EQ(offers({"make", "--ratio", "2", "tor"}), "torus\n");

@@ -1,4 +1,5 @@
-// What the process that reads a foreign format can no longer do, whatever takes it over.
+// The process that reads a foreign format is confined: the tests check the actions that it can no
+// longer perform, whatever code takes it over.
 #include "assimp_helper/confinement.h"
 
 #include <csignal>
@@ -18,7 +19,8 @@
 namespace ibmfair::test {
 namespace {
 
-/// What a check in a process of its own returns; negative where a signal ended it.
+/// The exit code of a check that runs in a process of its own; negative if a signal ended the
+/// process.
 template <class Check>
 int exit_code_of(const Check& check) {
   const pid_t child = fork();

@@ -1,4 +1,5 @@
-// The choice of a cut-off by the noise: what it tells against what is known of noisy shapes.
+// The choice of a cut-off from the noise: its estimates are compared with the known noise and
+// errors of noisy shapes.
 #include "ibmfair/flow/cutoff_choice.h"
 
 #include <algorithm>
@@ -50,7 +51,7 @@ struct Noisy {
     return squares / static_cast<double>(X.rows());
   }
 
-  /// That a flow with this cut-off (length) leaves.
+  /// The squared error that a flow with this cut-off (a length) leaves.
   double squared_error_after(double cutoff, const FlowOptions& options) const {
     const double noisy_edge = mean_edge_length(state.X, state.topology.E);
     return squared_error(run_flow(state, cutoff / noisy_edge, options).X);
@@ -144,7 +145,7 @@ TEST(CutoffChoice, ASampleTellsAboutWhatTheWholeMeshTells) {
   const Noisy noisy("torus", {.ratio = 2.5, .rows = 192},
                     std::make_unique<ExactTorus>(Vec3::Zero(), 1, 0.4), 0.2);
   FlowOptions options{.laplacian = "umbrella", .steps = 8, .relax = false, .twicing = 1};
-  options.keep_volume = true;  // which a part cannot
+  options.keep_volume = true;  // a part of the mesh cannot keep the volume
   const auto held = held_vertices(noisy.state.topology, BoundaryCondition::fixed);
   const auto choice = [&](Index enough) {
     return choose_cutoff(noisy.state.X, noisy.state.topology, held, options,
@@ -168,9 +169,9 @@ TEST(CutoffChoice, PiecesThatAreAllRimTellNothing) {
   EXPECT_EQ(choice(300), choice(torus.topology.vertex_count));
 }
 
-/// A convex polyhedron with flat faces, noise on it, and the distance to what it was.
+/// A noisy convex polyhedron with flat faces, and its distance to the polyhedron without noise.
 struct NoisyPolyhedron {
-  State state, faces;  // of these one triangle each
+  State state, faces;  // `faces` has one triangle per face
   double edge, noise;
 
   NoisyPolyhedron(const std::string& shape, double noise_in_edges)

@@ -1,7 +1,7 @@
-// The same input gives the same bytes: run after run, for any number of threads, and on every
-// processor with AVX2 and FMA, or on every one without. Between those two kinds energies, factors
-// and some functions of the C library are rounded differently: results agree to many digits only,
-// and only where no triangle is about to fold.
+// The same input gives the same bytes in every run, for any number of threads, and on every
+// processor with AVX2 and FMA, or on every processor without them. Between these two kinds of
+// processors, energies, factors and some functions of the C library are rounded differently:
+// results agree to many digits only, and only if no triangle is about to fold.
 #include <optional>
 #include <string>
 #include <vector>
@@ -19,7 +19,7 @@
 namespace ibmfair::test {
 namespace {
 
-/// A noisy torus and a holed one, large enough that all loops are shared between threads.
+/// A noisy torus and a mesh with holes, so large that all loops are shared between threads.
 class DeterminismTest : public testing::Test {
  protected:
   DeterminismTest() {
@@ -76,11 +76,12 @@ TEST_F(DeterminismTest, TwentyRunsOnOneAndTwoThreadsGiveTheSameBytes) {
   }
 }
 
-/// Functions such as atan2 and exp as the C library has them for processors without FMA: the last
-/// digit of one in many results is another.
+/// Selects the C library's functions (such as atan2 and exp) for processors without FMA; their last
+/// digit differs in one of many results.
 const std::string plain_c_library = "GLIBC_TUNABLES=glibc.cpu.hwcaps=-AVX2,-FMA,-AVX";
 
-/// The program as started on a processor that qemu plays; nothing where there is no qemu.
+/// The command that starts the program on a processor that qemu emulates; nothing if qemu is not
+/// installed.
 std::optional<std::vector<std::string>> emulating([[maybe_unused]] const std::string& processor) {
 #ifdef __x86_64__
   if (is_installed("qemu-x86_64")) {
@@ -94,7 +95,8 @@ struct Processor {
   std::string name, kernels;
 };
 
-// Whatever the processor of this machine: two that know neither AVX2 nor FMA, and one that does.
+// Two of the emulated processors have neither AVX2 nor FMA, and one has both, whatever processor
+// this machine has.
 TEST_F(DeterminismTest, EmulatedProcessorsRunTheirKernelsWithTheBytesOfThisOne) {
   make({"torus", whole_, "--rows", "20", "--columns", "50", "--noise", "0.2", "--overwrite"});
   make({"cylinder", open_, "--rows", "20", "--columns", "30", "--noise", "0.02", "--overwrite"});
@@ -138,7 +140,7 @@ TEST_F(DeterminismTest, WithoutFmaManyDigitsAgreeWhereNothingFolds) {
   SKIP_WITHOUT_KERNEL_SET(InstructionSet::avx2);
   struct Without {
     std::vector<std::string> environment;
-    double difference;  // over the size
+    double difference;  // relative to the size
   };
   const std::vector<Without> all{{{plain_c_library}, 1e-12},
                                  {{plain_c_library, "IBMFAIR_KERNELS=baseline"}, 1e-6}};

@@ -1,4 +1,4 @@
-// What the energies converge to: exact values of smooth surfaces under refinement.
+// The limits of the energies under refinement, compared with exact values of smooth surfaces.
 #include <cmath>
 #include <numbers>
 
@@ -31,7 +31,8 @@ double torus_energy(Index rows, bool straight, std::string_view model) {
 }
 
 TEST(EnergyLimits, LagrangeConvergesToTheSphereAtSecondOrder) {
-  // A prototype's differences at levels 3 to 7: -0.112, -0.0280, -0.00702, -0.00176, -0.00044.
+  // The differences of a prototype at levels 3 to 7 were -0.112, -0.0280, -0.00702, -0.00176,
+  // -0.00044.
   double last = icosphere_energy(3, "lagrange") - sphere_energy;
   EXPECT_NEAR(last, -0.112, 0.001);
   for (int level = 4; level <= 7; ++level) {
@@ -54,8 +55,8 @@ TEST(EnergyLimits, LagrangeConvergesToTheCliffordTorusOverAnyTriangulation) {
   }
 }
 
-// On random triangulations of the sphere the cotangent Laplacian has a limit of its own, but not on
-// the intrinsic Delaunay one.
+// On random triangulations of the sphere, the energy of the cotangent Laplacian has a limit of its
+// own; on their intrinsic Delaunay triangulation its limit is the exact energy.
 TEST(EnergyLimits, IntrinsicDelaunayConvergesToTheSphereOverRandomTriangulations) {
   const auto energy = [](int level, std::string_view model) {
     ShapeSettings settings;
@@ -75,8 +76,9 @@ TEST(EnergyLimits, IntrinsicDelaunayConvergesToTheSphereOverRandomTriangulations
 }
 
 TEST(EnergyLimits, CrouzeixRaviartConvergesToALimitThatDependsOnTheTriangulation) {
-  // Equilateral triangles: 3/4 of the integral of H^2 minus that of K, 8 pi on the sphere; the
-  // twelve vertices of valence five and the unequal triangles of an icosphere add 0.39.
+  // On equilateral triangles the limit is 3/4 of the integral of H^2 minus the integral of K. This
+  // limit is 8 pi on the sphere; the twelve vertices of valence five and the unequal triangles of
+  // an icosphere add 0.39.
   const double a = icosphere_energy(5, "crouzeix-raviart");
   const double b = icosphere_energy(6, "crouzeix-raviart");
   const double c = icosphere_energy(7, "crouzeix-raviart");

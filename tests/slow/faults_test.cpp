@@ -1,5 +1,5 @@
-// Faults at every place of a run: each call that fails, signals and kills at any moment, every
-// amount of memory.
+// Faults at every point of a run: each call fails once, signals and kills come at any moment, and
+// memory is limited to every amount.
 #include "support/faults.h"
 
 #include <algorithm>
@@ -28,13 +28,13 @@ const std::vector<std::string>& calls_of_files() {
   return calls;
 }
 
-/// Calls act(fault) for each call that writing files makes, by itself.
+/// Calls act(fault) for each single call that the run makes when it writes files.
 template <class Act>
 void for_every_call(const WritingRun& run, const Act& act) {
   for (const bool no_unnamed_files : {false, true}) {
     for (const std::string& call : calls_of_files()) {
       if (no_unnamed_files && call == "read") {
-        continue;  // as with them
+        continue;  // reading is the same as with unnamed files
       }
       Fault fault{call};
       fault.no_unnamed_files = no_unnamed_files;
@@ -63,7 +63,7 @@ TEST_F(EveryFault, ACallThatFailsIsAnErrorOrDoesNotMatter) {
     for_every_call(*run, [&](Fault fault) {
       fault.error = fault.call == "read" ? EIO : ENOSPC;
       const RunResult result = run->run({.environment = environment_of(fault)});
-      // 1: a batch of which a file failed.
+      // Exit code 1 belongs to a batch in which a file failed.
       EXPECT_TRUE(std::set<int>({done, 1, 3, 6}).contains(result.exit_code))
           << result.exit_code << result.err;
       run->expect_promises(result);
@@ -93,7 +93,7 @@ TEST_F(EveryFault, AKillBeforeAnyCallLosesNothing) {
     for_every_call(*run, [&](Fault fault) {
       fault.signal_number = SIGKILL;
       const RunResult result = run->run({.environment = environment_of(fault)});
-      // How often a batch reads from its processes is not the same each time.
+      // The number of times that a batch reads from its processes varies from run to run.
       EXPECT_TRUE(result.exit_code == -SIGKILL || run->is_batch()) << result.exit_code;
       run->expect_promises(result);
       EXPECT_LE(run->count_temporary_files(), 1U);
@@ -101,11 +101,12 @@ TEST_F(EveryFault, AKillBeforeAnyCallLosesNothing) {
   }
 }
 
-/// Whether one allocation fails, or all from it on.
+/// Whether one allocation fails, or this allocation and all later ones.
 enum class Failing { once, for_good };
 
-/// Steps through all allocations, as closely as a test has time for: most of the runs are spent on
-/// the last tenth, as the table of options takes most of the allocations.
+/// Makes one allocation after the other fail, as densely as the time of a test allows. Most of the
+/// runs are spent on the last tenth of the allocations, because the table of options makes most of
+/// the allocations.
 void expect_every_allocation_may_fail(const Words& words, const std::string& target,
                                       long early_runs, long late_runs, Failing failing) {
   WritingRun run(words + Words{"--overwrite", "--threads", "1"}, {target});
@@ -138,8 +139,8 @@ TEST_F(EveryFault, AnAllocationThatFailsIsAnErrorOrDoesNotMatter) {
   expect_so({"info", "in.ply", "--report", "report.json"}, "report.json", 38, 112);
 }
 
-/// Leaves none of the last tenth out. Of those before, one is known to crash the dlopen() of some
-/// versions of glibc, by which TBB looks for its allocator.
+/// The test covers every allocation of the last tenth. Of the earlier allocations, one is known to
+/// crash the dlopen() of some versions of glibc, by which TBB looks for its allocator.
 TEST_F(EveryFault, SoIsMemoryThatIsUsedUpForGood) {
   constexpr long early_runs = 30, late_runs = 1'000'000;
   const auto expect_so = [](const Words& words, const std::string& target) {
@@ -166,7 +167,7 @@ TEST_F(EveryFault, SignalsAndKillsAtRandomMomentsLoseNothing) {
     RunOptions options{.signal_number = signal_number};
     options.signal_when = [&] { return Clock::now() - begin > delay; };
     const RunResult result = run.run(options);
-    // Before `main` and after it, the signal does what it does to every program.
+    // Before `main` and after it, a signal has the same effect as on every program.
     EXPECT_TRUE(
         std::set<int>({done, 128 + signal_number, -signal_number}).contains(result.exit_code))
         << result.exit_code;
@@ -175,8 +176,8 @@ TEST_F(EveryFault, SignalsAndKillsAtRandomMomentsLoseNothing) {
   }
 }
 
-/// Runs the program with limits from far too little to enough: where it can be loaded at all, it
-/// must end in good order.
+/// Runs the program with limits from far too little to enough. If the program can be loaded at all,
+/// it must end in good order.
 void expect_any_limit_is_met(const Words& words, const std::string& target,
                              const std::string& limit, const std::vector<long>& values) {
   WritingRun run(words + Words{"--overwrite"}, {target});

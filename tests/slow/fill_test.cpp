@@ -1,4 +1,5 @@
-// `ibmfair fill` on surfaces whose true patch is known and, where they are, on real scans.
+// `ibmfair fill` on surfaces whose true patch is known and, if the collection of real meshes is
+// present, on real scans.
 #include <cmath>
 #include <numbers>
 
@@ -18,7 +19,8 @@ namespace {
 
 using nlohmann::json;
 
-/// Caps cut from an icosphere of 10,242 vertices: largest radial error over the cap's height.
+/// Caps are cut from an icosphere of 10,242 vertices. The bounds are for the largest radial error
+/// over the cap's height.
 TEST(FillExact, SphericalCaps) {
   const std::pair<double, double> bounds[] = {{20, 0.006}, {45, 0.0025}, {90, 0.003}};
   for (const auto& [degrees, bound] : bounds) {
@@ -41,7 +43,7 @@ struct SharedFile {
 
 TEST(FillShared, ScansCloseToManifolds) {
   const TemporaryDirectory directory;
-  // The elephant's holes pass some places twice, as different vertices.
+  // The boundaries of the elephant's holes pass some points twice, as different vertices.
   const SharedFile files[] = {
       {"stanford-bunny_69k_5holes_alec.obj", 0, true, {}},
       {"mech-holes-shark_cgal.off", 0, true, {}},

@@ -1,5 +1,5 @@
-// Geometry that hurts: nothing crashes, hangs, or writes what is not a number, and every outcome is
-// told.
+// Difficult geometry: the program never crashes, hangs, or writes NaN or infinite numbers, and it
+// reports every outcome.
 #include <algorithm>
 #include <filesystem>
 
@@ -26,9 +26,9 @@ class HostileGeometry : public testing::Test {
     return run_program(Words{command, in_, out_, "--json"} + options);
   }
 
-  /// What `smooth` and `fill` promise of the vertices and faces that the mesh had.
+  /// Checks what `smooth` and `fill` promise about the vertices and faces of the input mesh.
   void expect_whole(const Mesh& mesh) const {
-    const Mesh result = read_mesh(out_).mesh();  // refuses what is not finite
+    const Mesh result = read_mesh(out_).mesh();  // refuses numbers that are not finite
     ASSERT_GE(result.X.rows(), mesh.X.rows());
     ASSERT_GE(result.faces.corner.size(), mesh.faces.corner.size());
     EXPECT_TRUE(std::equal(mesh.faces.corner.begin(), mesh.faces.corner.end(),
@@ -77,13 +77,13 @@ TEST_F(HostileGeometry, FillEndsWellOrSaysWhyNot) {
 }
 
 TEST_F(HostileGeometry, NeedlesDoNotMakeVerticesFly) {
-  // Whatever their angle, the sheet comes out as it does with harmless ones.
+  // Whatever the angle of the needles, the result has the energy that it has with harmless needles.
   for (const Index every : {40, 6}) {
     const auto energy_after = [&](double degrees, const Words& options) {
       const Mesh mesh = sheet_with_needles(degrees, every);
       const RunResult result = run("smooth", mesh, options);
       EXPECT_EQ(result.exit_code, 0) << result.err;
-      EXPECT_LT(largest_move(mesh), 0.1);  // of the sheet's size
+      EXPECT_LT(largest_move(mesh), 0.1);  // relative to the sheet's size
       return json::parse(result.out)["flow"]["energy_after"].get<double>();
     };
     for (const char* cutoff : {"8", "20"}) {

@@ -1,5 +1,5 @@
-// Names of files that a careless program would take for options, patterns, commands, or orders to
-// the terminal.
+// File names that a careless program would take for options, patterns, commands, or control
+// sequences of the terminal.
 #include <algorithm>
 #include <filesystem>
 #include <string>
@@ -26,14 +26,14 @@ using test::Words;
 using test::write_bytes;
 using test::operator+;
 
-/// All of them with an extension, so that the format is known.
+/// All names have an extension, so that the format is known.
 const Words odd_names{"a b.off",
                       "a\nb.off",
                       "-a.off",
                       "--help.off",
                       "a\xff\xfe.off",
                       "\x1b]0;title\x07\x1b[31mred.off",
-                      "\302\23331m.off",  // octal: a hexadecimal number would go on with the 3
+                      "\302\23331m.off",  // octal: a hexadecimal number would include the 3
                       "\342\200\256ffo.off",
                       "[a,b].off",
                       "{name}.off",
@@ -51,7 +51,7 @@ const Words odd_names{"a b.off",
                       "\xc3\xa4\xe2\x82\xac.off",
                       std::string(251, 'x') + ".off"};
 
-/// A folder that the program runs in, so that names stand alone.
+/// The program runs in this folder, so that names need no path.
 class NamesTest : public testing::Test {
  protected:
   NamesTest() {
@@ -65,7 +65,7 @@ class NamesTest : public testing::Test {
 
   std::string bytes(const std::string& name) const { return read_bytes(folder_ / name); }
 
-  /// Nothing but what the terminal shows, line by line.
+  /// Checks that the text has printable characters only, line by line.
   static void expect_printable(const std::string& text) {
     EXPECT_TRUE(std::none_of(text.begin(), text.end(), [](unsigned char c) {
       return (c < 0x20 && c != '\n') || c == 0x7f;
@@ -75,7 +75,8 @@ class NamesTest : public testing::Test {
     EXPECT_FALSE(contains(text, "\xe2\x80\xae"));
   }
 
-  /// A report is JSON whatever the names, and every line of it is printable.
+  /// Returns the report in a text. It is JSON whatever the names, and every line of it is
+  /// printable.
   static json report_in(const std::string& text) {
     expect_printable(text);
     return json::parse(text, nullptr, false);

@@ -1,5 +1,5 @@
-// The process in which assimp reads a file may hang, crash or take all memory: the file is then
-// one that cannot be read, and that is all.
+// The process in which assimp reads a file may hang, crash or take all memory: the only consequence
+// is that the file cannot be read.
 #include <atomic>
 #include <csignal>
 #include <filesystem>
@@ -24,7 +24,7 @@ namespace {
 
 constexpr ImportLimits generous{std::chrono::seconds(60), std::int64_t{4} << 30};
 
-/// One facet many times: text that takes assimp a while.
+/// A file with one facet many times, a text that takes assimp a while to read.
 std::string stl_of(int facets) {
   const std::string facet =
       "facet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1.0625 0 0\nvertex 1 1.03125 0\n"
@@ -36,7 +36,8 @@ std::string stl_of(int facets) {
   return text + "endsolid many\n";
 }
 
-/// A scene that doubles itself at every node: text of a few kilobytes, meshes without end.
+/// A scene that doubles itself at every node: a few kilobytes of text describe an endless number of
+/// meshes.
 std::string exploding_gltf(int levels) {
   std::string nodes = R"({"mesh":0})";
   for (int i = 0; i < levels; ++i) {
@@ -77,7 +78,7 @@ std::vector<pid_t> import_processes() {
   return found;
 }
 
-/// Sends a signal to every import process as soon as it is there.
+/// Sends a signal to every import process as soon as the process exists.
 class Saboteur {
  public:
   explicit Saboteur(int signal_number)
@@ -108,7 +109,7 @@ TEST(ImportLimits, TimeIsBounded) {
   EXPECT_EQ(message, "hostile.smd: assimp took more than 1 s for it");
 }
 
-/// Every file cut at several places, and with bytes changed at several more.
+/// Versions of a file: cut at several places, and with changed bytes at several other places.
 std::vector<std::string> spoilt(const std::string& bytes) {
   constexpr std::size_t places = 12;
   constexpr std::string_view others(
@@ -151,7 +152,7 @@ TEST(ImportLimits, MemoryIsBounded) {
 TEST(ImportLimits, ACrashIsReported) {
   const std::string text = stl_of(200'000);
   std::vector<int> signals{SIGABRT, SIGKILL};
-#ifndef IBMFAIR_SANITIZED  // which makes an exit code of this one
+#ifndef IBMFAIR_SANITIZED  // AddressSanitizer turns this signal into an exit code
   signals.push_back(SIGSEGV);
 #endif
   for (const int signal_number : signals) {

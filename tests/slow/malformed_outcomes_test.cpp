@@ -1,5 +1,5 @@
-// The program on odd and hostile files that others collected: each ends as the table of outcomes
-// says, soon, and without taking much memory.
+// The program on odd and hostile files that others collected: each run ends as the table of
+// outcomes says, soon, and without taking much memory.
 #include "support/malformed_outcomes.h"
 
 #include <cstdlib>
@@ -14,16 +14,17 @@
 namespace ibmfair::test {
 namespace {
 
-/// Set to write the table anew; what changed is then for a person to judge.
+/// If this variable is set, the test writes a new table; a person then has to judge the changes.
 constexpr const char* record_variable = "IBMFAIR_RECORD_OUTCOMES";
 
-/// Of processor time, against that of closing a cylinder with 20,000 new vertices, which is work of
-/// the same kind: the slowest file takes 4 times as much. Below `few_seconds` nothing is compared.
+/// The largest processor time, relative to the time for closing a cylinder with 20,000 new
+/// vertices, which is work of the same kind: the slowest file takes 4 times as much. Times below
+/// `few_seconds` are not compared.
 constexpr double most_cylinders = 15;
 constexpr double few_seconds = 1;
 constexpr double most_megabytes = 1000;
 
-/// The first error, without the program's name and the file's.
+/// The text of the first error, without the names of the program and the file.
 std::string error_text(const RunResult& result, const std::string& path) {
   const std::string start = "ibmfair: error: ";
   const std::size_t at = result.err.find(start);
@@ -41,8 +42,8 @@ double cylinder_seconds() {
   return run_program({"fill", cylinder, directory / "out.ply", "--all"}).cpu_seconds;
 }
 
-/// Whether the command, which has taken this long, takes no longer than it may. In three turns, as
-/// others on the machine come and go.
+/// Whether the command, which has taken this many seconds, stays within its time limit. It has
+/// three attempts, because other programs on the machine come and go.
 [[maybe_unused]] bool ends_soon(double seconds, const Words& words) {
   for (int turn = 1; seconds > few_seconds && seconds > most_cylinders * cylinder_seconds();
        ++turn) {
@@ -59,7 +60,7 @@ Outcome outcome_of(const std::string& command, const std::string& path) {
   if (writes) words = words + Words{directory / "out.ply", "--overwrite"};
   const RunResult result = run_program(words);
   Outcome outcome{result.exit_code, error_text(result, path)};
-  // Whatever was written is complete; after an error nothing was.
+  // An output file is complete; after an error there is no output file.
   const bool written = std::filesystem::exists(directory / "out.ply");
   EXPECT_EQ(written, writes && outcome.message.empty());
   if (written) {

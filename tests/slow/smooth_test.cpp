@@ -1,4 +1,5 @@
-// `ibmfair smooth` as its users run it, on generated shapes and, where they are, on real meshes.
+// `ibmfair smooth` as its users run it, on generated shapes and, if the collection of real meshes
+// is present, on real meshes.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -43,7 +44,8 @@ std::string made(const TemporaryDirectory& directory, std::vector<std::string> a
   return path;
 }
 
-/// Against the best-fit sphere: where the sampling is uneven, the vertices' mean is not its centre.
+/// The deviation from the best-fit sphere: if the sampling is uneven, the mean of the vertices is
+/// not the sphere's centre.
 double radius_deviation(const std::string& path) {
   return fit_sphere(read_mesh(path).mesh().X).deviation;
 }
@@ -104,7 +106,7 @@ TEST(Smooth, DenoisesATorusAsWellAsTheDesignAsks) {
   EXPECT_LE(angles / static_cast<double>(normals.rows()) * 180 / M_PI, 0.5);
 }
 
-/// The hinges sharper than ten degrees, each by its edge.
+/// The hinges sharper than ten degrees, each given by its edge.
 std::set<std::pair<Index, Index>> folds(const State& state) {
   std::set<std::pair<Index, Index>> found;
   const Eigen::VectorXd angles = dihedral_angles(state.X, state.topology.H);
@@ -116,8 +118,9 @@ std::set<std::pair<Index, Index>> folds(const State& state) {
   return found;
 }
 
-/// Some noises have spots that hold up the flow, which are slowed down for a while: with the third
-/// and the fourth of these, the spots bend the surface around them if they are left behind.
+/// Some noises have spots that hold up the flow and are slowed down for a while. With the third and
+/// the fourth of these noises, the spots would bend the surface around them if they were left
+/// behind.
 TEST(Smooth, NoisesEndAlikeWhateverHasToBeSlowedDown) {
   const TemporaryDirectory directory;
   const std::string out = directory / "out.ply";
@@ -164,7 +167,7 @@ TEST_P(SmoothOnRealMeshes, KeepsItsPromises) {
     ASSERT_EQ(before.mesh().faces.corner, after.mesh().faces.corner);
     EXPECT_TRUE(after.mesh().X.allFinite());
     const State first(before.mesh());
-    State last = first;  // the same triangles: cut as they were before
+    State last = first;  // the same triangles, cut as before
     last.X = after.mesh().X;
     for (const auto& edge : folds(last)) {
       EXPECT_TRUE(folds(first).contains(edge)) << edge.first << "-" << edge.second;
@@ -180,8 +183,8 @@ TEST_P(SmoothOnRealMeshes, KeepsItsPromises) {
 
 INSTANTIATE_TEST_SUITE_P(Cutoffs, SmoothOnRealMeshes, testing::Values("4", "8", "20"));
 
-/// What the paper's meshes ask for: one factor for the hand; the dinosaur has needles and folds, so
-/// that its first steps are short.
+/// The number of factorizations on the paper's meshes: one for the hand; the dinosaur has needles
+/// and folds, so that its first steps are short.
 TEST(Smooth, TakesFewFactorizationsOnThePapersMeshes) {
   const std::vector<std::tuple<std::string, int, std::size_t>> meshes{
       {"models/hand_24192.off", 1, 16}, {"models/dinosaur_44928.off", 3, 18}};
@@ -231,7 +234,7 @@ TEST(Smooth, FixedAndUnmaskedVerticesKeepTheirText) {
   }
   EXPECT_NE(X.row(3), Y.row(3));
 
-  // The same through an OBJ group: all but its faces' vertices stay.
+  // The same test with an OBJ group: all vertices except those of the group's faces stay.
   std::string text = read_bytes(noisy);
   const auto first_face = text.find("\nf ");
   const auto tenth = text.find("\nf ", first_face + 200);

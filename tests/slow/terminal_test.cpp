@@ -1,4 +1,4 @@
-// What a person sees: progress on a terminal, colours, and tables.
+// The program on a terminal as a person sees it: progress, colours, and tables.
 #include "support/terminal.h"
 
 #include <algorithm>
@@ -20,7 +20,7 @@ class Terminal : public testing::Test {
     EXPECT_EQ(run_program({"make", "torus", in_, "--noise", "0.2", "--rows", "90"}).exit_code, 0);
   }
 
-  /// Long enough to be watched.
+  /// A run that is long enough to be watched.
   Words smoothing(const Words& more = {}) const {
     return Words{"smooth", in_, out_, "--steps", "60", "--cutoff", "12", "--overwrite"} + more;
   }
@@ -34,7 +34,7 @@ bool has_frame(const TerminalResult& result, const std::string& part) {
                      [&](const std::string& frame) { return contains(frame, part); });
 }
 
-/// Whether anything of a progress line is left on the screen.
+/// Whether a part of a progress line is left on the screen.
 bool leaves_traces(const TerminalResult& result) {
   return std::any_of(result.lines.begin(), result.lines.end(), [](const std::string& line) {
     static const std::regex traces(R"(\[=|\[  |s left|step \d+ of)");
@@ -83,7 +83,8 @@ TEST_F(Terminal, ProgressIsDrawnTenTimesASecondAtMost) {
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   const auto frames = std::count(result.drawn.begin(), result.drawn.end(), '\r') -
                       static_cast<long>(result.lines.size());
-  // A frame that is shorter than the one before is drawn twice, and clearing takes two.
+  // A frame that is shorter than the frame before is drawn twice, and clearing the line takes two
+  // returns.
   EXPECT_LE(frames, 2 * (10 * seconds + 1) + 2) << result.drawn;
 }
 

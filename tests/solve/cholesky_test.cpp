@@ -1,3 +1,4 @@
+// The sparse Cholesky factorization solves every system of the flow to its precision.
 #include "ibmfair/solve/cholesky.h"
 
 #include <gtest/gtest.h>
@@ -12,7 +13,8 @@
 namespace ibmfair::test {
 namespace {
 
-/// I + S of a mesh: symmetric positive definite, with the pattern that the flow has.
+/// The matrix I + S of a mesh: symmetric positive definite, with the pattern that the matrices of
+/// the flow have.
 SymmetricMatrix example(const State& state) {
   const auto energy = bending_model("lagrange").bind(state.topology, {});
   const StencilTerms terms(energy->stencils(), state.topology.vertex_count);
@@ -42,7 +44,7 @@ TEST(Cholesky, Solves) {
   }
 }
 
-/// Wherever the unknowns are said to lie.
+/// The positions that are given for the unknowns affect the ordering only, not the solution.
 TEST(Cholesky, SolvesWhereItDissects) {
   const State state(make_shape("icosphere", {.subdivide = 5}));
   const SymmetricMatrix J = example(state);
@@ -59,7 +61,8 @@ TEST(Cholesky, SolvesWhereItDissects) {
   }
 }
 
-/// Of n unknowns on a surface, nested dissection leaves n log n entries and n^1.5 operations.
+/// For n unknowns on a surface, a factor ordered by nested dissection has n log n entries and takes
+/// n^1.5 operations.
 TEST(Cholesky, FactorsGrowAsThoseOfSurfaces) {
   const auto expect_growth = [](const Mesh& coarse, const Mesh& fine) {
     std::vector<FactorForecast> forecasts;
@@ -162,7 +165,7 @@ TEST(Cholesky, NamesTheUnknownAtWhichAMatrixIsNotPositiveDefinite) {
   } catch (const FactorizationFailed& error) {
     EXPECT_NE(std::string(error.what()).find("not positive definite"), std::string::npos);
   }
-  // The analysis is still good for a matrix that is.
+  // The symbolic analysis can still be used for a matrix that is positive definite.
   J.value[J.column_first[17]] = 1e6;
   EXPECT_NO_THROW(factor.factor(J));
 }

@@ -1,4 +1,4 @@
-// Iterative solving: the Jacobian by rows, conjugate gradients, and the flow on top of them.
+// The iterative solver: the Jacobian by rows, conjugate gradients, and the flow that uses them.
 #include "ibmfair/solve/conjugate_gradients.h"
 
 #include <cmath>
@@ -19,7 +19,8 @@
 namespace ibmfair::test {
 namespace {
 
-/// J = D + h S of a shaken mesh with every third vertex held, or none, by rows and assembled.
+/// The matrix J = D + h S of a shaken mesh, with every third vertex held or with no vertex held,
+/// both by rows and assembled.
 struct Example {
   Example(const State& state, std::string_view model, bool hold)
       : energy(bending_model(model).bind(state.topology, {})),
@@ -70,7 +71,7 @@ struct Example {
   std::unique_ptr<JacobianRows> rows;
 };
 
-/// J X by its rows for three random columns X, and <X, J X>.
+/// The product J X by rows for three random columns X, and <X, J X>.
 struct RowProduct {
   explicit RowProduct(const Example& example) {
     Quads p = Quads::Zero(4, example.J.size()), q(4, p.cols());
@@ -162,8 +163,8 @@ TEST(ConjugateGradients, Avx2GivesTheBytesOfTheBaseline) {
   });
 }
 
-/// What Y may hold before: nothing, what has nothing to do with the solution, what is near it, or
-/// against it, and no numbers.
+/// First guesses that Y may hold before the solver runs: nothing, unrelated values, values near a
+/// multiple of the solution, the negative solution, zeros, and NaN.
 std::vector<Points> guesses(const Example& example, const Points& B) {
   Points solution;
   ConjugateGradients(*example.rows).solve(B, solution, 1e-4, 1000);
@@ -191,7 +192,7 @@ TEST(ConjugateGradients, SolveToTheTolerance) {
   });
 }
 
-// What the guard of the flow relies on.
+// The guard of the flow relies on this law.
 TEST(ConjugateGradients, StopAtAMinimumAlongTheirStep) {
   for_every_example([](const Example& example) {
     const Points B = random_directions(example.J.size());
@@ -261,7 +262,8 @@ TEST(ConjugateGradients, GiveTheSameBytesForAnyNumberOfThreads) {
   set_thread_count(0);
 }
 
-// As near to the sphere that the noise was put on, and nearer to each other.
+// The result of conjugate gradients is as near to the sphere as the result of Cholesky, and the two
+// results are nearer to each other than to the sphere.
 TEST(ConjugateGradients, TakeTheFlowWhereCholeskyDoes) {
   ShapeSettings settings;
   settings.subdivide = 4;

@@ -1,6 +1,7 @@
-// What is done to one front is what is done to the dense matrix in it: for every width of the last
-// panel, chunk and strip, for last packs of every size, and for fronts beside which the vectors
-// leave the first cache. What is not part of the front is not a number, and must not be used.
+// The operations on a front agree with the same operations on the dense matrix in the front. The
+// tests cover every width of the last panel, chunk and strip, last packs of every size, and fronts
+// beside which the vectors leave the first cache. Entries outside the front are NaN and must not be
+// used.
 #include "ibmfair/solve/front_kernels.h"
 
 #include <algorithm>
@@ -61,7 +62,8 @@ struct FactoredFront {
     return result;
   }
 
-  /// [L11^-T (W1 - L21^T W2); W2], out of a list of vectors that has others between those below.
+  /// [L11^-T (W1 - L21^T W2); W2], where W is taken from a longer list of vectors that has other
+  /// vectors between the rows of W2.
   Vectors backward() {
     const auto rows = static_cast<Index>(L.rows()), columns = static_cast<Index>(L.cols());
     constexpr Index before = 5;
@@ -112,7 +114,7 @@ TYPED_TEST(FrontKernels, SubstituteAsTheDenseTriangleDoes) {
   }
 }
 
-/// Symmetric positive definite, with a unit diagonal.
+/// A random symmetric positive definite matrix with a unit diagonal.
 template <class Real>
 Matrix<Real> random_positive(Index size) {
   const Matrix<Real> R = Matrix<Real>::Random(size, size);
@@ -160,7 +162,7 @@ TYPED_TEST(FrontKernels, FactorAsTheDenseMatrixIs) {
           const double got = j < columns ? block[front.in_block(i) + front.pack * j]
                                          : update[front.in_update(i) + front.pack * j];
           const double expected = j < columns ? L(i, j) : rest(i - columns, j - columns);
-          error += std::abs(got - expected);  // not a number if one of them is not
+          error += std::abs(got - expected);  // NaN if one of them is NaN
         }
       }
       EXPECT_LT(error, 20 * std::numeric_limits<Real>::epsilon() * front.rows * front.rows);
@@ -201,7 +203,7 @@ TYPED_TEST(FrontKernels, AddEachEntryOfAnUpdateInItsPlace) {
   std::mt19937 random(7);
   for (const Index own : {1, 4, 7, 8, 13}) {
     for (const Index columns : {1, 3, 8, 20}) {
-      for (const Index step : {1, 2}) {  // rows that follow each other, and others
+      for (const Index step : {1, 2}) {  // consecutive rows, and other rows
         SCOPED_TRACE(testing::Message() << own << ", " << columns << ", " << step);
         const FrontLayout<Real> child{own + 30, own}, parent{90, columns};
         std::vector<Index> place(own, -1);

@@ -1,3 +1,4 @@
+// Nested dissection: orderings are permutations, and separators separate.
 #include "ibmfair/solve/ordering.h"
 
 #include <algorithm>
@@ -28,7 +29,7 @@ Example example(const Mesh& mesh) {
   return {state.X, vertex_rings(state.topology)};
 }
 
-/// Two of it, with no edge in between.
+/// Two copies of an example, with no edge between the copies.
 Example twice(const Example& one, const Vec3& apart) {
   Example two = one;
   const Index n = one.graph.size();
@@ -84,7 +85,8 @@ TEST(Orderings, GraphOfAMatrixHasItsEntriesAtBothEnds) {
   EXPECT_EQ(graph.value, (std::vector<Index>{1, 2, 0, 0}));
 }
 
-/// The sides and the separator are all nodes, each once, and no edge joins the sides.
+/// The two sides and the separator together contain each node exactly once, and no edge joins the
+/// sides.
 void expect_separation(const Rows& graph, const Separation& parts) {
   std::vector<int> where(static_cast<std::size_t>(graph.size()), -1);
   const auto mark = [&](const std::vector<Index>& nodes, int part) {
@@ -119,7 +121,7 @@ TEST(Separators, LeaveNoEdgeBetweenSidesOfAFifthOrMore) {
   EXPECT_GT(cut, 5);
 }
 
-/// A sphere of n vertices is cut by a great circle, or one that is hardly smaller.
+/// A sphere of n vertices is cut by a great circle, or by a circle that is hardly smaller.
 TEST(Separators, OfASphereAreRings) {
   for (const int subdivide : {3, 4, 5, 6}) {
     const auto [X, graph] = sphere(subdivide);

@@ -1,3 +1,4 @@
+// The smallest and the largest eigenvalue of every Laplacian of the family.
 #include "ibmfair/solve/spectrum.h"
 
 #include <cmath>
@@ -27,7 +28,7 @@ class LaplacianSpectra : public testing::TestWithParam<Member> {
     return ends(mesh.X, build_topology(mesh.X, mesh.F));
   }
 
-  /// Whether it approximates the Laplace-Beltrami operator.
+  /// Whether the member of the family approximates the Laplace-Beltrami operator.
   static bool is_consistent() {
     return GetParam().measures_area() && GetParam().is_flat_on_planes();
   }
@@ -65,7 +66,7 @@ TEST_P(LaplacianSpectra, ScaleWithTheInverseOfArea) {
   }
 }
 
-// l (l + 1) with l = 1, three times.
+// The first eigenvalue of the sphere is l (l + 1) with l = 1; it occurs three times.
 TEST_P(LaplacianSpectra, FirstEigenvalueOfTheSphereTendsToTwoAtSecondOrderAtLeast) {
   if (!is_consistent()) {
     GTEST_SKIP() << "not an approximation of the Laplace-Beltrami operator";
@@ -76,7 +77,7 @@ TEST_P(LaplacianSpectra, FirstEigenvalueOfTheSphereTendsToTwoAtSecondOrderAtLeas
   EXPECT_GT(coarse / fine, 3.6);
 }
 
-// Without conditions on the boundary a square of side 1 has pi^2, twice.
+// Without boundary conditions, the first eigenvalue of a square of side 1 is pi^2; it occurs twice.
 TEST_P(LaplacianSpectra, FirstEigenvalueOfTheSquareTendsToItsOwnAtSecondOrder) {
   if (!is_consistent()) {
     GTEST_SKIP() << "not an approximation of the Laplace-Beltrami operator";
@@ -104,7 +105,7 @@ TEST_P(LaplacianSpectra, CountZerosByPartsHoweverSmallOrFarTheyAre) {
   EXPECT_EQ(found.zeros, balls);
   const double factor = GetParam().measures_area() ? std::pow(3, 2 * (balls - 1)) : 1;
   EXPECT_NEAR(*found.smallest * factor / *one.smallest, 1, 1e-7);  // of the largest ball
-  EXPECT_NEAR(*found.largest / *one.largest, 1, 1e-7);             // of the smallest one
+  EXPECT_NEAR(*found.largest / *one.largest, 1, 1e-7);             // of the smallest ball
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// A folder of meshes to run batches in.
+// A folder of meshes in which tests run batches.
 #pragma once
 
 #include <map>
@@ -12,10 +12,12 @@
 
 namespace ibmfair::test {
 
-/// What became of the items of a batch, by input, or by output where an item has no input.
+/// The status of each item of a batch, by the item's input, or by its output if the item has no
+/// input.
 using Statuses = std::map<std::string, std::string>;
 
-/// Holds meshes `in/a.off`, `in/b.off` and `in/c.off` of 162 vertices; the program is run there.
+/// A folder that holds the meshes `in/a.off`, `in/b.off` and `in/c.off` of 162 vertices each. The
+/// program is run in this folder.
 class BatchTest : public testing::Test {
  protected:
   BatchTest();
@@ -27,21 +29,21 @@ class BatchTest : public testing::Test {
 
   RunResult run(const Words& arguments, RunOptions options = {}) const;
 
-  /// Makes or replaces a mesh of that folder: a sphere with noise.
+  /// Makes or replaces a mesh of the folder `in`: a sphere with noise.
   void make(const std::string& name, int seed, int subdivide = 2) const;
 
-  /// What `ibmfair smooth` makes of one input when it is run alone.
+  /// The output of `ibmfair smooth` for one input that is run alone.
   std::string single(const std::string& input, const Words& options) const;
 
-  /// Runs a batch, which must end with this code.
+  /// Runs a batch, which must end with this exit code, and returns the status of each item.
   Statuses statuses(const Words& arguments, int exit_code = 0) const;
 
-  /// How many files of this extension a folder holds; none where there is no such folder.
+  /// The number of files with this extension in a folder; 0 if there is no such folder.
   std::size_t count(const std::string& folder, const std::string& extension = ".off") const;
 
   TemporaryDirectory directory_;
-  Words inputs_;                                          ///< the three
-  const Words options_{"--steps", "2", "--cutoff", "4"};  ///< a short run
+  Words inputs_;                                          ///< the three meshes
+  const Words options_{"--steps", "2", "--cutoff", "4"};  ///< options of a short run
 };
 
 }  // namespace ibmfair::test

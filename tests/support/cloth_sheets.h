@@ -18,7 +18,7 @@ namespace ibmfair::cloth::test {
 
 using namespace ibmfair::test;  // random_directions
 
-/// A part of the elastic energy.
+/// A part of the elastic energy, by name.
 struct TermRow {
   std::string_view name;
   std::unique_ptr<EnergyTerm> (*bind)(const Plate& plate, const BlockHessian& H);
@@ -38,7 +38,7 @@ inline Plate small_plate(const SheetMesh& mesh, const Material& material = {}) {
   return make_plate(sheet.X, sheet.F, material);
 }
 
-/// Bent in both directions, and sheared and stretched a little.
+/// The sheet bent in both directions, and sheared and stretched a little.
 inline Points crumpled(const Points& X) {
   Points Y = X;
   Y.col(2) = 0.2 * (7 * X.col(0).array() + 1).sin() * (5 * X.col(1).array()).cos();
@@ -47,7 +47,7 @@ inline Points crumpled(const Points& X) {
   return Y;
 }
 
-/// 3 #V x 3 #V.
+/// The Hessian as a dense matrix, 3 #V x 3 #V.
 inline Eigen::MatrixXd dense(const BlockHessian& H) {
   const Index size = 3 * H.vertices();
   Eigen::MatrixXd M = Eigen::MatrixXd::Zero(size, size);

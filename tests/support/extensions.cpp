@@ -8,7 +8,7 @@
 namespace ibmfair::test {
 namespace {
 
-/// 1/2, 1/4, ... and the last one twice, beginning with corner `first` of `count`.
+/// The weights 1/2, 1/4, ... with the last weight twice, beginning with corner `first` of `count`.
 Eigen::VectorXd halving(std::size_t count, std::size_t first) {
   Eigen::VectorXd weights = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(count));
   double weight = 1.0;
@@ -25,7 +25,8 @@ Tents::Tents(const Mesh& mesh, const std::vector<Index>& faces) {
   std::vector<Index>& rim = extension.rim;
   for (const Index f : faces)
     rim.insert(rim.end(), mesh.faces[f].begin(), mesh.faces[f].end());
-  // Not in the order of the file, so that an implementation that assumes it shows.
+  // The rim is not in the order of the file, so that an implementation that assumes this order
+  // fails.
   std::sort(rim.rbegin(), rim.rend());
   rim.erase(std::unique(rim.begin(), rim.end()), rim.end());
   const auto place = [&](Index v) { return std::find(rim.begin(), rim.end(), v) - rim.begin(); };

@@ -1,4 +1,5 @@
-// Something to append to a mesh, with weights in place of the solver that extends functions.
+// An extension to append to a mesh. Fixed weights stand in place of the solver that extends
+// functions.
 #pragma once
 
 #include <string>
@@ -9,18 +10,20 @@
 
 namespace ibmfair::test {
 
-/// Over each of the given faces a tent of three new vertices: p, joined to every corner; q in the
-/// first of p's triangles; and r, joined to p and q only. The model face is the face itself. The
-/// rim is the corners; each new vertex is a mean of them, all weights being powers of two, plus an
-/// offset in its position. The orientation is the face's own.
+/// A tent of three new vertices over each of the given faces: p is joined to every corner of the
+/// face; q lies in the first of p's triangles; r is joined to p and q only. The model face of a
+/// tent is the face below it. The rim consists of the corners of the faces. Each new vertex is a
+/// weighted mean of these corners, with powers of two as weights, plus an offset in its position. A
+/// tent has the orientation of its face.
 struct Tents {
   Tents(const Mesh& mesh, const std::vector<Index>& faces);
 
   Extension extension;
-  Eigen::MatrixXd weights;  ///< #new vertices x #rim, what `extension.extend` multiplies by
+  Eigen::MatrixXd weights;  ///< #new vertices x #rim, the factor in `extension.extend`
 };
 
-/// The bytes of a mesh file called `name`, written in its own format with a tent over one face.
+/// The bytes of the mesh file called `name`, written in the format of that file, with a tent over
+/// one face.
 std::string with_tent(std::string_view bytes, const std::string& name, Index face = 0,
                       WriteReport* report = nullptr, const WriteOptions& options = {});
 

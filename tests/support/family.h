@@ -15,12 +15,12 @@ struct Member {
   std::string laplacian, mass;
 
   EnergyOptions options() const { return {true, {}, mass}; }
-  /// (M2), (M3); the others are no mass matrices.
+  /// Whether the axioms (M2) and (M3) hold; masses without them are no mass matrices.
   bool measures_area() const { return mass != "none" && mass != "valence"; }
 
-  /// (L4): zero on planes.
+  /// Whether axiom (L4) holds: the Laplacian is zero on planes.
   bool is_flat_on_planes() const { return laplacian != "umbrella"; }
-  /// The stencils are those of the energy itself.
+  /// Whether the stencils of the Hessian are the stencils of the energy itself.
   bool has_own_hessian() const { return laplacian != "intrinsic-delaunay" && mass != "galerkin"; }
 
   std::unique_ptr<BendingEnergy> bind(const Topology& topology) const {
@@ -38,7 +38,7 @@ inline std::ostream& operator<<(std::ostream& out, const Member& member) {
   return out << member.laplacian << " with mass " << member.mass;
 }
 
-/// As the names of tests can have it.
+/// The name of the member in the form that the names of tests may have.
 inline std::string identifier(const Member& member) {
   std::string name = member.laplacian + "_" + member.mass;
   for (char& c : name) {

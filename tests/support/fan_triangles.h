@@ -1,4 +1,4 @@
-// The triangles that groups of fans list.
+// The triangles that are listed by groups of fans.
 #pragma once
 
 #include "ibmfair/energy/mesh_blocks.h"
@@ -6,7 +6,7 @@
 
 namespace ibmfair::test {
 
-/// Those of one group, fan by fan, with the numbers of their corners.
+/// The triangles of one group, fan by fan, as the numbers of their corners.
 inline CornerTriples triangles_of(const FanGroup& group, const std::vector<Index>& places,
                                   Index place_of_vertex) {
   CornerTriples triangles;

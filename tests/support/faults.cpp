@@ -107,7 +107,7 @@ RunResult WritingRun::run(RunOptions options) {
   return run_program(words_, options);
 }
 
-/// Reports tell how long things took and differ from run to run.
+/// The HTML reports contain times, so that their bytes differ from run to run.
 bool WritingRun::is_whole(const std::string& target, const std::string& bytes) const {
   if (target.ends_with(".html")) {
     return bytes.size() + 1000 > whole_.at(target).size() && contains(bytes, "</html>");

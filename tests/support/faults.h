@@ -1,4 +1,4 @@
-// Faults of the system that the program runs on, and what it promises then.
+// Faults of the operating system that tests inject, and the promises that the program keeps then.
 #pragma once
 
 #include <cerrno>
@@ -12,29 +12,31 @@
 
 namespace ibmfair::test {
 
-/// What happens to the calls number `first` to `last` of one kind, counted from the program's
-/// `main` on: malloc (all that allocates), open, read, write, fsync, linkat, rename or fchmod.
+/// A fault in the calls number `first` to `last` of one kind, counted from the program's `main` on.
+/// The kinds are malloc (every function that allocates), open, read, write, fsync, linkat, rename
+/// and fchmod.
 struct Fault {
   std::string call;
   long first = 0;
   long last = first;
-  int error = ENOSPC;             ///< they fail with this
-  int signal_number = 0;          ///< instead, this signal comes before
-  std::string truncated = {};     ///< instead, this file is cut off before
-  bool no_unnamed_files = false;  ///< as on file systems that cannot hold files without a name
+  int error = ENOSPC;             ///< the calls fail with this error
+  int signal_number = 0;          ///< instead, this signal is sent before the call
+  std::string truncated = {};     ///< instead, this file is cut off before the call
+  bool no_unnamed_files = false;  ///< as on file systems without unnamed files
 };
 
-/// Whether the program can be run so: not with AddressSanitizer, which has its own allocation.
+/// Whether faults can be injected: not with AddressSanitizer, which has its own allocation.
 bool faults_can_be_injected();
 
-/// What `RunOptions::environment` must hold.
+/// The variables that `RunOptions::environment` must hold for this fault.
 std::vector<std::string> environment_of(const Fault& fault);
 
-/// How many calls of the fault's kind a run makes, which must succeed: number 0 never comes.
+/// The number of calls of the fault's kind that a run makes. The run must succeed: calls are
+/// counted from 1, so that a fault in call 0 never happens.
 long count_calls(const Fault& fault, const Words& words, RunOptions options = {});
 
-/// A run that replaces files, in a folder of its own: `in.ply`, a sphere with noise, `holed.off`,
-/// and what it writes.
+/// A run that replaces files in a folder of its own. The folder holds `in.ply` (a sphere with
+/// noise), `holed.off`, and the files that the run writes.
 class WritingRun {
  public:
   /// `targets` are the names of the files that the program writes for these words.
@@ -48,9 +50,9 @@ class WritingRun {
   /// Puts files of other content at the targets and runs the program.
   RunResult run(RunOptions options = {});
 
-  /// Checks what holds however the run ended: every target is as it was or whole, and whole if the
-  /// run succeeded; the inputs are as they were; there is nothing else, journals and temporary
-  /// files apart; a run that failed says why.
+  /// Checks the promises that hold however the run ended: every target is unchanged or whole, and
+  /// whole if the run succeeded; the inputs are unchanged; there are no other files except journals
+  /// and temporary files; a run that failed says why.
   void expect_promises(const RunResult& result) const;
 
   std::size_t count_temporary_files() const;
@@ -60,11 +62,11 @@ class WritingRun {
 
   TemporaryDirectory directory_;
   Words words_;
-  std::map<std::string, std::string> inputs_;  // bytes by name
-  std::map<std::string, std::string> whole_;   // those of each target
+  std::map<std::string, std::string> inputs_;  // bytes of each input, by name
+  std::map<std::string, std::string> whole_;   // bytes of each target after a whole run
 };
 
-/// One for every way in which the program writes.
+/// One run for every way in which the program writes files.
 std::vector<std::unique_ptr<WritingRun>> writing_runs();
 
 }  // namespace ibmfair::test

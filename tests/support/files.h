@@ -15,12 +15,13 @@ std::string read_bytes(const std::string& path);
 void write_bytes(const std::string& path, std::string_view bytes);
 
 /// The full path of `name` (as `models/bunny.obj`) in the optional collection of real meshes beside
-/// the project, `../shared/meshes`; nothing where it is absent. Tests on it skip then:
+/// the project, `../shared/meshes`; nothing if the collection is absent. Tests then skip:
 ///     const auto path = shared_mesh("models/bunny.obj");
 ///     if (!path) GTEST_SKIP() << "no ../shared/meshes";
 std::optional<std::string> shared_mesh(const std::string& name);
 
-/// All files below a folder of that collection, sorted by name; empty where it is absent.
+/// All files below a folder of the collection of real meshes, sorted by name; empty if the
+/// collection is absent.
 std::vector<std::string> shared_meshes(const std::string& folder);
 
 /// The full path of a file in the project, as `data/README.md`.

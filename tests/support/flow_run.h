@@ -14,7 +14,7 @@ struct FlowRun {
   FlowReport report;
 };
 
-/// To a cut-off in mean edge lengths.
+/// Runs a flow whose cut-off is given in mean edge lengths.
 inline FlowRun run_flow(const State& state, double cutoff, FlowOptions options) {
   const double time = time_for_cutoff(cutoff * mean_edge_length(state.X, state.topology.E));
   options.total_time = time_in_flow_units(time, state.X, state.topology, options);

@@ -214,7 +214,7 @@ std::vector<ForeignMesh> foreign_triangles() {
 }
 
 bool imports_can_refer_to_files() {
-  // Refused for its arguments where the call is there.
+  // If the system call exists, it fails because of its arguments, not with ENOSYS.
   return syscall(SYS_openat2, -1, "", nullptr, 0) >= 0 || errno != ENOSYS;
 }
 

@@ -1,4 +1,4 @@
-// The law of every gradient.
+// The law that every gradient must obey: it agrees with differences of the energy.
 #pragma once
 
 #include <cmath>
@@ -11,8 +11,9 @@
 
 namespace ibmfair::test {
 
-/// The gradient of the energy at X agrees with central differences along a random direction: to
-/// `tolerance` with half the step (in units of `edge`, the mean edge length), and at second order.
+/// The gradient of the energy at X agrees with central differences along a random direction. With
+/// half the step (in units of `edge`, the mean edge length), the error is below `tolerance`, and
+/// the error is of second order in the step.
 inline void expect_exact_gradient(BendingEnergy& energy, const Points& X, double edge, double step,
                                   double tolerance, const std::string& name) {
   Points G;

@@ -44,7 +44,7 @@ bool in_cap(const Vec3& x, double degrees) {
   return x.dot(cap_axis) > std::cos(degrees * std::numbers::pi / 180) * x.norm();
 }
 
-/// Without the faces at a vertex.
+/// The mesh without the faces at one vertex.
 Mesh without_star(const Mesh& mesh, Index vertex) {
   return without_unused_vertices(with_faces(mesh, [&](Index f) {
     const auto corners = mesh.faces[f];
@@ -52,8 +52,8 @@ Mesh without_star(const Mesh& mesh, Index vertex) {
   }));
 }
 
-/// Two faces that touch in one vertex only, both left out: the vertex is met twice by one loop or
-/// once by each of two.
+/// The mesh without two faces that touch in one vertex only. Either one boundary loop passes this
+/// vertex twice, or each of two loops passes it once.
 Mesh pinched(const Mesh& mesh) {
   const auto first = mesh.faces[0];
   for (Index f = 1; f < mesh.faces.size(); ++f) {

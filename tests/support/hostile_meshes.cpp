@@ -31,7 +31,7 @@ Mesh from(const std::vector<Vec3>& points, const std::vector<Face>& faces) {
   return mesh;
 }
 
-/// The first faces of the mesh once more, as they are or turned over.
+/// The mesh with copies of its first 200 faces, in their own or the opposite orientation.
 Mesh with_copies(Mesh mesh, bool turned) {
   for (Index f = 0; f < 200; ++f) {
     Face corners{mesh.faces[f][0], mesh.faces[f][1], mesh.faces[f][2]};
@@ -43,7 +43,7 @@ Mesh with_copies(Mesh mesh, bool turned) {
   return mesh;
 }
 
-/// A third triangle at the first edge of every twentieth face.
+/// The mesh with a third triangle at the first edge of every twentieth face.
 Mesh with_fins(Mesh mesh) {
   const Index faces = mesh.faces.size();
   for (Index f = 0; f < faces; f += 20) {
@@ -84,7 +84,7 @@ Mesh tetrahedra(Index count, bool joined) {
   return from(points, all);
 }
 
-/// Triangles all around one edge.
+/// Triangles that all share one edge, all around this edge.
 Mesh book(Index pages) {
   std::vector<Vec3> points{{0, 0, 0}, {0, 0, 1}};
   std::vector<Face> faces;
@@ -95,7 +95,7 @@ Mesh book(Index pages) {
   return from(points, faces);
 }
 
-/// One vertex with all faces, its ring up and down.
+/// A fan whose faces all meet in one vertex; the ring of this vertex goes up and down.
 Mesh fan(Index blades) {
   std::vector<Vec3> points{{0, 0, 0.5}};
   std::vector<Face> faces;
@@ -143,7 +143,7 @@ Mesh with_spike(double factor) {
   return changed(ball(), [=](Index v, Vec3& x) { x *= v == 10 ? factor : 1; });
 }
 
-/// Cuts face f in three by a new vertex, of which one face takes the old one's place.
+/// Cuts face f in three by a new vertex; one of the new faces replaces face f.
 void cut_in_three(Mesh& mesh, Index f, const Vec3& x) {
   const auto p = static_cast<Index>(mesh.X.rows());
   mesh.X.conservativeResize(p + 1, 3);
@@ -155,7 +155,7 @@ void cut_in_three(Mesh& mesh, Index f, const Vec3& x) {
   mesh.faces.corner[3 * static_cast<std::size_t>(f)] = p;
 }
 
-/// A second vertex beside a corner of every fiftieth face.
+/// A ball with a second vertex close to a corner of every fiftieth face.
 Mesh with_close_vertices(double distance) {
   Mesh mesh = ball();
   for (Index f = 0; f < 1280; f += 50) {

@@ -1,4 +1,5 @@
-// What becomes of the odd and hostile files of the shared collection, as it is checked in.
+// The outcomes of runs on the odd and hostile files of the shared collection, as the checked-in
+// table records them.
 #pragma once
 
 #include <map>
@@ -7,27 +8,28 @@
 
 namespace ibmfair::test {
 
-/// The end of one run.
+/// How one run ended.
 struct Outcome {
   int exit_code = -1;
-  std::string message;  ///< of an error; empty where the program did something
+  std::string message;  ///< the error message; empty if the program did its work
 
   bool operator==(const Outcome&) const = default;
 };
 
-/// By file (as `obj/afl_00.obj`), then by command.
+/// Outcomes by file (for example `obj/afl_00.obj`), then by command.
 using Outcomes = std::map<std::string, std::map<std::string, Outcome>>;
 
-/// The commands that each file goes through.
+/// The commands that are run on each file.
 const std::vector<std::string>& outcome_commands();
 
-/// `tests/malformed_outcomes.tsv`: a line has a file, commands, their exit code, their message.
+/// Reads `tests/malformed_outcomes.tsv`. A line has a file, commands, their exit code and their
+/// message.
 Outcomes expected_outcomes();
 
-/// The same text for other outcomes; commands that end alike share a line.
+/// The text of such a table for other outcomes; commands that end alike share a line.
 std::string outcomes_text(const Outcomes& outcomes);
 
-/// Where that table is.
+/// The path of `tests/malformed_outcomes.tsv`.
 std::string outcomes_path();
 
 }  // namespace ibmfair::test

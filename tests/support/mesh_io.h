@@ -1,4 +1,4 @@
-// Reading and writing small mesh files whose whole text stands in the test.
+// Reading and writing small mesh files whose whole text is given in the test.
 #pragma once
 
 #include <string>
@@ -22,7 +22,7 @@ class MeshFiles {
   std::string write(const MeshFile& file, const Points& X, const std::string& name,
                     WriteOptions options = {}, WriteReport* report = nullptr);
 
-  /// The same with an extension.
+  /// Writes the mesh with its vertices at X and with an extension.
   std::string write(const MeshFile& file, const Points& X, const Extension& extension,
                     const std::string& name, WriteOptions options = {},
                     WriteReport* report = nullptr);
@@ -34,26 +34,27 @@ class MeshFiles {
   TemporaryDirectory directory_;
 };
 
-/// The message of the BadFile that reading the bytes as a file called `name` must throw; empty (and
-/// a failed expectation) where it throws none.
+/// The message of the BadFile that must be thrown when the bytes are read as a file called `name`.
+/// If reading does not throw, the message is empty and an expectation fails.
 std::string read_error(std::string_view bytes, const std::string& name);
 
-/// The law of every file that can be patched: written back with nothing moved it is the same bytes;
-/// with two thirds of its vertices moved and read again it has exactly those positions and the same
-/// faces; moved back after that it has the first positions again. Returns the file as first read.
+/// The law of every file that can be patched. A file that is written back with unmoved vertices has
+/// the same bytes. A file that is written with two thirds of its vertices moved, and read again,
+/// has exactly these positions and the same faces. If the vertices are then moved back, the file
+/// has its first positions again. Returns the file as first read.
 MeshFile expect_carried(std::string_view bytes, const std::string& name);
 
-/// Two thirds of the vertices moved by a few per cent of their coordinates.
+/// The points X with two thirds of the vertices moved by a few per cent of their coordinates.
 Points mostly_moved(const Points& X);
 
-/// The lines of a text that differ from those of another with as many lines; -1 alone where the
+/// The lines of a text that differ from those of another text with as many lines; only -1 if the
 /// numbers of lines differ.
 std::vector<int> different_lines(std::string_view a, std::string_view b);
 
 /// The text with every `what` replaced.
 std::string replaced(std::string text, const std::string& what, const std::string& by);
 
-/// The bytes of a number as a binary file holds it.
+/// The bytes that a binary file has for a number.
 std::string to_bytes(double value, int size, bool big_endian, bool real);
 
 }  // namespace ibmfair::test

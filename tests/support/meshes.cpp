@@ -36,8 +36,8 @@ void add_quad(Mesh& mesh, Index a, Index b, Index c, Index d) {
 
 enum class Seam { open, joined, joined_mirrored };
 
-// The image of a grid of columns x rows cells; opposite sides may be one and the same. `mirrored`
-// joins the last column to the first one upside down, as a Moebius strip does.
+// The image of a grid of columns x rows cells; opposite sides of the grid may be joined. `mirrored`
+// joins the last column to the first column upside down, as in a Moebius strip.
 Mesh make_grid(Index columns, Index rows, Seam across, Seam along,
                const std::function<Vec3(double u, double v)>& position) {
   const Index width = across == Seam::open ? columns + 1 : columns;
@@ -91,7 +91,8 @@ Mesh cube() {
       {{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}});
 }
 
-// A sphere by longitude and latitude with a wave on it, so that no symmetry hides a mistake.
+// A sphere by longitude and latitude. A wave on the sphere breaks its symmetry, which could hide a
+// mistake.
 Mesh bumpy_sphere(double radius, double bump) {
   constexpr Index meridians = 16;
   constexpr Index parallels = 9;

@@ -1,5 +1,5 @@
-// The classes of meshes over which tests sweep their laws. All are small (below 3000 faces), made
-// here and not by the code under test.
+// The classes of meshes over which tests sweep their laws. All meshes are small (below 3000 faces)
+// and are made here, not by the code under test.
 #pragma once
 
 #include <array>
@@ -15,46 +15,49 @@ struct NamedMesh {
   Mesh mesh;
 };
 
-/// Closed, oriented outward, without defects: tetrahedron, octahedron, a cube of quadrilaterals, a
-/// bumpy sphere, a torus, and two spheres of different sizes apart from each other.
+/// Closed meshes, oriented outward, without defects: tetrahedron, octahedron, a cube of
+/// quadrilaterals, a bumpy sphere, a torus, and two spheres of different sizes apart from each
+/// other.
 std::vector<NamedMesh> closed_meshes();
 
-/// With boundary, without defects: one triangle, a square of quadrilaterals, a bumpy sheet, an
-/// annulus (two loops), an open cylinder, and a sheet beside a sphere.
+/// Meshes with a boundary, without defects: one triangle, a square of quadrilaterals, a bumpy
+/// sheet, an annulus (two loops), an open cylinder, and a sheet beside a sphere.
 std::vector<NamedMesh> open_meshes();
 
-/// Closed and open ones together.
+/// The closed and the open meshes together.
 std::vector<NamedMesh> good_meshes();
 
 /// Surfaces without a coherent orientation: a Moebius strip and a Klein bottle.
 std::vector<NamedMesh> nonorientable_meshes();
 
-/// Each with one kind of defect in an otherwise good surface; the name is the defect: `bow tie`,
-/// `non-manifold edge`, `zero area`, `repeated corner`, `duplicate face`, `isolated vertex`.
+/// Meshes with one kind of defect each in an otherwise good surface. The name of a mesh is its
+/// defect: `bow tie`, `non-manifold edge`, `zero area`, `repeated corner`, `duplicate face`,
+/// `isolated vertex`.
 std::vector<NamedMesh> defective_meshes();
 
 /// All of the above.
 std::vector<NamedMesh> all_meshes();
 
-/// As it is, scaled by 1e-8, scaled by 1e8, or moved 1e5 of its sizes from the origin.
+/// A mesh is left as it is, scaled by 1e-8, scaled by 1e8, or moved from the origin by 1e5 times
+/// its size.
 enum class Placement { as_is, tiny, huge, far_away };
 inline constexpr std::array all_placements{Placement::as_is, Placement::tiny, Placement::huge,
                                            Placement::far_away};
 
-/// Every mesh scaled or moved; names say how.
+/// Every mesh in this placement; the names of the meshes say which.
 std::vector<NamedMesh> placed(const std::vector<NamedMesh>& meshes, Placement placement);
 
 /// Every mesh in all placements.
 std::vector<NamedMesh> at_all_scales(const std::vector<NamedMesh>& meshes);
 
-/// A sheet of columns x rows quadrilaterals over the unit square, each cut in two, without bumps.
+/// A flat sheet of columns x rows quadrilaterals over the unit square, each cut in two triangles.
 Mesh flat_sheet(Index columns, Index rows);
 
-/// Two poles with `around` triangles each, and two rings of as many vertices between them.
+/// Two poles with `around` triangles each, and between them two rings of `around` vertices each.
 Mesh barrel(Index around);
 
-/// The mesh with face orientations turned at random (fixed by `seed`): nothing that does not speak
-/// of orientation may change.
+/// The mesh with the orientation of its faces flipped at random (fixed by `seed`). Results that do
+/// not depend on orientation must not change.
 Mesh with_mixed_orientation(const Mesh& mesh, unsigned seed = 1);
 
 /// X -> scale * R * X + offset with a fixed rotation R about a skew axis.

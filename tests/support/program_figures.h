@@ -1,4 +1,4 @@
-// What the program prints of meshes that it makes itself.
+// The figures that the program prints about meshes that it generates itself.
 #pragma once
 
 #include <string>
@@ -9,13 +9,13 @@
 
 namespace ibmfair::test {
 
-/// The JSON that a run prints; the run must succeed and say nothing else.
+/// The JSON that a run prints; the run must succeed and print nothing else.
 nlohmann::json figures(const Words& arguments, const RunOptions& options = {});
 
 /// The bytes of a generated shape.
 std::string made(const Words& arguments, const std::string& format = "off");
 
-/// What `info` finds of it.
+/// The figures that `info` prints about a generated shape.
 nlohmann::json info_of(const Words& shape);
 
 }  // namespace ibmfair::test

@@ -1,4 +1,4 @@
-// Meshes whose vertices and triangles stand in another order.
+// Meshes whose vertices and triangles are in another order.
 #pragma once
 
 #include <algorithm>
@@ -10,7 +10,8 @@
 
 namespace ibmfair::test {
 
-/// The numbers 0 .. size - 1 in an order that `seed` fixes on every machine.
+/// The numbers 0 .. size - 1 in a random order. The order depends on `seed` only and is the same on
+/// every machine.
 inline std::vector<Index> permutation(Eigen::Index size, unsigned seed) {
   std::vector<Index> order(static_cast<std::size_t>(size));
   std::iota(order.begin(), order.end(), 0);
@@ -21,7 +22,7 @@ inline std::vector<Index> permutation(Eigen::Index size, unsigned seed) {
   return order;
 }
 
-/// Vertex v becomes vertex number[v]; triangles, too, stand in another order.
+/// The mesh with vertex v renumbered to number[v], and with its triangles in another order, too.
 inline TriangleMesh renumbered(const TriangleMesh& mesh, const std::vector<Index>& number) {
   TriangleMesh other = mesh;
   other.X(number, Eigen::all) = mesh.X;

@@ -46,7 +46,8 @@ struct Pipe {
 
 Pipe make_pipe() {
   std::array<int, 2> ends{};
-  // Close-on-exec: the program must see the end of its input when the test closes its own end.
+  // Close-on-exec: the program must see the end of its input when the test closes its own end of
+  // the pipe.
   if (pipe2(ends.data(), O_CLOEXEC) != 0) {
     throw std::runtime_error("cannot make a pipe");
   }
@@ -65,7 +66,7 @@ class SpawnActions {
   posix_spawn_file_actions_t actions_{};
 };
 
-// The test ignores SIGPIPE; the program must meet it as it would under a shell.
+// The test ignores SIGPIPE; the program must receive SIGPIPE as it would under a shell.
 class SpawnAttributes {
  public:
   SpawnAttributes() {
@@ -170,8 +171,8 @@ void drain(Descriptor& pipe, std::string& collected) {
   }
 }
 
-// Serves all three pipes at once: a program that fills one while the test waits on another would
-// otherwise never end. Returns whether all were served within the limit.
+// Serves all three pipes at once: otherwise a program that fills one pipe while the test waits on
+// another pipe would never end. Returns whether all pipes were served within the limit.
 bool exchange(pid_t child, Pipe& in, Pipe& out, Pipe& err, const RunOptions& options,
               RunResult& result) {
   using clock = std::chrono::steady_clock;

@@ -1,4 +1,5 @@
-// Runs the real program as its users do: arguments and bytes in, exit code and bytes out.
+// Runs the real program as its users do: the test gives arguments and bytes, and receives an exit
+// code and bytes.
 #pragma once
 
 #include <chrono>
@@ -12,12 +13,13 @@ namespace ibmfair::test {
 enum class StandardOutput {
   captured,
   closed,       ///< as `>&-` in a shell
-  broken_pipe,  ///< a pipe that nobody reads, as `| true`
-  full          ///< /dev/full: every write fails for want of space
+  broken_pipe,  ///< a pipe that nobody reads, as in `| true`
+  full          ///< /dev/full: every write fails because the device is full
 };
 
-/// How long something may take that should take a moment. Nothing comes near it on a machine that
-/// has time for the tests; on one that is given a tenth of a core, much comes near a minute.
+/// The time limit for a run that should take a moment. On a machine that has time for the tests, no
+/// run comes near this limit; on a machine that gives the tests a tenth of a core, many runs take
+/// nearly a minute.
 inline constexpr std::chrono::seconds patience{600};
 
 struct RunOptions {
@@ -26,26 +28,28 @@ struct RunOptions {
   std::string directory = {};                 ///< working directory; empty: the test's own
   std::vector<std::string> environment = {};  ///< `NAME=value`, on top of the test's own
   std::chrono::seconds limit = patience;      ///< the program is killed after this long
-  std::int64_t address_space = 0;  ///< bytes that the program may map (by prlimit); 0: no limit
-  std::vector<std::string> limits = {};  ///< others, as prlimit takes them: `--fsize=1000`
-  /// What starts the program, by its full name and with its arguments; empty: the test itself.
+  std::int64_t address_space = 0;  ///< bytes that the program may map (set by prlimit); 0: no limit
+  std::vector<std::string> limits = {};  ///< other limits, as prlimit takes them: `--fsize=1000`
+  /// The command that starts the program: its full name and its arguments. If empty, the test
+  /// itself starts the program.
   std::vector<std::string> launcher = {};
   std::vector<int> closed = {};  ///< standard descriptors that the program starts without
-  /// Sent once the program has taken the input, whose end it does not get to see; 0: none. Input of
-  /// more than the 64 kB that a pipe holds makes sure that the program is reading by then.
+  /// The signal that is sent after the program has taken the input; the program does not see the
+  /// end of the input. 0: no signal. If the input is longer than the 64 kB that a pipe holds, the
+  /// program is certainly reading by then.
   int signal_number = 0;
-  /// If set, the signal is sent as soon as this is true, which is asked every few milliseconds, and
-  /// the program sees the end of its input.
+  /// If set, the signal is sent as soon as this function returns true; it is called every few
+  /// milliseconds. In this case the program sees the end of its input.
   std::function<bool()> signal_when = {};
 };
 
 struct RunResult {
-  int exit_code = -1;  ///< negative: ended by that signal
+  int exit_code = -1;  ///< negative: the program was ended by that signal
   std::string out;
   std::string err;
-  double cpu_seconds = 0;        ///< of all its threads, and of the processes that it waited for
-  double peak_megabytes = 0;     ///< the most memory that it, or one of those, held at a time
-  std::int64_t page_faults = 0;  ///< new pages of memory that it, and those, got from the system
+  double cpu_seconds = 0;        ///< of all threads and of the processes that were waited for
+  double peak_megabytes = 0;     ///< the most memory that any one process held
+  std::int64_t page_faults = 0;  ///< new pages of memory, with the processes waited for
 };
 
 using Words = std::vector<std::string>;
@@ -61,11 +65,11 @@ std::string program_path();
 /// program, and it lacks some calls of the system.
 bool runs_in_emulator();
 
-/// Runs the program with these arguments, no shell in between. Throws std::runtime_error if it
-/// cannot be started or does not end within the limit.
+/// Runs the program with these arguments, without a shell in between. Throws std::runtime_error if
+/// the program cannot be started or does not end within the limit.
 RunResult run_program(const std::vector<std::string>& arguments, const RunOptions& options = {});
 
-/// Whether the program has the page of reports: it can be built without.
+/// Whether the program has the page for reports: it can be built without this page.
 bool writes_pages();
 
 }  // namespace ibmfair::test

@@ -1,4 +1,4 @@
-// Meshes as the numerics see them.
+// Meshes in the form that the numerics use: vertex positions and the connectivity of triangles.
 #pragma once
 
 #include <cstdint>
@@ -19,12 +19,13 @@ struct State {
   explicit State(const Mesh& mesh) : X(mesh.X), topology(build_topology(X, triangulate(mesh).F)) {}
 };
 
-/// The mesh with its faces cut: where a square may be cut either way, its corners' order decides.
+/// The mesh with its faces cut into triangles. If a square can be cut either way, the order of its
+/// corners decides.
 inline Mesh in_triangles(const Mesh& mesh) {
   return mesh_from_triangles(mesh.X, triangulate(mesh).F);
 }
 
-/// A flag for each vertex within so many rings of these (#V).
+/// A flag for each vertex (#V): whether it is within so many rings of the given vertices.
 inline std::vector<std::uint8_t> around(const Topology& topology,
                                         const std::vector<Index>& vertices, int rings) {
   std::vector<std::uint8_t> flags(static_cast<std::size_t>(topology.vertex_count), 0);
@@ -47,14 +48,15 @@ inline Points random_directions(Eigen::Index vertices, unsigned seed = 1) {
   return D;
 }
 
-/// `X` with every coordinate moved at random by up to `amount` mean edge lengths.
+/// The vertex positions with every coordinate moved at random by up to `amount` mean edge lengths.
 inline Points shaken(const State& state, double amount, unsigned seed = 2) {
   return state.X + amount * mean_edge_length(state.X, state.topology.E) *
                        random_directions(state.X.rows(), seed);
 }
 
-/// `X` with a corner of a triangle moved to this many lengths of the opposite side from it: the
-/// triangle's smallest angle is about twice that.
+/// The vertex positions with one corner of a triangle moved. The distance of this corner from the
+/// opposite side becomes `height` times the length of that side; the triangle's smallest angle is
+/// about twice `height`.
 inline Points with_needle(const State& state, Index triangle, double height) {
   Points X = state.X;
   const auto corners = state.topology.F.row(triangle);

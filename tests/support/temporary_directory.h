@@ -1,4 +1,4 @@
-// A directory of a test's own that disappears with it.
+// A directory for one test, which is removed at the end of the test.
 #pragma once
 
 #include <filesystem>
@@ -15,10 +15,10 @@ class TemporaryDirectory {
 
   const std::filesystem::path& path() const { return path_; }
 
-  /// The full name of a file in it, as the program's arguments want it.
+  /// The full name of a file in the directory, as an argument of the program.
   std::string operator/(const std::string& name) const { return (path_ / name).string(); }
 
-  /// How many entries it holds: a run that failed must leave as many as it found.
+  /// The number of entries of the directory: a run that failed must leave as many as it found.
   std::size_t entries() const;
 
  private:

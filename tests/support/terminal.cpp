@@ -20,7 +20,7 @@ namespace {
 
 constexpr char ctrl_c = 3;
 
-/// In the child: becomes the program.
+/// Called in the child process, which becomes the program.
 [[noreturn]] void become(const Words& arguments, const TerminalOptions& options) {
   setenv("TERM", "xterm", 1);
   unsetenv("NO_COLOR");
@@ -44,7 +44,7 @@ constexpr char ctrl_c = 3;
   _exit(127);
 }
 
-/// Takes what the program draws until it ends; false where that takes too long.
+/// Reads the bytes that the program draws until the program ends; false if this takes too long.
 bool watch(int terminal, const TerminalOptions& options, std::string& drawn) {
   const auto end = std::chrono::steady_clock::now() + patience;
   bool interrupted = false;
@@ -57,7 +57,7 @@ bool watch(int terminal, const TerminalOptions& options, std::string& drawn) {
     std::array<char, 4096> buffer{};
     const ssize_t count = read(terminal, buffer.data(), buffer.size());
     if (count <= 0) {
-      return true;  // EIO: nobody has the other end open any more
+      return true;  // EIO: no process has the other end open any more
     }
     drawn.append(buffer.data(), static_cast<std::size_t>(count));
     if (!interrupted && options.interrupt_when && options.interrupt_when(drawn)) {
@@ -71,7 +71,8 @@ std::string trimmed(const std::string& line) {
   return line.substr(0, line.find_last_not_of(' ') + 1);
 }
 
-/// What a screen shows: a carriage return goes back in the line, and what comes next overwrites.
+/// The lines that a screen shows: a carriage return goes back to the start of the line, and the
+/// next characters overwrite the line.
 void show(const std::string& drawn, TerminalResult& result) {
   std::string line;
   std::size_t column = 0;

@@ -1,4 +1,4 @@
-// Surfaces that turn sharply without any noise.
+// Surfaces that turn sharply although they have no noise.
 #pragma once
 
 #include <cmath>
@@ -11,7 +11,7 @@ namespace ibmfair::test {
 
 inline constexpr double degree = std::numbers::pi / 180;
 
-/// A sheet folded along its middle row, so that its halves enclose the angle.
+/// A sheet folded along its middle row, so that its halves enclose this angle.
 inline State wedge(double angle) {
   State state(make_shape("plane", {.rows = 25, .columns = 40}));
   state.X.col(1).array() -= state.X.col(1).mean();

@@ -1,5 +1,6 @@
-// Loaded into the program by LD_PRELOAD: makes chosen calls of the C library fail, or sends a
-// signal instead, as tests/support/faults.h says. Counts from the program's `main` on.
+// This library is loaded into the program by LD_PRELOAD. It makes chosen calls of the C library
+// fail, or sends a signal instead, as tests/support/faults.h says. It counts calls from the
+// program's `main` on.
 #include <atomic>
 #include <cerrno>
 #include <csignal>
@@ -41,8 +42,8 @@ long number_in_environment(const char* name) {
   return text != nullptr ? std::atol(text) : 0;
 }
 
-/// Counts a call; true where it is to fail. Otherwise a signal comes, or a file is cut off, before
-/// the call, which then goes on.
+/// Counts a call and returns true if the call is to fail. Otherwise, if the fault says so, a signal
+/// is sent or a file is cut off before the call, and the call then goes on.
 bool fails(const char* call) {
   if (!active || std::strcmp(call, plan.call) != 0) {
     return false;
