@@ -1,5 +1,5 @@
-"""The ratios that tools/bench --check holds a run against. They are free of the speed of the
-machine, but not of its kind: another processor deserves a baseline of its own."""
+"""The ratios with which tools/bench --check compares a run. They do not depend on the speed of the
+machine, but on its kind: another kind of processor needs a baseline of its own."""
 
 import json
 import os
@@ -22,7 +22,7 @@ def store(results):
 
 
 def losses(ratios):
-    """For what both have: name to ratio before and now, where that is worse."""
+    """Maps each name in both whose ratio is worse to its ratios before and now."""
     before = load()
     return {name: (before[name], ratio) for name, ratio in ratios.items()
             if name in before and not ratio <= (1 + TOLERANCE) * before[name]}

@@ -1,5 +1,5 @@
 // Smooths a closed mesh with bi-Laplacian diffusion, one factorization by CHOLMOD for all steps:
-// what is quickly written instead of `ibmfair smooth`, for tools/bench.
+// a simple alternative to `ibmfair smooth`, for tools/bench.
 //
 //   bilaplacian_smooth IN OUT STEPS TIME   TIME is of all steps, length^4; prints the seconds of
 //                                          the smoothing
@@ -22,7 +22,7 @@ using ibmfair::Triangles;
 using ibmfair::Vec3;
 using Matrix = Eigen::SparseMatrix<double>;
 
-/// The cotangent Laplacian, positive semi-definite, and the area around each vertex by three.
+/// The cotangent Laplacian, positive semi-definite, and a third of the area around each vertex.
 void cotangent_laplacian(const Points& X, const Triangles& F, Matrix& L, Eigen::VectorXd& mass) {
   std::vector<Eigen::Triplet<double>> entries;
   entries.reserve(12 * F.rows());

@@ -1,5 +1,5 @@
-// Smooths a mesh with CGAL's smooth_shape (mean curvature flow) and CHOLMOD: what users would pick
-// instead of `ibmfair smooth`, for tools/bench.
+// Smooths a mesh with CGAL's smooth_shape (mean curvature flow) and CHOLMOD: an alternative
+// to `ibmfair smooth`, for tools/bench.
 //
 //   cgal_smooth IN OUT ITERATIONS TIME      TIME is of all iterations, length^2; prints the seconds
 //                                           of the smoothing
@@ -20,7 +20,7 @@ using Mesh = CGAL::Surface_mesh<Point>;
 using Solver = CGAL::Eigen_solver_traits<
     Eigen::CholmodSupernodalLLT<CGAL::Eigen_sparse_matrix<double>::EigenType>>;
 
-// What CGAL throws ends the program, as it should.
+// An exception from CGAL ends the program, as intended.
 // NOLINTNEXTLINE(bugprone-exception-escape)
 int main(int argc, char** argv) {
   Mesh mesh;

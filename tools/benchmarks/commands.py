@@ -1,4 +1,4 @@
-"""Whole processes from start to end: the third section of tools/bench."""
+"""Times whole processes from start to end: the third section of tools/bench."""
 
 import os
 import statistics
@@ -18,7 +18,7 @@ def start_up_commands():
 
 
 def smoothing_commands(scratch):
-    """Both to the default cut-off of eight mean edge lengths."""
+    """Two smoothing commands, both with the default cut-off of eight mean edge lengths."""
     if not os.path.exists(MESH):
         note(f"{MESH}: not there, left out")
         return {}
@@ -31,8 +31,8 @@ def smoothing_commands(scratch):
 
 
 def medians(commands, rounds):
-    """Of processes that take turns, and the shortest: what a median tells on a virtual machine is in
-    part how much memory the host has taken back."""
+    """The median and the shortest time of processes that run in turn. On a virtual machine, the
+    median also depends on how much memory the host has reclaimed."""
     times = {name: [] for name in commands}
     for _ in range(rounds):
         for name, command in commands.items():

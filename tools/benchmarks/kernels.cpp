@@ -1,11 +1,11 @@
-// Times the stages of smoothing one mesh beside the machine's limits, with Google Benchmark.
+// Times the stages of smoothing one mesh and the machine's limits, with Google Benchmark.
 //
-//   kernels MESH OUT [BENCHMARK-OPTION...]      OUT is written to, over and over
+//   kernels MESH OUT [BENCHMARK-OPTION...]      OUT is overwritten repeatedly
 //
-// Everything is in one process, and with --benchmark_enable_random_interleaving in turn, so that
-// the ratio of a stage to its limit means something on a machine that has other work, too. Each
-// benchmark is named NAME/THREADS and has a counter `bytes` or `flops`: of a limit what it moved or
-// computed, of a stage the least that it has to.
+// Everything runs in one process, and with --benchmark_enable_random_interleaving in turn, so that
+// the ratio of a stage to its limit is meaningful even if the machine has other work. Each
+// benchmark is named NAME/THREADS and has a counter `bytes` or `flops`: for a limit, the amount
+// moved or computed; for a stage, the least necessary amount.
 #include <chrono>
 #include <exception>
 #include <functional>
@@ -45,7 +45,7 @@ void add(const Kernel& kernel) {
     state.counters[kernel.unit] = kernel.amount;
   };
   const std::string full_name = kernel.name + "/" + std::to_string(kernel.threads);
-#ifndef __clang_analyzer__  // which does not know that what is registered is kept
+#ifndef __clang_analyzer__  // the analyzer does not know that registered benchmarks are kept
   benchmark::RegisterBenchmark(full_name.c_str(), body)
       ->UseManualTime()
       ->MinTime(0.02)  // seconds, of one repetition
@@ -83,7 +83,7 @@ void add_stages(StageInputs& inputs) {
   }
 }
 
-/// What the figures are divided by for a table.
+/// The counts by which a table divides the figures.
 void add_sizes(const StageInputs& inputs) {
   const auto add_size = [](const char* name, std::int64_t size) {
     benchmark::AddCustomContext(name, std::to_string(size));

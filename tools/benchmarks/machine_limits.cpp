@@ -57,7 +57,7 @@ MemoryReading::MemoryReading()
   if (values_ == nullptr) {
     throw std::bad_alloc();
   }
-  // Advice only: with small pages the limit would be that of the page tables.
+  // Asks for large pages: with small pages, the page tables would limit the speed.
   madvise(values_, value_count * sizeof(std::uint64_t), MADV_HUGEPAGE);
   std::fill_n(values_, value_count, std::uint64_t{1});
 }
@@ -78,7 +78,7 @@ std::uint64_t MemoryReading::sum(int threads) const {
       sums[t] = std::accumulate(first, last, std::uint64_t{0});
     });
   }
-  readers.clear();  // waits for them
+  readers.clear();  // waits for the threads
   return std::accumulate(sums.begin(), sums.end(), std::uint64_t{0});
 }
 

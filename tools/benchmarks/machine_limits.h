@@ -1,4 +1,4 @@
-// What the machine itself can do: the kernels that every figure of the benchmark is compared with.
+// The limits of the machine: kernels with which every figure of the benchmark is compared.
 #pragma once
 
 #include <cstddef>
@@ -8,7 +8,7 @@
 
 namespace ibmfair::benchmarks {
 
-/// An array far larger than any cache, and the reading of it at full speed.
+/// An array far larger than any cache, to measure the speed of reading memory.
 class MemoryReading {
  public:
   MemoryReading();
@@ -16,7 +16,7 @@ class MemoryReading {
   MemoryReading(const MemoryReading&) = delete;
   MemoryReading& operator=(const MemoryReading&) = delete;
 
-  /// Sums the array on so many threads.
+  /// Sums the array on this number of threads.
   std::uint64_t sum(int threads) const;
 
   double bytes() const;
@@ -46,7 +46,7 @@ extern template class MatrixProduct<float>;
 /// number of bytes. Throws std::runtime_error.
 std::size_t read_bytes(const std::string& path);
 
-/// Writes so many bytes to a new file, flushes it to the disk and removes it.
+/// Writes this number of bytes to a new file, flushes it to the disk and removes it.
 /// Throws std::runtime_error.
 void write_bytes(const std::string& path, std::size_t count);
 

@@ -1,5 +1,5 @@
 // Smooths a mesh with OpenMesh's JacobiLaplaceSmootherT (C1 continuity, tangential and normal):
-// what users would pick instead of `ibmfair smooth`, for tools/bench.
+// an alternative to `ibmfair smooth`, for tools/bench.
 //
 //   openmesh_smooth IN OUT ITERATIONS      prints the seconds of the smoothing
 #include <chrono>

@@ -1,6 +1,6 @@
-// What orders of elimination cost and save, for tools/ordering_table.
+// Costs and savings of elimination orders, for tools/ordering_table.
 //
-//   orderings MESH SPLITS   splits every triangle of the mesh into four so many times, and prints a
+//   orderings MESH SPLITS   splits every triangle of the mesh into four SPLITS times, and prints a
 //                           line of JSON for each order: its name, milliseconds to analyse, factor
 //                           (float64) and solve, and millions of operations and entries
 #include <algorithm>
@@ -27,7 +27,7 @@ namespace {
 
 using namespace ibmfair;
 
-/// I + the Laplacian of the graph that a Jacobian by crouzeix-raviart has, over all vertices.
+/// I + the Laplacian of the graph of a crouzeix-raviart Jacobian over all vertices.
 SymmetricMatrix example(const Topology& topology) {
   const auto energy = bending_model("crouzeix-raviart").bind(topology, {});
   const StencilTerms terms(energy->stencils(), topology.vertex_count);
@@ -41,7 +41,7 @@ SymmetricMatrix example(const Topology& topology) {
   return J;
 }
 
-/// The fewest milliseconds of a few runs.
+/// The shortest time of a few runs, milliseconds.
 double milliseconds(int runs, const std::function<void()>& action) {
   double least = std::numeric_limits<double>::infinity();
   for (int run = 0; run < runs; ++run) {

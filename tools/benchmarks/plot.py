@@ -22,7 +22,7 @@ def curve(axes, points, label, **style):
 
 
 def reference(axes, points):
-    """Through the last point, since what is constant weighs on the first ones."""
+    """A reference line through the last point, since constant costs distort the first points."""
     points = [(vertices, value) for vertices, value in points if value is not None]
     if points:
         vertices, value = points[-1]

@@ -1,7 +1,7 @@
-"""What users would pick instead, on surfaces that are known exactly: the second section of
-tools/bench. Every tool gets the same noisy mesh. The quick flow and the bi-Laplacian have a cut-off
-of 12 mean edge lengths; VTK's pass band and CGAL's cut-off are those of several that served them best on
-the smallest torus (CGAL's mean curvature flow shrinks the tube at 12)."""
+"""Other tools, compared on surfaces that are known exactly: the second section of tools/bench.
+Every tool gets the same noisy mesh. The quick flow and the bi-Laplacian have a cut-off of 12 mean
+edge lengths; VTK's pass band and CGAL's cut-off are the best of several values tried on the
+smallest torus (CGAL's mean curvature flow shrinks the tube at 12)."""
 
 import os
 import subprocess
@@ -12,10 +12,10 @@ from tables import ibmfair, row, smooth
 
 CUTOFF = 12
 ROUNDS = 3
-SLOW = 3  # seconds: who takes longer gets no second round
+SLOW = 3  # seconds: tools that take longer are run once only
 LEVELS = range(6, 9)
 
-SHAPES = {  # how to make it at a level, and the true surface
+SHAPES = {  # how to make the shape at a level, and the true surface
     "torus": (lambda level: ["torus", "--ratio", 2.5, "--rows", 2 << level, "--columns", 5 << level],
               ["--torus", "1,0.4"]),
     "sphere": (lambda level: ["icosphere", "--subdivide", level], ["--sphere", 1]),
@@ -31,14 +31,14 @@ def ours(*options):
 
 
 def program(name, *arguments):
-    """A driver that prints its own seconds; None where it was not built or its module is missing.
+    """A driver that prints its own seconds; None if it was not built or its module is missing.
     Arguments that are functions are called with the path of the mesh."""
     def run(source, target):
         path = os.path.join(PROGRAMS, name)
         command = [path]
         if name.endswith(".py"):
             path = os.path.join(os.path.dirname(os.path.abspath(__file__)), name)
-            command = ["/usr/bin/python3", path]  # which has the packages of tools/setup
+            command = ["/usr/bin/python3", path]  # this python3 has the packages of tools/setup
         if not os.path.exists(path):
             return None
         values = [str(value(source) if callable(value) else value) for value in arguments]
@@ -72,7 +72,7 @@ def errors(mesh, surface):
 
 
 def measure_shape(source, surface, scratch):
-    """For every tool its shortest seconds and its errors."""
+    """The shortest time in seconds and the errors of every tool."""
     target = os.path.join(scratch, "smoothed.ply")
     figures = {}
     for turn in range(ROUNDS):
@@ -102,7 +102,7 @@ def measure(largest, scratch):
 
 
 def ratios(results):
-    """Our seconds and errors over those of each other tool."""
+    """Seconds and errors of ibmfair, divided by those of each other tool."""
     found = {}
     for result in results:
         mesh = f"{result['shape']} {short_count(result['vertices'])}"

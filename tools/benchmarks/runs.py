@@ -1,4 +1,4 @@
-"""What the sections of tools/bench share: running programs and printing figures."""
+"""Functions shared by the sections of tools/bench: running programs and printing figures."""
 
 import math
 import os
@@ -15,12 +15,12 @@ TOOLS = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 
 
 def note(text):
-    """What is being done now, for those who wait."""
+    """Prints the current task to standard error, as a sign of progress."""
     print(f"bench: {text}", file=sys.stderr, flush=True)
 
 
 def build(packages):
-    """Installs these packages, too, and builds ibmfair and its rivals beside PROGRAM."""
+    """Installs further packages, and builds ibmfair and its rivals beside PROGRAM."""
     subprocess.run([os.path.join(TOOLS, "setup"), *packages], check=True, stdout=sys.stderr)
     script = 'source "$0"; configure "$1" -D CMAKE_BUILD_TYPE=Release; compile "$1" ibmfair benchmarks'
     subprocess.run(["bash", "-c", script, os.path.join(TOOLS, "lib", "build.sh"),
@@ -28,8 +28,8 @@ def build(packages):
 
 
 def wall_clock(command, longest=120):
-    """Seconds and peak memory (bytes) of a process; None where it fails or takes too long. A process
-    starts as a copy of this one, so peaks below some 17 MB are not seen."""
+    """Seconds and peak memory (bytes) of a process; None if it fails or takes too long. The process
+    starts as a copy of this one, so peaks below about 17 MB cannot be measured."""
     start = time.perf_counter()
     process = subprocess.Popen(list(map(str, command)), stdout=subprocess.DEVNULL,
                                stderr=subprocess.DEVNULL)
@@ -44,15 +44,15 @@ def wall_clock(command, longest=120):
 
 
 def make(scratch, name, shape, *arguments):
-    """A shape with noise of 0.2 mean edge lengths; returns its path."""
+    """Makes a shape with noise of 0.2 mean edge lengths; returns its path."""
     path = os.path.join(scratch, name)
     ibmfair("make", shape, path, "--noise", 0.2, "--overwrite", "--quiet", *arguments)
     return path
 
 
 def smoothing_time(mesh, cutoff, order):
-    """The time in which diffusion of that order (2 or 4) shrinks ripples of `cutoff` mean edge
-    lengths to 1/e; in the mesh's unit of length to that power."""
+    """The time in which diffusion of that order (2 or 4) shrinks ripples of wavelength `cutoff` (in
+    mean edge lengths) to 1/e of their height, in the mesh's unit of length to that power."""
     edge = ibmfair("info", mesh, "--json")["edge_length"]["mean"]
     return (cutoff * edge / (2 * math.pi)) ** order
 
@@ -64,5 +64,5 @@ def time_text(seconds):
 
 
 def short_count(count):
-    """164k, 2.62M."""
+    """A count in short form, such as 164k or 2.62M."""
     return f"{count / 1e6:.3g}M" if count >= 1e6 else f"{count / 1e3:.3g}k"

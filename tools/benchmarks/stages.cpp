@@ -26,7 +26,7 @@ void build(StageInputs& s) {
   s.results.topology = build_topology(s.X, triangulate(s.file.mesh()).F);
 }
 
-/// The blocks in which an energy is summed.
+/// The blocks over which an energy is summed.
 void bind(StageInputs& s) {
   s.results.bending = bending_model("crouzeix-raviart").bind(s.topology, {});
 }
@@ -80,7 +80,7 @@ void assemble_rows(StageInputs& s) {
   s.rows.update(s.weights, s.mass, s.h);
 }
 
-/// So many that starting and ending do not count.
+/// A number so large that start and end do not count.
 constexpr int iterations = 20;
 
 void iterate(StageInputs& s) {
@@ -143,7 +143,7 @@ double factor_flops(const StageInputs& s) {
   return s.symbolic->forecast().flops;
 }
 
-/// The factor, once forward and once backward.
+/// The factor is read twice: forward and backward substitution.
 double solve_bytes(const StageInputs& s) {
   return 2 * sizeof(double) * s.symbolic->forecast().factor_entries;
 }
@@ -157,7 +157,7 @@ double rows_bytes(const StageInputs& s) {
          s.rows.entries() * (sizeof(float) + sizeof(Index));
 }
 
-/// The rows, and four vectors read and written.
+/// The rows are read, and four vectors are read and written.
 double iteration_bytes(const StageInputs& s) {
   return iterations * (s.rows.entries() * (sizeof(float) + sizeof(Index)) +
                        8.0 * sizeof(float) * 4.0 * s.rows.size());
@@ -175,7 +175,7 @@ bool is_analysed_quickly(const StageInputs& s) {
   return s.analysis_seconds < longest_stage;
 }
 
-/// Leaves the factor out where the matrix is not positive definite in that precision.
+/// Leaves the factor empty if the matrix is not positive definite in that precision.
 void prepare_floats(StageInputs& s) {
   try {
     s.float_factor.emplace(*s.symbolic, Precision::float32);
@@ -194,7 +194,7 @@ bool has_float_factor(const StageInputs& s) {
   return s.float_factor.has_value();
 }
 
-/// Whether the factors of the inputs and that of the stage have room.
+/// Whether the factors of the inputs and that of the stage fit into memory.
 bool worth_factoring(const FactorForecast& forecast) {
   const double memory =
       static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));

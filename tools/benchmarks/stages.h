@@ -16,7 +16,7 @@
 
 namespace ibmfair::benchmarks {
 
-/// What stages make, each as if for the first time.
+/// The results of the stages; each stage computes its results as if for the first time.
 struct StageResults {
   std::optional<MeshFile> file;
   std::optional<Topology> topology;
@@ -28,17 +28,17 @@ struct StageResults {
   std::optional<CholeskyFactor> factor;
 };
 
-/// One mesh with everything that a stage may start from. The Jacobian is that of a flow by
+/// One mesh with the inputs of all stages. The Jacobian is that of a flow by
 /// crouzeix-raviart in the mass metric over all vertices, one of 16 steps to a cut-off of eight
 /// mean edge lengths.
 struct StageInputs {
   /// Reads the mesh and prepares every stage. Throws as the library does.
   StageInputs(std::string input_path, std::string output_path);
 
-  std::string path, output;  ///< the mesh; where the stage `write` writes to
+  std::string path, output;  ///< the mesh; the file that the stage `write` writes
   MeshFile file;
   Points X;
-  Points moved;  ///< all vertices elsewhere
+  Points moved;  ///< other positions of all vertices
   Topology topology;
   std::unique_ptr<BendingEnergy> crouzeix_raviart, lagrange;
   Unknowns unknowns;
@@ -50,7 +50,7 @@ struct StageInputs {
 
   double analysis_seconds = 0;
   std::optional<SymbolicCholesky> symbolic;
-  /// None where factoring would take too long or too much memory, or floats do not suffice.
+  /// Empty if factoring would take too long or too much memory, or if floats do not suffice.
   std::optional<CholeskyFactor> factor, float_factor;
   std::optional<CholeskySolver> solver, float_solver;
   JacobianRows rows;
@@ -65,8 +65,8 @@ struct StageInputs {
 /// A row of the table of stages.
 struct Stage {
   std::string_view name;
-  void (*run)(StageInputs& inputs);  ///< `inputs.results` are empty before
-  /// What any implementation must at least read and write, bytes; null where `flops` counts.
+  void (*run)(StageInputs& inputs);  ///< `inputs.results` must be empty before
+  /// The bytes that any implementation must read and write; null if `flops` counts instead.
   double (*bytes)(const StageInputs& inputs);
   double (*flops)(const StageInputs& inputs) = nullptr;
   /// Whether the stage can be run for this mesh; null: for every one.

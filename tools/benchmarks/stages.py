@@ -1,4 +1,4 @@
-"""The stages of smoothing, beside the machine's limits: the first section of tools/bench."""
+"""The stages of smoothing, compared with the machine's limits: the first section of tools/bench."""
 
 import json
 import os
@@ -13,22 +13,22 @@ STAGES = ["read", "topology", "bind", "pattern", "assemble", "analyse", "factor"
           "solve", "solve float32", "rows", "20 iterations", "gradient", "energy",
           "lagrange gradient", "lagrange energy", "write"]
 THREADS = ["1", "2"]
-# Repetitions in a process, and processes, of which a large mesh is worth a few only.
+# Repetitions in a process, and processes; large meshes get only a few.
 SAMPLES = (3, 6)
 SAMPLES_OF_LEVEL = {8: (3, 3), 9: (1, 2)}
-# What the nanoseconds of a gradient are divided by.
+# The counts by which the nanoseconds of a gradient are divided.
 PER_STENCIL = {"gradient": ("hinges", "ns per hinge"),
                "lagrange gradient": ("triangles", "ns per triangle")}
 
 
 class Mesh:
-    """What has been measured of a mesh so far. It is measured again after the others: what else the
-    machine does may last for as long as one of them takes."""
+    """The measurements of a mesh so far. All meshes are measured in turn, several times, because
+    other work on the machine may last as long as the measurement of one mesh."""
 
     def __init__(self, name, path, repetitions, rounds):
         self.name, self.path, self.repetitions, self.rounds = name, path, repetitions, rounds
         self.counts = {}
-        self.shortest = {}  # for NAME/THREADS, with bytes or flops
+        self.shortest = {}  # by NAME/THREADS, with bytes or flops
         self.smoothing = []  # seconds and peak memory of whole commands
 
     def measure(self, target):
@@ -74,7 +74,7 @@ class Mesh:
 
 
 def limits(entries):
-    """Bytes or flops a second; and seconds for the bytes of the file."""
+    """Bytes or flops per second, and seconds for the bytes of the file."""
     rates = {name.removeprefix("limit: "): entry.get("bytes", entry.get("flops")) / entry["real_time"]
              for name, entry in entries.items() if name.startswith("limit: ")}
     return {"memory": {threads: rates[f"memory/{threads}"] for threads in THREADS},
@@ -83,7 +83,7 @@ def limits(entries):
 
 
 def least_seconds(stage, threads, entry, limit):
-    """What the machine needs for the bytes or flops of a stage."""
+    """The least time in which the machine can process the bytes or flops of a stage."""
     if stage in ("read", "write"):
         return entry["bytes"] / limit[stage]
     if "flops" in entry:
@@ -138,7 +138,7 @@ def cell(figure):
 
 
 def per_stencil(result, stage):
-    """Nanoseconds on one and two threads."""
+    """Nanoseconds per stencil on one and two threads."""
     count = result[PER_STENCIL[stage][0]]
     return " / ".join(f"{1e9 * figure['seconds'] / count:.1f}"
                       for figure in result["stages"][stage].values())
@@ -153,7 +153,7 @@ def show_smoothing(results, widths):
 
 
 def show(results):
-    """A column a mesh, of seconds and how many times the limit that is."""
+    """Prints one column per mesh: seconds, and their ratio to the limit."""
     show_limits(results)
     widths = [19, 7] + [17] * len(results)
     row(["time and x limit", "threads", *(result["mesh"] for result in results)], widths)

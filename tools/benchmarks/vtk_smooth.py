@@ -1,5 +1,5 @@
-"""Smooths a mesh with VTK's windowed sinc filter: what users would pick instead of `ibmfair smooth`,
-for tools/bench. Prints the seconds of the smoothing.
+"""Smooths a mesh with VTK's windowed sinc filter: an alternative to `ibmfair smooth`, for
+tools/bench. Prints the seconds of the smoothing.
 
     vtk_smooth.py IN.ply OUT.ply ITERATIONS PASS_BAND
 """

@@ -11,14 +11,14 @@
 namespace ibmfair::cloth {
 
 struct BendingForce {
-  std::string_view name;     ///< as the command line takes it
+  std::string_view name;     ///< name on the command line
   std::string_view summary;  ///< one line
   std::unique_ptr<EnergyTerm> (*bind)(const Plate& plate, const BlockHessian& H);
 };
 
 std::span<const BendingForce> bending_forces();
 
-/// The model of that name; throws BadOption, naming those there are.
+/// The model with that name; throws BadOption, whose message lists all names.
 const BendingForce& bending_force(std::string_view name);
 
 }  // namespace ibmfair::cloth

@@ -13,17 +13,17 @@ namespace ibmfair::cloth {
 
 using Block = Eigen::Matrix3d;
 
-/// The pattern is built once; values are cleared and added to. Only blocks (i, j) with i >= j are
-/// kept.
+/// The pattern is built once; values can be cleared and added to. Only blocks (i, j) with i >= j
+/// are kept.
 class BlockHessian {
  public:
-  /// A block for every two of the `vertices` that share a row of `elements`, and on the diagonal.
+  /// A block for each pair of the `vertices` that share a row of `elements`, and on the diagonal.
   BlockHessian(const Rows& elements, Index vertices);
 
   void clear();
 
-  /// Where the block of vertices i and j is, which must share an element: its number, or the
-  /// complement (~) where what is kept is its transpose.
+  /// The place of the block of vertices i and j, which must share an element: its number, or the
+  /// complement (~) of the number if the transpose of the block is stored.
   Index place(Index i, Index j) const;
 
   /// For each row of `elements`, all of the same length k, the places of the pairs (a, b) with

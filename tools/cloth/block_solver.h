@@ -12,7 +12,7 @@ namespace ibmfair::cloth {
 /// The pattern is analysed once.
 class BlockSolver {
  public:
-  /// H gives the pattern; `held` is #V, and `rest`, #V x 3, where the vertices lie about.
+  /// H gives the pattern; `held` is #V; `rest` is #V x 3, the approximate positions.
   BlockSolver(const BlockHessian& H, const std::vector<std::uint8_t>& held, const Points& rest);
 
   /// d: #V. Throws FactorizationFailed where J is not positive definite.
@@ -24,7 +24,8 @@ class BlockSolver {
  private:
   Unknowns unknowns_;
   SymmetricMatrix J_;
-  std::vector<std::int64_t> source_;  // of each value of J_, in the blocks' numbers
+  std::vector<std::int64_t>
+      source_;  // for each value of J_, its index among the values of the blocks
   std::optional<CholeskyFactor> factor_;
   std::optional<CholeskySolver> solver_;
   Points right_hand_side_;

@@ -24,7 +24,7 @@ struct Side {
     a = {w[0] / h * m - hinge.e / l, w[1] / h * m + hinge.e / l, m / h};
   }
 
-  /// Without P, which only pairs of x0 and x1 have.
+  /// The Hessian without P, which is present only for pairs of x0 and x1.
   Eigen::Matrix3d pair(int i, int j) const {
     return u * (w[j] * a[i]).transpose() + (w[i] * a[j]) * u.transpose();
   }

@@ -7,10 +7,10 @@
 namespace ibmfair::cloth {
 namespace {
 
-constexpr double safety = 0.5;  // a deformed sheet is stiffer
+constexpr double safety = 0.5;  // because a deformed sheet is stiffer
 constexpr int power_iterations = 60;
 
-/// The largest eigenvalue of M^-1 H, from below.
+/// A lower estimate of the largest eigenvalue of M^-1 H.
 double largest_eigenvalue(const BlockHessian& H, const PerVertex& mass) {
   RandomNumbers random(1);
   Points X(mass.size(), 3);

@@ -1,5 +1,5 @@
 // Symplectic Euler: v' = v + h f(x, v) / m, x' = x + h v'. [W07] has plain Euler (x' = x + h v),
-// which costs the same, but gains energy in every step however short.
+// which costs the same, but gains energy in every step of any length.
 #pragma once
 
 #include <memory>

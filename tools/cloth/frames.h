@@ -12,13 +12,13 @@ namespace ibmfair::cloth {
 inline constexpr double frames_per_second = 25;
 inline constexpr int picture_width = 560;  ///< pixels of one state
 
-/// Runs the scene for so many seconds; the first frame is its start.
+/// Runs the scene for this number of seconds; the first frame is the initial state.
 std::vector<Points> run_frames(const Scene& scene, Integrator& integrator, double seconds);
 
 /// The name of a frame's file.
 std::string frame_path(const std::string& folder, std::size_t frame, const std::string& format);
 
-/// Writes each frame as a mesh `folder`/frame_NNNN.`format`, replacing those there are. Throws
+/// Writes each frame as a mesh `folder`/frame_NNNN.`format`, replacing existing files. Throws
 /// CannotWrite.
 void write_frames(const Scene& scene, const std::vector<Points>& frames, const std::string& folder,
                   const std::string& format);

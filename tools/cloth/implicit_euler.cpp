@@ -12,8 +12,8 @@ namespace {
 
 constexpr double default_time_step = 0.01;  // seconds
 constexpr double sufficient_decrease = 1e-4;
-constexpr double shortest_step = 1e-4;  // of a Newton step
-constexpr double rounding = 1e-12;      // of Phi
+constexpr double shortest_step = 1e-4;  // as a share of the Newton step
+constexpr double rounding = 1e-12;      // relative, of Phi
 
 class ImplicitEuler final : public Integrator {
  public:
@@ -89,8 +89,8 @@ class ImplicitEuler final : public Integrator {
     solver_.factor(sheet_.hessian, (1 + damping()) * inertia_);
   }
 
-  /// The membrane's Hessian is made positive, because a sheet that is pushed together buckles; that
-  /// of bending, seldom indefinite, where this turns out to be needed.
+  /// The membrane's Hessian is always made positive, because a compressed sheet buckles. The
+  /// bending Hessian is seldom indefinite and is made positive only when needed.
   void factor(const Points& X) {
     try {
       factor(X, HessianPart::exact);
@@ -99,7 +99,7 @@ class ImplicitEuler final : public Integrator {
     }
   }
 
-  /// Moves X by one iteration; false where that was the last one.
+  /// Moves X by one iteration; returns false if that was the last iteration.
   bool newton_step(Points& X) {
     gradient(X, gradient_);
     factor(X);

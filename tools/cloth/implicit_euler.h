@@ -12,7 +12,7 @@
 
 namespace ibmfair::cloth {
 
-/// The step that is chosen where none is given is 1/100 s.
+/// The default time step is 1/100 s.
 std::unique_ptr<Integrator> bind_implicit_euler(const Plate& plate,
                                                 const Surroundings& surroundings,
                                                 const BendingForce& bending,

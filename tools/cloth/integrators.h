@@ -10,19 +10,19 @@
 
 namespace ibmfair::cloth {
 
-/// Where the vertices are and how they move: #V x 3 each, metres and metres a second.
+/// Positions and velocities of the vertices: #V x 3 each, metres and metres per second.
 struct Motion {
   Points X, V;
   double time = 0;  ///< seconds
 };
 
-/// At rest at X.
+/// The motion at rest with positions X.
 Motion at_rest(const Points& X);
 
 struct StepOptions {
   double time_step = 0;        ///< seconds; 0: the integrator chooses
   int newton_iterations = 10;  ///< at most in a step, >= 1; 1 is the semi-implicit method
-  double tolerance = 5e-3;     ///< Newton's method ends where no vertex moves further, mean edges
+  double tolerance = 5e-3;     ///< Newton's method ends when no vertex moves further, mean edges
 };
 
 class Integrator {
@@ -32,14 +32,14 @@ class Integrator {
   Integrator& operator=(const Integrator&) = delete;
   virtual ~Integrator() = default;
 
-  /// Advances by one time step. The motion must be the one that the step before has left. Throws
+  /// Advances by one time step. The motion must be the result of the previous step. Throws
   /// FactorizationFailed.
   virtual void step(Motion& motion) = 0;
   virtual double time_step() const = 0;
 };
 
 struct IntegratorRow {
-  std::string_view name;     ///< as the command line takes it
+  std::string_view name;     ///< name on the command line
   std::string_view summary;  ///< one line
   /// Refers to plate and surroundings.
   std::unique_ptr<Integrator> (*bind)(const Plate& plate, const Surroundings& surroundings,
@@ -48,7 +48,7 @@ struct IntegratorRow {
 
 std::span<const IntegratorRow> integrators();
 
-/// The integrator of that name; throws BadOption, naming those there are.
+/// The integrator with that name; throws BadOption, whose message lists all names.
 const IntegratorRow& integrator(std::string_view name);
 
 /// Advances by at least `seconds` in steps of equal length.

@@ -113,8 +113,8 @@ class IsometricBending final : public EnergyTerm {
   }
 
   WholeRows S_;                // k S
-  std::vector<double> lower_;  // its lower triangle
-  std::vector<Index> places_;  // and where that is in the Hessian
+  std::vector<double> lower_;  // the lower triangle of S_
+  std::vector<Index> places_;  // the places of those values in the Hessian
   Points SX_, SX_before_, X_before_;
   double beta_ = 0;
 };

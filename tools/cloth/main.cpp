@@ -145,7 +145,7 @@ void declare(CLI::App& app, Arguments& a) {
 }  // namespace
 }  // namespace ibmfair::cloth
 
-// What a message throws that cannot be printed ends the program, as it should.
+// An exception from a message that cannot be printed ends the program, as intended.
 // NOLINTNEXTLINE(bugprone-exception-escape)
 int main(int argc, char** argv) {
   CLI::App app{"Drapes a sheet over a sphere, or lets a flag wave", "drape"};

@@ -31,7 +31,7 @@ RestTriangle rest_triangle(const Vec3& x0, const Vec3& x1, const Vec3& x2) {
   return rest;
 }
 
-/// A symmetric 2 x 2 matrix without its part of negative eigenvalues.
+/// The part of a symmetric 2 x 2 matrix with positive eigenvalues.
 Tensor positive_part(const Tensor& S) {
   const double mean = S.trace() / 2, half = std::hypot((S(0, 0) - S(1, 1)) / 2, S(0, 1));
   if (mean - half >= 0) {

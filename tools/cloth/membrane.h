@@ -16,7 +16,7 @@
 
 namespace ibmfair::cloth {
 
-/// `H` gives the places of the Hessian's blocks.
+/// `H` provides the places of the Hessian's blocks.
 std::unique_ptr<EnergyTerm> bind_membrane(const Plate& plate, const BlockHessian& H);
 
 }  // namespace ibmfair::cloth

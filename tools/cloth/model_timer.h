@@ -1,4 +1,4 @@
-// What is timed of one bending model in one scene.
+// The operations that are timed for one bending model in one scene.
 #pragma once
 
 #include <memory>
@@ -8,8 +8,8 @@
 
 namespace ibmfair::cloth {
 
-/// The scene, bent into waves so that no angle is zero, with all that its steps need in place: each
-/// call does the work that is timed and nothing else.
+/// The scene, bent into waves so that no angle is zero. Everything that the steps need is prepared,
+/// so that each call does only the work that is timed.
 class ModelTimer {
  public:
   ModelTimer(const SceneRow& row, const TriangleMesh& sheet, const BendingForce& bending);

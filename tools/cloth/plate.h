@@ -1,4 +1,4 @@
-// A thin plate: what it is made of, where it is held, and how much its vertices weigh.
+// A thin plate: its material, its fixed vertices, and the masses of its vertices.
 #pragma once
 
 #include <cstdint>
@@ -19,20 +19,20 @@ struct Material {
   double strain_damping = 0;  ///< alpha_2 of the same, s, >= 0
 };
 
-/// A sheet at rest.
+/// A sheet in its rest state.
 struct Plate {
   Points rest;  ///< #V x 3, metres
   Topology topology;
   Material material;
-  std::vector<std::uint8_t> held;  ///< #V, whether the vertex never moves
+  std::vector<std::uint8_t> held;  ///< #V, 1 for fixed vertices
   PerVertex mass;                  ///< #V, kg: [W07]'s rho M, lumped
 };
 
-/// `held` may be empty: nothing is.
+/// `held` may be empty: no vertex is fixed.
 Plate make_plate(const Points& rest, const Triangles& F, const Material& material,
                  std::vector<std::uint8_t> held = {});
 
-/// The vertices of each triangle, and of each hinge: what the terms of the energy are sums over.
+/// The vertices of each triangle and of each hinge, over which the terms of the energy sum.
 Rows triangle_rows(const Topology& topology);
 Rows hinge_rows(const Topology& topology);
 /// Both.

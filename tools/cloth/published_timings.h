@@ -7,16 +7,16 @@
 
 namespace ibmfair::cloth {
 
-/// Vertices: four resolutions of the regular mesh and four of the irregular one.
+/// Numbers of vertices: four resolutions of the regular mesh and four of the irregular one.
 inline constexpr std::array<Index, 8> published_resolutions{400, 1600, 6400, 25600,
                                                             450, 2100, 6500, 22500};
 
-/// One resolution after the other, nonlinear hinge and quadratic IBM.
+/// Timings of the nonlinear hinge and of quadratic IBM, for one resolution after the other.
 struct PublishedTimings {
   std::array<double, 8> hinge, ibm;
 };
 
-/// Of draping and flag: gradient, Hessian, explicit step, implicit step.
+/// For draping and flag: gradient, Hessian, explicit step, implicit step.
 inline constexpr std::array<std::array<PublishedTimings, 4>, 2> published_timings{{
     {{{{0.937, 3.45, 16.4, 66.6, 1.10, 5.43, 17.6, 67.8},
        {0.081, 0.338, 2.19, 9.15, 0.098, 0.494, 2.32, 9.68}},

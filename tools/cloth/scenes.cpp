@@ -9,7 +9,7 @@ namespace {
 
 constexpr double unevenness = 0.03;  // 1/m^3
 
-/// Heavily damped: only where it comes to rest is of interest.
+/// Heavily damped, because only the final rest state is of interest.
 Scene drape(const TriangleMesh& sheet) {
   const Material material{
       .density = 0.2, .young = 1000, .bending = 3e-4, .mass_damping = 4, .strain_damping = 1e-3};
@@ -22,13 +22,13 @@ Scene drape(const TriangleMesh& sheet) {
       0.5 - sheet.X.col(1).array();
   scene.plate = make_plate(X, sheet.F, material);
   scene.start = X;
-  // The corners a hair lower, so that it folds at the middle of its sides.
+  // The corners start slightly lower, so that the sheet folds at the middle of its sides.
   const auto x = X.col(0).array(), z = X.col(2).array();
   scene.start.col(1).array() -= unevenness * x.square() * z.square();
   return scene;
 }
 
-/// Its left side is held, and the wind blows along it and a little across.
+/// The left side of the sheet is fixed, and the wind blows along the sheet and slightly across.
 Scene flag(const TriangleMesh& sheet) {
   const Material material{
       .density = 0.1, .young = 1000, .bending = 2e-4, .mass_damping = 0, .strain_damping = 1e-4};

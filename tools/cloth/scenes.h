@@ -19,17 +19,17 @@ struct Scene {
 };
 
 struct SceneRow {
-  std::string_view name;     ///< as the command line takes it
+  std::string_view name;     ///< name on the command line
   std::string_view summary;  ///< one line
   Scene (*build)(const TriangleMesh& sheet);
-  double seconds;    ///< until it has come to rest, or long enough to be looked at
-  double time_step;  ///< seconds, of the implicit method
+  double seconds;    ///< until the sheet is at rest, or long enough to show its motion
+  double time_step;  ///< seconds, for the implicit method
   View view;
 };
 
 std::span<const SceneRow> scenes();
 
-/// The scene of that name; throws BadOption, naming those there are.
+/// The scene with that name; throws BadOption, whose message lists all names.
 const SceneRow& scene(std::string_view name);
 
 }  // namespace ibmfair::cloth

@@ -49,7 +49,8 @@ std::vector<Point> points_within(Index count, double spacing) {
   return points;
 }
 
-/// Strip by strip, as a grid's rows are: neighbours lie close together in memory.
+/// Sorts the points strip by strip, like the rows of a grid, so that neighbours are close in
+/// memory.
 void sort_by_strips(std::vector<Point>& points, Index strips) {
   const auto strip = [strips](const Point& p) { return std::floor(p.y() * strips); };
   std::sort(points.begin(), points.end(), [&](const Point& a, const Point& b) {

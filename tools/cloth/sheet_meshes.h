@@ -18,7 +18,8 @@ struct SheetMesh {
 TriangleMesh regular_sheet(Index vertices);
 
 /// The Delaunay triangulation of exactly `vertices` points: evenly spaced ones on the border, and a
-/// jittered additive recurrence of low discrepancy within. The same bytes every time.
+/// jittered additive recurrence of low discrepancy within. The result is always the same, byte for
+/// byte.
 TriangleMesh irregular_sheet(Index vertices);
 
 std::span<const SheetMesh> sheet_meshes();

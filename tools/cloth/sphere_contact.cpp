@@ -82,7 +82,7 @@ class SphereContact final : public EnergyTerm {
     return (X.row(v).transpose() - sphere_.centre).normalized();
   }
 
-  /// Displacement since the start of the step, along the surface.
+  /// The tangential displacement since the start of the step.
   Vec3 slip(const Points& X, Index v) const {
     return tangential(outward(X_before_, v)) * (X.row(v) - X_before_.row(v)).transpose();
   }
@@ -90,7 +90,7 @@ class SphereContact final : public EnergyTerm {
   Sphere sphere_;
   PerVertex stiffness_;  // N/m
   double shortest_slip_;
-  PerVertex drag_;  // N/m: of friction, in this step
+  PerVertex drag_;  // N/m: friction force per displacement, in this step
   Points X_before_;
   std::vector<Index> places_;
 };

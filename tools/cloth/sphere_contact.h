@@ -1,5 +1,5 @@
-// A fixed sphere that vertices stay out of, with Coulomb friction. Edges and triangles are not
-// looked at, and neither is what the sheet does to itself.
+// Contact of the vertices with a fixed sphere, with Coulomb friction. Contact of edges and
+// triangles with the sphere and of the sheet with itself is ignored.
 #pragma once
 
 #include <memory>
@@ -12,7 +12,7 @@ namespace ibmfair::cloth {
 struct Sphere {
   Vec3 centre = Vec3::Zero();
   double radius = 0.3;       ///< metres
-  double clearance = 0.004;  ///< metres: what the sheet rests on is this far outside of it
+  double clearance = 0.004;  ///< metres: the sheet rests at this distance outside of the sphere
   double friction = 0.3;     ///< Coulomb's coefficient, >= 0
 
   double resting_radius() const { return radius + clearance; }
@@ -26,7 +26,7 @@ std::unique_ptr<EnergyTerm> bind_contact(const Sphere& sphere, const Plate& plat
                                          const BlockHessian& H);
 
 /// Puts the free vertices that are nearer to the centre than `radius` at that distance, takes away
-/// their velocity inwards, and of that along the surface as much as friction at that impulse does.
+/// their inward velocity, and reduces the tangential velocity by the friction of that impulse.
 void push_out(const Sphere& sphere, double radius, const Plate& plate, Points& X, Points& V);
 
 }  // namespace ibmfair::cloth

@@ -1,4 +1,4 @@
-// What acts on a sheet from outside.
+// The external forces on a sheet.
 #pragma once
 
 #include <optional>

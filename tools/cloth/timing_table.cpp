@@ -30,8 +30,8 @@ enum Model : std::size_t { hinge, ibm };
 
 using Values = std::vector<double>;  // one for each column of the table
 
-/// Mean milliseconds of one call, over at least `seconds`: of processor time, so that what else the
-/// machine does counts little.
+/// Mean milliseconds of processor time of one call, over at least `seconds`. Processor time hardly
+/// depends on other work of the machine.
 template <class Work>
 double milliseconds(double seconds, const Work& work) {
   const std::clock_t start = std::clock();

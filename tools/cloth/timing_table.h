@@ -1,4 +1,4 @@
-// [W07] Figure 7: what the two bending models cost, and what a time step with them does.
+// [W07] Figure 7: the costs of the two bending models and of a time step with each of them.
 #pragma once
 
 #include <array>
@@ -11,14 +11,14 @@ namespace ibmfair::cloth {
 
 /// The gradient and the Hessian are those of bending alone; the Hessian's cost is that of adding it
 /// to the Hessian of the sheet. An implicit step is one iteration of Newton's method: linearise,
-/// factor, solve, and search along the line; what factoring and solving take of it comes last.
+/// factor, solve, and search along the line; the time of factoring and solving alone comes last.
 inline constexpr std::array<std::string_view, 5> timed_quantities{
     "gradient", "Hessian", "explicit step", "implicit step", "factor, solve"};
 
-/// Milliseconds of processor time of each of them.
+/// Milliseconds of processor time of each quantity.
 using Costs = std::array<double, timed_quantities.size()>;
 
-/// Of each row of bending_forces(), the models taking turns: the shortest of several batches of at
+/// For each row of bending_forces(), measured in turn: the shortest of several batches of at
 /// least `seconds` each.
 std::vector<Costs> measure_costs(const SceneRow& row, const TriangleMesh& sheet, double seconds);
 

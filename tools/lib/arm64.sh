@@ -73,7 +73,7 @@ test_arm64() {
   tools/setup g++-aarch64-linux-gnu qemu-user-static mmdebstrap uidmap
   print_compiler "$arm64_compiler"
   make_arm64_sysroot
-  # -Wno-psabi: else GCC notes at many functions that GCC 9 passed their arguments in another way.
+  # -Wno-psabi: otherwise GCC reports many functions whose arguments GCC 9 passed in another way.
   configure "$arm64_directory" --toolchain tools/cmake/arm64.cmake -D CMAKE_BUILD_TYPE=Release \
     -D IBMFAIR_TESTS=ON -D IBMFAIR_PETSC=OFF -D CMAKE_CXX_FLAGS="-Werror -Wno-psabi"
   compile "$arm64_directory"
@@ -86,14 +86,14 @@ test_arm64() {
 
   configure build -D CMAKE_BUILD_TYPE=Release
   compile build ibmfair
-  # Nearer than two kernel sets of one processor are to each other (1.4e-6) they cannot be expected to
-  # be: a last digit can decide where iterations stop.
+  # Results of two kernel sets on one processor differ by 1.4e-6, because a last digit can decide
+  # where iterations stop. Two processors cannot be expected to agree better.
   echo "test: results on arm64 beside those of $(c++ --version | head -n 1) on $(uname -m)"
   tools/compare_builds build/ibmfair "$arm64_directory/ibmfair" \
     --a-environment IBMFAIR_KERNELS=baseline \
     --launcher "$arm64_emulator -L $arm64_sysroot" --most 1e-5 || failed=1
 
-  # count ATTRIBUTE: of the test suite, in what ctest wrote.
+  # count ATTRIBUTE: a number of the test suite, from the report that ctest wrote.
   count() { sed -n "s/^[[:space:]]*$1=\"\([0-9]*\)\".*/\1/p" "$results" | head -n 1; }
   if [[ -e $results ]]; then
     echo "test: on arm64, emulated by $("$arm64_emulator" --version | head -n 1), compiled by" \

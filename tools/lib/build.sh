@@ -1,10 +1,10 @@
-# Sourced by the scripts in tools/, which run from the project's root from here on.
+# Sourced by the scripts in tools/; changes to the root folder of the project.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 
 cores=$(nproc 2>/dev/null || sysctl -n hw.ncpu)
 
-# configure DIR [CMAKE-OPTION...]: with Ninja where it is there; DIR keeps the generator it has.
+# configure DIR [CMAKE-OPTION...]: with Ninja if installed; an existing DIR keeps its generator.
 configure() {
   local directory=$1
   shift
@@ -14,14 +14,14 @@ configure() {
   cmake -S . -B "$directory" "$@" >/dev/null
 }
 
-# compile DIR [TARGET...]: what is out of date, with all cores.
+# compile DIR [TARGET...]: builds what is out of date, with all cores.
 compile() {
   local directory=$1
   shift
   cmake --build "$directory" --parallel "$cores" --target "${@:-all}"
 }
 
-# The compiler of the builds that look for mistakes; llvm has the names in its traces.
+# The compiler of the builds with sanitizers; llvm provides the names in stack traces.
 clang=16
 clang_packages=("clang-$clang" "libclang-rt-$clang-dev" "llvm-$clang")
 

@@ -119,7 +119,7 @@ describe_debian_run() {
     "$(count_tests fail) failed"
 }
 
-# count_tests STATUS: of all runs of ctest, as their reports in JUnit's format tell.
+# count_tests STATUS: number of tests in all runs of ctest, from their reports in JUnit's format.
 count_tests() {
   cat "$clone"/build/{quick,install}.xml 2>/dev/null | grep --count "status=\"$1\"" || true
 }

@@ -14,7 +14,7 @@ import subprocess
 import sys
 
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
-NOISE = 0.04  # of the bunny, in its units: a tenth of an edge
+NOISE = 0.04  # of the bunny, in its units; a tenth of an edge length
 HOLES = [((-2.6, 5.8, 1.4), 1.1), ((1.2, 3.6, 2.9), 0.9)]  # centre and radius
 
 
@@ -42,7 +42,7 @@ def write_ply(path, points, faces):
 
 
 def scan(points, faces):
-    """Without the triangles near the holes' centres, and the vertices that only they have."""
+    """The bunny without the triangles near the holes' centres and without their unused vertices."""
     kept = [face for face in faces
             if all(math.dist([sum(points[v][k] for v in face) / 3 for k in range(3)], centre) > radius
                    for centre, radius in HOLES)]

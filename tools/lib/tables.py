@@ -1,4 +1,4 @@
-"""What the scripts that print tables share: running ibmfair and reading its reports."""
+"""Functions shared by the scripts that print tables: running ibmfair and reading its reports."""
 
 import json
 import os
@@ -42,7 +42,7 @@ def write_off(path, points, faces):
 
 
 def add_noise(source, target, amount, seed=1):
-    """Normal noise on every coordinate of an OFF file, in mean edge lengths."""
+    """Adds normal noise, in mean edge lengths, to every coordinate of an OFF file."""
     points, faces = read_off(source)
     deviation = amount * ibmfair("info", source, "--json")["edge_length"]["mean"]
     generator = random.Random(seed)
