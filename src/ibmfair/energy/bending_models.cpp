@@ -106,8 +106,7 @@ constexpr BendingModel models[]{
      .matrices = WeightedModel::matrices,
      .masses = vertex_masses},
     {.name = delaunay_name,
-     .summary =
-         "cotangent weights of the intrinsic Delaunay triangulation, which are never negative",
+     .summary = "cotangent weights of the intrinsic Delaunay triangulation, never negative",
      .make = DelaunayModel::make,
      .matrices = DelaunayModel::matrices,
      .masses = delaunay_masses},
