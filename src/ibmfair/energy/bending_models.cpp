@@ -111,7 +111,7 @@ constexpr BendingModel models[]{
      .matrices = DelaunayModel::matrices,
      .masses = delaunay_masses},
     {.name = umbrella_name,
-     .summary = "graph Laplacian; makes edges even; for noise on uneven triangles (--denoise)",
+     .summary = "graph Laplacian; makes edges even; for noise on uneven triangles",
      .make = UmbrellaModel::make,
      .matrices = UmbrellaModel::matrices,
      .masses = umbrella_masses,
