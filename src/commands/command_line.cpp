@@ -163,11 +163,10 @@ std::string explain(const CLI::ParseError& error, const CLI::App& app) {
   return fmt::format("{}: {}", command.get_name(), error.what());
 }
 
-/// Translates `help smooth` into `smooth --help`, and `help` into `--help`. Sets `all` if --all is
-/// given.
-std::vector<std::string> question_for_help(std::vector<std::string> words, bool& all) {
+/// Rewrites `help smooth` as `smooth --help`, and `help` as `--help`. --all is for the help itself.
+std::vector<std::string> question_for_help(std::vector<std::string> words) {
   words.erase(words.begin());
-  all = std::erase(words, "--all") > 0;
+  std::erase(words, "--all");
   if (words.size() > 1) {
     throw Misuse(fmt::format("help: '{}' is one argument too many", words[1]));
   }
@@ -270,13 +269,9 @@ CommandLine::CommandLine(const Command& command) : parts_(std::make_unique<Parts
 CommandLine::~CommandLine() = default;
 
 std::optional<std::string> CommandLine::parse(std::vector<std::string> words) {
-  const auto has = [&](const char* word) {
-    return std::find(words.begin(), words.end(), word) != words.end();
-  };
+  parts_->explain_all = std::find(words.begin(), words.end(), "--all") != words.end();
   if (!words.empty() && words.front() == help_command) {
-    words = question_for_help(std::move(words), parts_->explain_all);
-  } else if (has("--help") || has("-h")) {
-    parts_->explain_all = std::erase(words, "--all") > 0;
+    words = question_for_help(std::move(words));
   }
   std::reverse(words.begin(), words.end());  // the parser takes them from the back
   try {

@@ -90,6 +90,12 @@ TEST(Usage, ShortHelpNamesEveryOption) {
   }
 }
 
+TEST(Usage, NamesThatLookLikeQuestionsAreNames) {
+  const RunResult result = run_program({"fill", "--", "--help", "--all"});
+  EXPECT_EQ(result.exit_code, 3);
+  EXPECT_TRUE(contains(result.err, "--help: cannot be read")) << result.err;
+}
+
 TEST(Usage, AnUnknownCommandIsNoReasonForHelp) {
   for (const Words& words : {Words{"help", "smoth"}, Words{"smoth", "--help"}, Words{"smoth"}}) {
     const RunResult result = run_program(words);

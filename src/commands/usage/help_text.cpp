@@ -1,10 +1,10 @@
 #include "commands/usage/help_text.h"
 
 #include <algorithm>
+#include <array>
 #include <cstdlib>
 #include <span>
 #include <sstream>
-#include <utility>
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -134,15 +134,13 @@ std::size_t terminal_width() {
 }  // namespace
 
 std::string first_commands(const ProgramUsage& program, std::size_t width) {
-  std::vector<Example> examples;
-  std::size_t most = 3;
-  for (const CommandUsage& command : program.commands) {
-    const std::size_t count = std::min(most, command.examples.size());
-    examples.insert(examples.end(), command.examples.begin(),
-                    command.examples.begin() + static_cast<std::ptrdiff_t>(count));
-    if (std::exchange(most, 1) == 1) break;
+  constexpr std::array<std::size_t, 2> most{3, 1};
+  std::string text = "What most people need:\n";
+  for (std::size_t c = 0; c < std::min(most.size(), program.commands.size()); ++c) {
+    const std::span<const Example> examples = program.commands[c].examples;
+    text += example_list(examples.first(std::min(most[c], examples.size())), width);
   }
-  return "What most people need:\n" + example_list(examples, width);
+  return text;
 }
 
 std::string help_text(const ProgramUsage& program, std::size_t width) {
