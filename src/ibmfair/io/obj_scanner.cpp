@@ -33,9 +33,11 @@ void ObjScanner::skip_line() {
     skip_to(statement_end | continuation);
     if (is(*p_, line_end)) return;
     if (*p_ == '\\') {
-      const char* before = p_;
-      skip_continuations();
-      if (p_ == before) ++p_;
+      if (continues_line()) {
+        skip_continuations();
+      } else {
+        ++p_;
+      }
     } else if (is(p_[-1], blank)) {
       skip_to(line_end);
     } else {
@@ -45,7 +47,7 @@ void ObjScanner::skip_line() {
 }
 
 void ObjScanner::skip_continuations() {
-  while (p_ != end_ && *p_ == '\\' && continues_line()) {
+  while (*p_ == '\\' && continues_line()) {
     const bool pair = p_[1] == '\r' && p_ + 2 != end_ && p_[2] == '\n';
     p_ = characters::find_not(p_ + (pair ? 3 : 2), blank);
   }
