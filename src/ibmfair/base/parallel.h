@@ -20,7 +20,7 @@ inline constexpr std::int64_t worth_sharing = 16384;
 /// from running, only the task on that thread is delayed.
 void parallel_tasks(std::int64_t count, const std::function<void(std::int64_t)>& task);
 
-/// Same as `parallel_tasks` if `share` is true; otherwise runs all tasks on the calling thread.
+/// Calls `parallel_tasks` if `share` is true; otherwise runs all tasks on the calling thread.
 template <class Task>
 void run_tasks(std::int64_t count, bool share, const Task& task) {
   if (share) {

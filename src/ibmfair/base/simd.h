@@ -13,7 +13,7 @@
 /// Marks a function that is part of such a kernel; the function is inlined into both versions of
 /// it.
 #define IBMFAIR_INLINE __attribute__((always_inline)) inline
-/// The same for lambdas; written after the parameters of the lambda.
+/// IBMFAIR_INLINE for lambdas; written after the parameters of the lambda.
 #define IBMFAIR_INLINE_LAMBDA __attribute__((always_inline))
 
 // On other platforms there is one version, and the compiler maps the vectors to the machine's

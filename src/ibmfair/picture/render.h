@@ -33,7 +33,7 @@ struct PaintedMesh {
 
 /// A picture of `mesh`, seen from `options.view` and scaled to fill the picture. Triangles with a
 /// coordinate that is not finite are left out; without triangles, the picture is plain background.
-/// The same input always gives the same pixels.
+/// Equal inputs give equal pixels.
 Image render(const PaintedMesh& mesh, const RenderOptions& options = {});
 
 /// Pictures from left to right, rendered with one camera that sees all meshes, so that their sizes
