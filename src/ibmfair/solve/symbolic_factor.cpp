@@ -3,179 +3,158 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <numeric>
+#include <limits>
 
-#include "ibmfair/base/parallel.h"
-#include "ibmfair/solve/cholmod_context.h"
+#include "ibmfair/solve/elimination_tree.h"
 
 namespace ibmfair {
 namespace {
 
-using Numbers = std::vector<std::int64_t>;
-
-template <class Value>
-std::vector<Value> taken(const std::vector<Value>& from, const Numbers& places) {
-  std::vector<Value> values(places.size());
-  std::transform(places.begin(), places.end(), values.begin(),
-                 [&](std::int64_t i) { return from[i]; });
-  return values;
+/// The values at the given places.
+std::vector<Index> taken(const std::vector<Index>& values, const std::vector<Index>& places) {
+  std::vector<Index> result(places.size());
+  std::transform(places.begin(), places.end(), result.begin(), [&](Index i) { return values[i]; });
+  return result;
 }
 
-/// The pattern of the matrix without its diagonal, permuted to the elimination order and in the
-/// format of CHOLMOD. CHOLMOD's own permutations run on one thread and took half the time of its
-/// analysis.
-class Pattern {
- public:
-  Pattern(const Rows& graph, const std::vector<Index>& order)
-      : upper_first_(order.size() + 1, 0),
-        lower_first_(order.size() + 1),
-        upper_count_(order.size()),
-        lower_count_(order.size()),
-        row_(graph.value.size()) {
-    const std::int64_t n = std::ssize(order);
-    std::vector<Index> turn(order.size());
-    for (std::int64_t j = 0; j < n; ++j) {
-      turn[order[j]] = static_cast<Index>(j);
-      upper_first_[j + 1] = upper_first_[j] + std::ssize(graph[order[j]]);
-    }
-    parallel_for(n, [&](std::int64_t j) {
-      // Fills the range from both ends, without an unpredictable branch.
-      std::int64_t upper_end = upper_first_[j], lower = upper_first_[j + 1];
-      for (const Index w : graph[order[j]]) {
-        const bool is_upper = turn[w] < j;
-        row_[is_upper ? upper_end : lower - 1] = turn[w];
-        upper_end += is_upper ? 1 : 0;
-        lower -= is_upper ? 0 : 1;
+/// Columns in postorder of the elimination tree.
+struct Columns {
+  std::vector<Index> parent;
+  std::vector<Index> count;  ///< entries of L
+};
+
+/// Renumbers the columns: column i is the present column order[i].
+Columns reordered(const Columns& columns, const std::vector<Index>& order) {
+  std::vector<Index> place(order.size());
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    place[order[i]] = static_cast<Index>(i);
+  }
+  Columns result{taken(columns.parent, order), taken(columns.count, order)};
+  for (Index& parent : result.parent) {
+    parent = parent < 0 ? parent : place[parent];
+  }
+  return result;
+}
+
+/// Consecutive columns that are stored with the same rows below them.
+struct Group {
+  Index first_column, columns;
+  Index rows;              ///< of the first column
+  std::int64_t zeros = 0;  ///< stored zeros, not counting those of tiny groups
+
+  Index end() const { return first_column + columns; }
+};
+
+/// The group of `child` and of the columns that follow it, in `next`, the parent's group. Columns
+/// of `child` get all the rows of `next`.
+Group merged(const Group& child, const Group& next) {
+  return {child.first_column, child.columns + next.columns, child.columns + next.rows, next.zeros};
+}
+
+/// Merges `child` into `next` if that adds few zeros [C. Ashcraft, R. Grimes, "The influence of
+/// relaxed supernode partitions on the multifrontal method", ACM TOMS 15 (1989)]. The limits are
+/// those of [Y. Chen, T. Davis, W. Hager, S. Rajamanickam, "Algorithm 887: CHOLMOD", ACM TOMS 35
+/// (2008)].
+bool merge_if_cheap(const Group& child, Group& next) {
+  constexpr Index tiny = 4;
+  struct Limit {
+    Index columns;
+    double zeros;  // share of all stored entries
+  };
+  constexpr Limit limits[] = {{16, 0.8}, {48, 0.1}, {std::numeric_limits<Index>::max(), 0.05}};
+
+  Group both = merged(child, next);
+  const std::int64_t columns = both.columns, below = both.rows - both.columns;
+  const std::int64_t added = std::int64_t{child.columns} * (both.rows - child.rows);
+  const bool is_tiny = columns <= tiny;
+  both.zeros += is_tiny ? 0 : added;
+  const double share = static_cast<double>(both.zeros) /
+                       static_cast<double>(columns * (columns + 1) / 2 + columns * below);
+  const bool is_cheap = is_tiny || added == 0 || std::ranges::any_of(limits, [&](Limit limit) {
+                          return columns <= limit.columns && share < limit.zeros;
+                        });
+  if (is_cheap) next = both;
+  return is_cheap;
+}
+
+/// The supernodes, from first to last. A fundamental supernode is a chain of columns, each the only
+/// child of the next, with the same rows; some are then merged with their parents.
+std::vector<Group> supernodes(const Columns& columns) {
+  const std::vector<Index>&parent = columns.parent, &count = columns.count;
+  const auto n = static_cast<Index>(parent.size());
+  std::vector<Index> children(parent.size(), 0);
+  for (const Index above : parent) {
+    if (above >= 0) ++children[above];
+  }
+  std::vector<Group> groups;  // from last to first
+  for (Index end = n, j = n - 1; j >= 0; --j) {
+    const bool continues =
+        j > 0 && parent[j - 1] == j && count[j - 1] == count[j] + 1 && children[j] == 1;
+    if (continues) continue;
+    const Group group{j, end - j, count[j]};
+    const Index above = parent[end - 1];
+    const bool is_before_parent = above >= 0 && above < groups.back().end();
+    if (!is_before_parent || !merge_if_cheap(group, groups.back())) groups.push_back(group);
+    end = j;
+  }
+  std::ranges::reverse(groups);
+  return groups;
+}
+
+/// The supernodes with the rows of their fronts.
+Supernodes with_rows(const std::vector<Group>& groups, const EliminationGraph& graph,
+                     const std::vector<Index>& parent) {
+  Supernodes nodes;
+  nodes.first_column = {0};
+  nodes.first_row = {0};
+  std::vector<Index> owner(parent.size());  // the supernode of each column
+  for (const Group& group : groups) {
+    std::fill_n(owner.begin() + group.first_column, group.columns, nodes.size());
+    nodes.first_column.push_back(group.end());
+    nodes.first_row.push_back(nodes.first_row.back() + group.rows);
+  }
+  nodes.row.resize(static_cast<std::size_t>(nodes.first_row.back()));
+  std::vector<std::int64_t> next(nodes.first_row.begin(), nodes.first_row.end() - 1);
+  const auto add_row = [&](Index s, Index j) { nodes.row[next[s]++] = j; };
+  std::vector<Index> last_row(groups.size(), -1);
+  for (Index j = 0; j < graph.size(); ++j) {
+    const Index own = owner[j];
+    add_row(own, j);
+    last_row[own] = j;
+    for (const Index i : graph.before(j)) {
+      // All supernodes on the path from i up to j have the row j.
+      for (Index s = owner[i]; last_row[s] != j; s = owner[parent[nodes.first_column[s + 1] - 1]]) {
+        add_row(s, j);
+        last_row[s] = j;
       }
-      upper_count_[j] = upper_end - upper_first_[j];
-      lower_first_[j] = upper_end;
-      lower_count_[j] = upper_first_[j + 1] - upper_end;
-    });
-    lower_first_[n] = upper_first_[n];
+    }
   }
-
-  /// Column j has its neighbours that are eliminated before it.
-  cholmod_sparse upper() { return triangle(upper_first_, upper_count_, 1); }
-
-  /// Column j has its neighbours that are eliminated after it.
-  cholmod_sparse lower() { return triangle(lower_first_, lower_count_, -1); }
-
-  /// Permutes upper(): column column[i] becomes column i, and row i becomes row place[i].
-  /// Precondition: the result is upper triangular again.
-  void permute_upper(const Numbers& column, const Numbers& place) {
-    upper_first_ = taken(upper_first_, column);
-    upper_count_ = taken(upper_count_, column);
-    parallel_for(std::ssize(row_), [&](std::int64_t k) { row_[k] = place[row_[k]]; });
-  }
-
- private:
-  cholmod_sparse triangle(Numbers& first, Numbers& count, int stype) {
-    cholmod_sparse A{};
-    A.nrow = A.ncol = count.size();
-    A.nzmax = row_.size();
-    A.p = first.data();
-    A.nz = count.data();
-    A.i = row_.data();
-    A.stype = stype;
-    A.itype = CHOLMOD_LONG;
-    A.xtype = CHOLMOD_PATTERN;
-    A.packed = 0;
-    return A;
-  }
-
-  Numbers upper_first_, lower_first_, upper_count_, lower_count_, row_;
-};
-
-/// The parent of each column, or -1.
-Numbers elimination_tree(Pattern& pattern, CholmodContext& context) {
-  cholmod_sparse A = pattern.upper();
-  Numbers parent(A.ncol);
-  cholmod_l_etree(&A, parent.data(), context.get());
-  context.check();
-  return parent;
-}
-
-/// A postorder of the columns: every subtree of the elimination tree is a range. If weights are
-/// given, the children of a column are in order of increasing weight.
-Numbers postorder(const Numbers& parent, const std::int64_t* weight, CholmodContext& context) {
-  Numbers column(parent.size());
-  cholmod_l_postorder(const_cast<std::int64_t*>(parent.data()), parent.size(),
-                      const_cast<std::int64_t*>(weight), column.data(), context.get());
-  context.check();
-  return column;
-}
-
-/// The number of entries of each column of L. Leaves the total number of entries and of
-/// floating-point operations in `context`.
-Numbers count_entries(Pattern& pattern, Numbers& parent, CholmodContext& context) {
-  cholmod_sparse A = pattern.lower();
-  const std::size_t n = parent.size();
-  Numbers turn = postorder(parent, nullptr, context);
-  Numbers in_row(n), in_column(n), first(n), level(n);
-  cholmod_l_rowcolcounts(&A, nullptr, 0, parent.data(), turn.data(), in_row.data(),
-                         in_column.data(), first.data(), level.data(), context.get());
-  context.check();
-  return in_column;
-}
-
-/// Owns a cholmod_factor without numerical values.
-class CholmodFactor {
- public:
-  CholmodFactor(std::size_t n, CholmodContext& context)
-      : context_(context), factor_(cholmod_l_allocate_factor(n, context.get())) {
-    context.check();
-  }
-  ~CholmodFactor() { cholmod_l_free_factor(&factor_, context_.get()); }
-  CholmodFactor(const CholmodFactor&) = delete;
-  CholmodFactor& operator=(const CholmodFactor&) = delete;
-
-  cholmod_factor* get() { return factor_; }
-
- private:
-  CholmodContext& context_;
-  cholmod_factor* factor_;
-};
-
-template <class Value>
-std::vector<Value> copy(const void* from, std::size_t count) {
-  const auto* first = static_cast<const std::int64_t*>(from);
-  return {first, first + count};
+  return nodes;
 }
 
 }  // namespace
 
 SymbolicFactor symbolic_factor(const Rows& graph, const std::vector<Index>& order) {
-  CholmodContext context;
-  Pattern pattern(graph, order);
-  Numbers parent = elimination_tree(pattern, context);
-  const Numbers entries = count_entries(pattern, parent, context);
-  SymbolicFactor symbolic{{}, context.get()->fl, context.get()->lnz};
-
+  Columns columns;
+  {
+    const EliminationGraph given(graph, order);
+    columns.parent = elimination_tree(given);
+    columns.count = column_counts(given, columns.parent);
+  }
+  SymbolicFactor symbolic;
+  for (const Index count : columns.count) {
+    const double entries = count;
+    symbolic.entries += entries;
+    symbolic.flops += entries * entries;
+  }
   // Children with many entries come last, next to their parents, with which they may share a
   // supernode.
-  const Numbers column = postorder(parent, entries.data(), context);
-  Numbers place(column.size());
-  for (std::size_t i = 0; i < column.size(); ++i) {
-    place[column[i]] = static_cast<std::int64_t>(i);
-  }
-  for (std::int64_t& above : parent) {
-    above = above < 0 ? above : place[above];
-  }
-  parent = taken(parent, column);
-  pattern.permute_upper(column, place);
-
-  CholmodFactor factor(order.size(), context);
-  cholmod_factor& L = *factor.get();
-  std::ranges::copy(taken(entries, column), static_cast<std::int64_t*>(L.ColCount));
-  cholmod_sparse A = pattern.upper();
-  cholmod_l_super_symbolic(&A, nullptr, parent.data(), &L, context.get());
-  context.check();
-  Supernodes& nodes = symbolic.nodes;
-  nodes.unknown = taken(order, column);
-  nodes.first_column = copy<Index>(L.super, L.nsuper + 1);
-  nodes.first_row = copy<std::int64_t>(L.pi, L.nsuper + 1);
-  nodes.row = copy<Index>(L.s, L.ssize);
-  complete(nodes);
+  const std::vector<Index> last_are_full = postorder(columns.parent, columns.count);
+  const std::vector<Index> unknown = taken(order, last_are_full);
+  columns = reordered(columns, last_are_full);
+  symbolic.nodes = with_rows(supernodes(columns), EliminationGraph(graph, unknown), columns.parent);
+  symbolic.nodes.unknown = unknown;
+  complete(symbolic.nodes);
   return symbolic;
 }
 
