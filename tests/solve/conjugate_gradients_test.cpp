@@ -9,6 +9,7 @@
 
 #include "ibmfair/base/errors.h"
 #include "ibmfair/base/threads.h"
+#include "ibmfair/energy/hessian.h"
 #include "ibmfair/flow/time_scale.h"
 #include "ibmfair/flow/willmore_flow.h"
 #include "ibmfair/shapes/shapes.h"

@@ -20,7 +20,7 @@
 #include "ibmfair/io/mesh_file.h"
 #include "ibmfair/mesh/topology.h"
 #include "ibmfair/shapes/subdivide.h"
-#include "ibmfair/solve/cholesky.h"
+#include "ibmfair/solve/multifrontal.h"
 #include "ibmfair/solve/ordering.h"
 
 namespace {
@@ -55,21 +55,20 @@ double milliseconds(int runs, const std::function<void()>& action) {
   return least;
 }
 
-void tell(const std::function<SymbolicCholesky()>& analyse, const SymmetricMatrix& J,
+void tell(const std::function<MultifrontalAnalysis()>& analyse, const SymmetricMatrix& J,
           const Points& B) {
   constexpr int runs = 5;
-  const double analysis = milliseconds(runs, [&] { analyse(); });
-  const SymbolicCholesky symbolic = analyse();
-  CholeskyFactor factor(symbolic, Precision::float64);
-  const double factorization = milliseconds(runs, [&] { factor.factor(J); });
-  CholeskySolver solver(factor);
+  const double analysing = milliseconds(runs, [&] { analyse(); });
+  const MultifrontalAnalysis analysis = analyse();
+  MultifrontalCholesky cholesky(analysis);
+  const double factorization = milliseconds(runs, [&] { cholesky.factor(J); });
   Points Y;
-  const double solve = milliseconds(runs, [&] { solver.solve(B, Y); });
-  const FactorForecast& forecast = symbolic.forecast();
+  const double solve = milliseconds(runs, [&] { cholesky.solve(B, Y); });
+  const FactorForecast& forecast = analysis.forecast();
   fmt::print(R"({{"order": "{}", "analyse": {}, "factor": {}, "solve": {}, "flops": {}, )"
              R"("entries": {}}})"
              "\n",
-             forecast.ordering, analysis, factorization, solve, forecast.flops / 1e6,
+             forecast.ordering, analysing, factorization, solve, forecast.flops / 1e6,
              forecast.factor_entries / 1e6);
 }
 
@@ -117,8 +116,8 @@ int main(int argc, char** argv) {
     fmt::print(R"({{"unknowns": {}}})"
                "\n",
                J.size());
-    tell([&] { return SymbolicCholesky(J); }, J, X);
-    tell([&] { return SymbolicCholesky(J, X); }, J, X);
+    tell([&] { return MultifrontalAnalysis(J); }, J, X);
+    tell([&] { return MultifrontalAnalysis(J, X); }, J, X);
     tell_metis(J);
   } catch (const std::exception& error) {
     std::cerr << error.what() << '\n';

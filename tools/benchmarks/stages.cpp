@@ -53,26 +53,26 @@ void assemble(StageInputs& s) {
 }
 
 void analyse(StageInputs& s) {
-  s.results.symbolic.emplace(s.J, s.X);
+  s.results.analysis.emplace(s.J, s.X);
 }
 
 /// The first factorization of a run, its allocation included.
 void factor(StageInputs& s) {
-  s.results.factor.emplace(*s.symbolic, Precision::float64);
-  s.results.factor->factor(s.J);
+  s.results.cholesky.emplace(*s.analysis, Precision::float64);
+  s.results.cholesky->factor(s.J);
 }
 
 void factor_in_floats(StageInputs& s) {
-  s.results.factor.emplace(*s.symbolic, Precision::float32);
-  s.results.factor->factor(s.J);
+  s.results.cholesky.emplace(*s.analysis, Precision::float32);
+  s.results.cholesky->factor(s.J);
 }
 
 void solve(StageInputs& s) {
-  s.solver->solve(s.B, s.Y);
+  s.cholesky->solve(s.B, s.Y);
 }
 
 void solve_in_floats(StageInputs& s) {
-  s.float_solver->solve(s.B, s.Y);
+  s.float_cholesky->solve(s.B, s.Y);
 }
 
 void assemble_rows(StageInputs& s) {
@@ -140,16 +140,16 @@ double analysis_bytes(const StageInputs& s) {
 }
 
 double factor_flops(const StageInputs& s) {
-  return s.symbolic->forecast().flops;
+  return s.analysis->forecast().flops;
 }
 
 /// The factor is read twice: forward and backward substitution.
 double solve_bytes(const StageInputs& s) {
-  return 2 * sizeof(double) * s.symbolic->forecast().factor_entries;
+  return 2 * sizeof(double) * s.analysis->forecast().factor_entries;
 }
 
 double float_solve_bytes(const StageInputs& s) {
-  return 2 * sizeof(float) * s.symbolic->forecast().factor_entries;
+  return 2 * sizeof(float) * s.analysis->forecast().factor_entries;
 }
 
 double rows_bytes(const StageInputs& s) {
@@ -178,20 +178,19 @@ bool is_analysed_quickly(const StageInputs& s) {
 /// Leaves the factor empty if the matrix is not positive definite in that precision.
 void prepare_floats(StageInputs& s) {
   try {
-    s.float_factor.emplace(*s.symbolic, Precision::float32);
-    s.float_factor->factor(s.J);
-    s.float_solver.emplace(*s.float_factor);
+    s.float_cholesky.emplace(*s.analysis, Precision::float32);
+    s.float_cholesky->factor(s.J);
   } catch (const FactorizationFailed&) {
-    s.float_factor.reset();
+    s.float_cholesky.reset();
   }
 }
 
 bool has_factor(const StageInputs& s) {
-  return s.factor.has_value();
+  return s.cholesky.has_value();
 }
 
 bool has_float_factor(const StageInputs& s) {
-  return s.float_factor.has_value();
+  return s.float_cholesky.has_value();
 }
 
 /// Whether the factors of the inputs and that of the stage fit into memory.
@@ -245,12 +244,11 @@ StageInputs::StageInputs(std::string input_path, std::string output_path)
   write(*this);
   {
     const Stopwatch watch(analysis_seconds);
-    symbolic.emplace(J, X);
+    analysis.emplace(J, X);
   }
-  if (worth_factoring(symbolic->forecast())) {
-    factor.emplace(*symbolic, Precision::float64);
-    factor->factor(J);
-    solver.emplace(*factor);
+  if (worth_factoring(analysis->forecast())) {
+    cholesky.emplace(*analysis, Precision::float64);
+    cholesky->factor(J);
     prepare_floats(*this);
   }
 }

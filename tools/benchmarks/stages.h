@@ -11,8 +11,8 @@
 #include "ibmfair/energy/hessian.h"
 #include "ibmfair/io/mesh_file.h"
 #include "ibmfair/mesh/topology.h"
-#include "ibmfair/solve/cholesky.h"
 #include "ibmfair/solve/conjugate_gradients.h"
+#include "ibmfair/solve/multifrontal.h"
 
 namespace ibmfair::benchmarks {
 
@@ -24,8 +24,8 @@ struct StageResults {
   std::unique_ptr<StencilTerms> terms;
   std::unique_ptr<HessianAssembler> assembler;
   SymmetricMatrix matrix;
-  std::optional<SymbolicCholesky> symbolic;
-  std::optional<CholeskyFactor> factor;
+  std::optional<MultifrontalAnalysis> analysis;
+  std::optional<MultifrontalCholesky> cholesky;
 };
 
 /// One mesh with the inputs of all stages. The Jacobian is that of a flow by
@@ -49,10 +49,9 @@ struct StageInputs {
   double written_bytes = 0;
 
   double analysis_seconds = 0;
-  std::optional<SymbolicCholesky> symbolic;
+  std::optional<MultifrontalAnalysis> analysis;
   /// Empty if factoring would take too long or too much memory, or if floats do not suffice.
-  std::optional<CholeskyFactor> factor, float_factor;
-  std::optional<CholeskySolver> solver, float_solver;
+  std::optional<MultifrontalCholesky> cholesky, float_cholesky;
   JacobianRows rows;
   ConjugateGradients iteration;
   double h = 0;

@@ -25,8 +25,7 @@ BlockSolver::BlockSolver(const BlockHessian& H, const std::vector<std::uint8_t>&
   for (Eigen::Index i = 0; i < X.rows(); ++i) {
     X.row(i) = rest.row(unknowns_.vertex[i / 3]);
   }
-  factor_.emplace(SymbolicCholesky(J_, X));
-  solver_.emplace(*factor_);
+  cholesky_.emplace(MultifrontalAnalysis(J_, X));
 }
 
 void BlockSolver::factor(const BlockHessian& H, const PerVertex& d) {
@@ -37,7 +36,7 @@ void BlockSolver::factor(const BlockHessian& H, const PerVertex& d) {
   for (std::int64_t j = 0; j < J_.size(); ++j) {
     J_.value[J_.column_first[j]] += d[unknowns_.vertex[j / 3]];
   }
-  factor_->factor(J_);
+  cholesky_->factor(J_);
 }
 
 void BlockSolver::solve(const Points& G, Points& D) {
@@ -47,7 +46,7 @@ void BlockSolver::solve(const Points& G, Points& D) {
       right_hand_side_.row(Eigen::Index{3} * u + c) << G(unknowns_.vertex[u], c), 0, 0;
     }
   }
-  solver_->solve(right_hand_side_, right_hand_side_);
+  cholesky_->solve(right_hand_side_, right_hand_side_);
   D.setZero(G.rows(), 3);
   for (Index u = 0; u < unknowns_.size(); ++u) {
     for (int c = 0; c < 3; ++c) {

@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "cloth/block_hessian.h"
-#include "ibmfair/solve/cholesky.h"
+#include "ibmfair/solve/multifrontal.h"
 
 namespace ibmfair::cloth {
 
@@ -26,8 +26,7 @@ class BlockSolver {
   SymmetricMatrix J_;
   std::vector<std::int64_t>
       source_;  // for each value of J_, its index among the values of the blocks
-  std::optional<CholeskyFactor> factor_;
-  std::optional<CholeskySolver> solver_;
+  std::optional<MultifrontalCholesky> cholesky_;
   Points right_hand_side_;
 };
 

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "ibmfair/energy/hessian.h"
-#include "ibmfair/solve/cholesky.h"
+#include "ibmfair/solve/multifrontal.h"
 
 namespace ibmfair {
 namespace {
@@ -75,14 +75,13 @@ Eigen::MatrixXd extend_harmonically(const Patch& patch, const Eigen::MatrixXd& a
     }
   }
   const SymmetricMatrix L = graph_laplacian(patch, edges);
-  CholeskyFactor factor{SymbolicCholesky(L)};
-  factor.factor(L);
-  CholeskySolver solver(factor);
+  MultifrontalCholesky cholesky{MultifrontalAnalysis(L)};
+  cholesky.factor(L);
   for (Eigen::Index first = 0; first < B.cols(); first += 3) {  // three columns at a time
     const Eigen::Index count = std::min<Eigen::Index>(3, B.cols() - first);
     Points three = Points::Zero(B.rows(), 3);
     three.leftCols(count) = B.middleCols(first, count);
-    solver.solve(three, three);
+    cholesky.solve(three, three);
     B.middleCols(first, count) = three.leftCols(count);
   }
   return B;

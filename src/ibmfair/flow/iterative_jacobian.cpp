@@ -10,7 +10,7 @@
 namespace ibmfair {
 namespace {
 
-// On one core, as in direct_jacobian.cpp.
+// On one core, as in multifrontal_jacobian.cpp.
 constexpr double seconds_per_row = 1.5e-8;  // in each iteration
 
 // As measured on tori of 41 and 164 thousand vertices, with both Laplacians. A place is a vertex

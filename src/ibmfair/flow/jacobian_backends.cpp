@@ -1,11 +1,10 @@
-#include <cmath>
 #include <string>
 
 #include "ibmfair/base/errors.h"
 #include "ibmfair/base/stopwatch.h"
-#include "ibmfair/flow/direct_jacobian.h"
 #include "ibmfair/flow/iterative_jacobian.h"
 #include "ibmfair/flow/jacobian_solver.h"
+#include "ibmfair/flow/multifrontal_jacobian.h"
 
 namespace ibmfair {
 namespace {
@@ -17,8 +16,8 @@ std::unique_ptr<JacobianSolver> make(const JacobianShape& shape) {
 }
 
 constexpr JacobianBackend backends[] = {
-    {"cholmod", "factored once, by CHOLMOD's analysis", make<DirectJacobian>, forecast_direct,
-     true},
+    {"cholmod", "factored once, by CHOLMOD's analysis", make<MultifrontalJacobian>,
+     forecast_multifrontal, true},
     {"cg", "conjugate gradients without a factor: least memory", make<IterativeJacobian>,
      forecast_iterative, false},
 };

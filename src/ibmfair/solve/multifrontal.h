@@ -1,75 +1,71 @@
-// The numerical factorization of a sparse matrix by the multifrontal method (Duff and Reid 1983;
-// Liu 1992). Each supernode has a front, a dense matrix into which it gathers its entries of the
-// matrix and the updates of its children. The supernode factors its own columns of the front and
-// passes the remaining part on to its parent as an update. Dense kernels do the work, subtrees are
-// independent, and the order of all sums is fixed by the elimination tree.
+// Sparse Cholesky factorization by the multifrontal method, in three phases: analyse once per
+// pattern, factor once per matrix, solve once per step.
 #pragma once
 
-#include <vector>
+#include <cstdint>
+#include <memory>
+#include <string_view>
 
-#include "ibmfair/base/huge_pages.h"
+#include "ibmfair/base/types.h"
 #include "ibmfair/energy/hessian.h"
-#include "ibmfair/solve/supernodes.h"
+#include "ibmfair/solve/cholesky.h"
 
 namespace ibmfair {
 
-/// The Cholesky factor of D^-1/2 J D^-1/2, where D is the diagonal of J. With this scaling, rows of
-/// very different size (from triangles of very different size) lose no digits, and float32 does not
-/// overflow.
-template <class Real>
-class FrontalFactor {
+struct SymbolicFactor;
+
+/// The symbolic analysis of a pattern: fill-reducing elimination order, elimination tree,
+/// supernodes.
+class MultifrontalAnalysis {
  public:
-  /// Keeps a reference to `nodes`.
-  explicit FrontalFactor(const Supernodes& nodes);
+  /// Orders by minimum degree. Depends on the pattern of `J` only, not on its values. Throws
+  /// OutOfMemory.
+  explicit MultifrontalAnalysis(const SymmetricMatrix& J);
 
-  /// Returns -1, or the first unknown found at which the matrix is not positive definite.
-  Index factor(const SymmetricMatrix& J, const EliminatedColumns& columns);
+  /// Analyses J for unknowns on a surface, with the positions `X` (#unknowns x 3), which
+  /// elimination_order() uses.
+  MultifrontalAnalysis(const SymmetricMatrix& J, const Points& X);
 
-  const Supernodes& nodes() const { return nodes_; }
-  /// The packed numbers of front s (solve/front_kernels.h).
-  const Real* front(Index s) const { return values_.data() + first_value_[s]; }
-  /// 1 / sqrt(J_ii), in elimination order.
-  const std::vector<double>& scale() const { return scale_; }
-  double largest_scale() const { return largest_scale_; }
+  const FactorForecast& forecast() const { return forecast_; }
 
  private:
-  class Pass;
+  void take(const SymmetricMatrix& J, SymbolicFactor factor, std::string_view ordering);
 
-  const Supernodes& nodes_;
-  std::vector<std::int64_t> first_value_;  // #S + 1
-  LargeArray<Real> values_;
-  std::vector<double> scale_;
-  double largest_scale_ = 0;
+  friend class MultifrontalCholesky;
+  struct State;
+  std::shared_ptr<const State> state_;  // shared: MultifrontalCholesky objects keep it alive
+  FactorForecast forecast_;
 };
 
-/// Solves with one factor. Workspaces are reused between solves.
-template <class Real>
-class FrontalSolver {
- public:
-  /// Keeps a reference to `factor`.
-  explicit FrontalSolver(const FrontalFactor<Real>& factor);
+/// The precision of the numbers in a factor. In float32, half as many bytes are read and the
+/// multiplications take about half the time. This precision suffices for a Jacobian that is inexact
+/// by design as long as the condition number is below about 1e6.
+enum class Precision : std::uint8_t { float32, float64 };
 
-  /// Y = J^-1 B, n x 3 each; Y may be B.
+/// The factor L L^T of a matrix with the analysed pattern, with workspaces for solving.
+class MultifrontalCholesky {
+ public:
+  explicit MultifrontalCholesky(const MultifrontalAnalysis& analysis,
+                                Precision precision = Precision::float64);
+  ~MultifrontalCholesky();
+  MultifrontalCholesky(MultifrontalCholesky&&) noexcept;
+  MultifrontalCholesky& operator=(MultifrontalCholesky&&) noexcept;
+
+  /// Factors `J`, symmetric positive definite with the analysed pattern. May be called again with
+  /// other values. Throws OutOfMemory, or FactorizationFailed, which names the first unknown in
+  /// elimination order at which `J` is not positive definite; the factor can then not be used for
+  /// solving.
+  void factor(const SymmetricMatrix& J);
+
+  /// Y = J^-1 B, where B has a row for each unknown and three columns. Y may be B. The result is
+  /// bit-identical for any number of threads.
   void solve(const Points& B, Points& Y);
 
  private:
-  /// A thread's workspace for one front.
-  struct Scratch {
-    LargeArray<Real> front;  // 4 numbers per row
-    LargeArray<Real> workspace;
-  };
-
-  template <class List>
-  void forward(const List& list, Real* stack, Scratch& scratch);
-  void fetch_rows_before(Index s) const;
-  void backward(Index s, Scratch& scratch);
-
-  const FrontalFactor<Real>& factor_;
-  LargeArray<Real> x_;                          // n x 4, in elimination order
-  std::vector<LargeArray<Real>> branch_stack_;  // for the updates within a branch
-  LargeArray<Real> trunk_stack_;
-  std::vector<Real*> update_;  // #S
-  Index largest_front_ = 0;    // rows
+  struct State;
+  template <class Real>
+  struct InPrecision;
+  std::unique_ptr<State> state_;
 };
 
 }  // namespace ibmfair

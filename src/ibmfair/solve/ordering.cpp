@@ -22,6 +22,10 @@ namespace {
 /// take a tenth longer and saves a hundredth of the operations.
 constexpr Index left_to_minimum_degree = 200;
 
+/// The number of unknowns from which on nested dissection takes less time in total. The value was
+/// chosen from the output of tools/ordering_table.
+constexpr Index worth_dissecting = 6'000;
+
 /// Some of the nodes, and the start of their range in the elimination order.
 struct Nodes {
   std::vector<Index> node;
@@ -130,6 +134,12 @@ std::vector<Index> nested_dissection(const Rows& graph, const Points& X) {
     }
   }
   return order;
+}
+
+EliminationOrder elimination_order(const Rows& graph, const Points& X) {
+  return graph.size() < worth_dissecting
+             ? EliminationOrder{"minimum degree", minimum_degree(graph)}
+             : EliminationOrder{"nested dissection", nested_dissection(graph, X)};
 }
 
 }  // namespace ibmfair

@@ -2,6 +2,7 @@
 // factor.
 #pragma once
 
+#include <string_view>
 #include <vector>
 
 #include "ibmfair/base/rows.h"
@@ -25,5 +26,14 @@ std::vector<Index> minimum_degree(const Rows& graph);
 /// are ordered by minimum degree. The order is identical for any number of threads. Throws
 /// OutOfMemory.
 std::vector<Index> nested_dissection(const Rows& graph, const Points& X);
+
+struct EliminationOrder {
+  std::string_view method;     ///< "minimum degree" or "nested dissection"
+  std::vector<Index> unknown;  ///< the nodes of the graph, from the first eliminated to the last
+};
+
+/// The order that takes the least time in total: nested dissection, which gives less fill-in and
+/// runs on all threads, for large graphs, and minimum degree for small ones. Throws OutOfMemory.
+EliminationOrder elimination_order(const Rows& graph, const Points& X);
 
 }  // namespace ibmfair

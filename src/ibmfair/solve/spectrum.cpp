@@ -9,7 +9,7 @@
 #include <Spectra/SymGEigsSolver.h>
 
 #include "ibmfair/base/errors.h"
-#include "ibmfair/solve/cholesky.h"
+#include "ibmfair/solve/multifrontal.h"
 
 namespace ibmfair {
 namespace {
@@ -55,23 +55,20 @@ SymmetricMatrix sum(const SymmetricMatrix& A, double factor, const SymmetricMatr
 /// Solves with one factorization, for one right-hand side at a time.
 class Inverse {
  public:
-  explicit Inverse(const SymmetricMatrix& A) : symbolic_(A), factor_(symbolic_) {
-    factor_.factor(A);
-    solver_.emplace(factor_);
+  explicit Inverse(const SymmetricMatrix& A) : cholesky_(MultifrontalAnalysis(A)) {
+    cholesky_.factor(A);
     B_ = Points::Zero(A.size(), 3);
   }
 
   Vector operator()(const double* x) const {
     B_.col(0) = ConstMap(x, B_.rows());
     B_.rightCols<2>().setZero();
-    solver_->solve(B_, B_);
+    cholesky_.solve(B_, B_);
     return B_.col(0);
   }
 
  private:
-  SymbolicCholesky symbolic_;
-  CholeskyFactor factor_;
-  mutable std::optional<CholeskySolver> solver_;
+  mutable MultifrontalCholesky cholesky_;
   mutable Points B_;
 };
 

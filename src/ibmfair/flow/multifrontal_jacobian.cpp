@@ -1,4 +1,4 @@
-#include "ibmfair/flow/direct_jacobian.h"
+#include "ibmfair/flow/multifrontal_jacobian.h"
 
 #include <algorithm>
 #include <cmath>
@@ -90,7 +90,8 @@ void tell_stage(const FlowOptions& options, FlowStage stage) {
 
 }  // namespace
 
-SolverForecast forecast_direct(const JacobianShape& shape, const IterationForecast& iterations) {
+SolverForecast forecast_multifrontal(const JacobianShape& shape,
+                                     const IterationForecast& iterations) {
   const double n = shape.unknowns.size(), entries = factor_entries(n);
   const double left = shape.solves_left();
   const double factors =
@@ -103,28 +104,28 @@ SolverForecast forecast_direct(const JacobianShape& shape, const IterationForeca
           .factor_entries = entries};
 }
 
-DirectJacobian::DirectJacobian(const JacobianShape& shape)
+MultifrontalJacobian::MultifrontalJacobian(const JacobianShape& shape)
     : shape_(shape),
       assembler_(shape.terms, shape.unknowns),
       J_(assembler_.pattern()),
       needs_float64_(shape.options.solver_tolerance < float32_tolerance) {}
 
-void DirectJacobian::update(const JacobianParts& parts) {
+void MultifrontalJacobian::update(const JacobianParts& parts) {
   {
     const Stopwatch watch(shape_.report.seconds.assemble);
     assemble(parts);
   }
-  if (!symbolic_) {
+  if (!analysis_) {
     tell_stage(shape_.options, FlowStage::analyse);
     const Stopwatch watch(shape_.report.seconds.analyse);
-    symbolic_.emplace(J_, shape_.start(shape_.unknowns.vertex, Eigen::all));
-    shape_.report.forecast = symbolic_->forecast();
+    analysis_.emplace(J_, shape_.start(shape_.unknowns.vertex, Eigen::all));
+    shape_.report.forecast = analysis_->forecast();
   }
   const bool wide = needs_float64_ || is_too_wide_for_float32(J_, parts.D);
   factor(wide ? Precision::float64 : Precision::float32);
 }
 
-void DirectJacobian::assemble(const JacobianParts& parts) {
+void MultifrontalJacobian::assemble(const JacobianParts& parts) {
   assembler_.assemble(parts.weights, J_);
   parallel_for(J_.size(), [&](std::int64_t j) {
     const std::int64_t diagonal = J_.column_first[j];
@@ -135,19 +136,17 @@ void DirectJacobian::assemble(const JacobianParts& parts) {
   });
 }
 
-void DirectJacobian::factor(Precision precision) {
+void MultifrontalJacobian::factor(Precision precision) {
   tell_stage(shape_.options, FlowStage::factor);
   const Stopwatch watch(shape_.report.seconds.factor);
-  if (!factor_ || precision != precision_) {
+  if (!cholesky_ || precision != precision_) {
     precision_ = precision;
-    solver_.reset();  // it refers to the factor that is replaced next
-    factor_.emplace(*symbolic_, precision);
-    solver_.emplace(*factor_);
+    cholesky_.emplace(*analysis_, precision);
   }
   ++shape_.report.factorizations;
   tried_ = precision == Precision::float64;
   try {
-    factor_->factor(J_);
+    cholesky_->factor(J_);
   } catch (const FactorizationFailed&) {
     if (precision == Precision::float64) throw;
     needs_float64_ = true;
@@ -155,11 +154,11 @@ void DirectJacobian::factor(Precision precision) {
   }
 }
 
-void DirectJacobian::solve(const Points& B, Points& Y) {
+void MultifrontalJacobian::solve(const Points& B, Points& Y) {
   tell_stage(shape_.options, FlowStage::solve);
   {
     const Stopwatch watch(shape_.report.seconds.solve);
-    solver_->solve(B, Y);
+    cholesky_->solve(B, Y);
     tried_ = tried_ || relative_residual(J_, Y, B) < good_enough;
   }
   if (!tried_) {

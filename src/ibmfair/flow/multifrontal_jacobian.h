@@ -1,11 +1,11 @@
-// The Jacobian assembled as a sparse matrix and factored (Cholesky).
+// The Jacobian as a sparse matrix, factored by the multifrontal method.
 #pragma once
 
 #include <optional>
 
 #include "ibmfair/energy/hessian.h"
 #include "ibmfair/flow/jacobian_solver.h"
-#include "ibmfair/solve/cholesky.h"
+#include "ibmfair/solve/multifrontal.h"
 
 namespace ibmfair {
 
@@ -13,9 +13,9 @@ namespace ibmfair {
 /// long as the relative residual of solves is below 1e-3. The factorization uses float64 if the
 /// matrix is too badly scaled for that, if a solve misses it, or if `FlowOptions::solver_tolerance`
 /// is below 1e-4.
-class DirectJacobian final : public JacobianSolver {
+class MultifrontalJacobian final : public JacobianSolver {
  public:
-  explicit DirectJacobian(const JacobianShape& shape);
+  explicit MultifrontalJacobian(const JacobianShape& shape);
 
   void update(const JacobianParts& parts) override;
   void solve(const Points& B, Points& Y) override;
@@ -30,13 +30,13 @@ class DirectJacobian final : public JacobianSolver {
   Precision precision_ = Precision::float32;
   bool needs_float64_;  // float64 was requested, or float32 has once been insufficient
   bool tried_ = false;  // the accuracy of the factorization is known to suffice
-  std::optional<SymbolicCholesky> symbolic_;
-  std::optional<CholeskyFactor> factor_;
-  std::optional<CholeskySolver> solver_;
+  std::optional<MultifrontalAnalysis> analysis_;
+  std::optional<MultifrontalCholesky> cholesky_;
 };
 
-/// The predicted cost of a DirectJacobian. The number of factorizations is estimated from
+/// The predicted cost of a MultifrontalJacobian. The number of factorizations is estimated from
 /// `iterations`.
-SolverForecast forecast_direct(const JacobianShape& shape, const IterationForecast& iterations);
+SolverForecast forecast_multifrontal(const JacobianShape& shape,
+                                     const IterationForecast& iterations);
 
 }  // namespace ibmfair

@@ -1,5 +1,5 @@
-// The sparse Cholesky factorization solves every system of the flow to its precision.
-#include "ibmfair/solve/cholesky.h"
+// The multifrontal factorization solves every system of the flow to its precision.
+#include "ibmfair/solve/multifrontal.h"
 
 #include <gtest/gtest.h>
 
@@ -29,48 +29,47 @@ SymmetricMatrix example(const State& state) {
   return J;
 }
 
-TEST(Cholesky, Solves) {
+TEST(Multifrontal, Solves) {
   for (const auto& [name, mesh] : all_meshes()) {
     const SymmetricMatrix J = example(State(mesh));
     const Points X = random_directions(J.size());
-    const SymbolicCholesky symbolic(J);
-    EXPECT_GE(symbolic.forecast().factor_entries, static_cast<double>(J.size())) << name;
-    CholeskyFactor factor(symbolic);
-    factor.factor(J);
-    CholeskySolver solver(factor);
+    const MultifrontalAnalysis analysis(J);
+    EXPECT_GE(analysis.forecast().factor_entries, static_cast<double>(J.size())) << name;
+    MultifrontalCholesky cholesky(analysis);
+    cholesky.factor(J);
     Points Y;
-    solver.solve(multiply(J, X), Y);
+    cholesky.solve(multiply(J, X), Y);
     EXPECT_LT((Y - X).norm(), 1e-8 * X.norm()) << name;
   }
 }
 
 /// The positions that are given for the unknowns affect the ordering only, not the solution.
-TEST(Cholesky, SolvesWhereItDissects) {
+TEST(Multifrontal, SolvesWhereItDissects) {
   const State state(make_shape("icosphere", {.subdivide = 5}));
   const SymmetricMatrix J = example(state);
   const Points B = random_directions(J.size());
   for (const Points& X :
        {state.X, Points(Points::Zero(J.size(), 3)), random_directions(J.size())}) {
-    const SymbolicCholesky symbolic(J, X);
-    EXPECT_EQ(symbolic.forecast().ordering, "nested dissection");
-    CholeskyFactor factor(symbolic);
-    factor.factor(J);
+    const MultifrontalAnalysis analysis(J, X);
+    EXPECT_EQ(analysis.forecast().ordering, "nested dissection");
+    MultifrontalCholesky cholesky(analysis);
+    cholesky.factor(J);
     Points Y;
-    CholeskySolver(factor).solve(multiply(J, B), Y);
+    cholesky.solve(multiply(J, B), Y);
     EXPECT_LT((Y - B).norm(), 1e-8 * B.norm());
   }
 }
 
 /// For n unknowns on a surface, a factor ordered by nested dissection has n log n entries and takes
 /// n^1.5 operations.
-TEST(Cholesky, FactorsGrowAsThoseOfSurfaces) {
+TEST(Multifrontal, FactorsGrowAsThoseOfSurfaces) {
   const auto expect_growth = [](const Mesh& coarse, const Mesh& fine) {
     std::vector<FactorForecast> forecasts;
     for (const Mesh& mesh : {coarse, fine}) {
       const State state(mesh);
       const SymmetricMatrix J = example(state);
-      forecasts.push_back(SymbolicCholesky(J, state.X).forecast());
-      const FactorForecast by_degree = SymbolicCholesky(J).forecast();
+      forecasts.push_back(MultifrontalAnalysis(J, state.X).forecast());
+      const FactorForecast by_degree = MultifrontalAnalysis(J).forecast();
       EXPECT_LT(forecasts.back().flops, 0.85 * by_degree.flops);
       EXPECT_LT(forecasts.back().factor_entries, by_degree.factor_entries);
     }
@@ -82,7 +81,7 @@ TEST(Cholesky, FactorsGrowAsThoseOfSurfaces) {
   expect_growth(make_shape("torus", {.rows = 96}), make_shape("torus", {.rows = 192}));
 }
 
-TEST(Cholesky, Float32SolvesToItsPrecisionWhateverTheScaleOfTheRows) {
+TEST(Multifrontal, Float32SolvesToItsPrecisionWhateverTheScaleOfTheRows) {
   for (const auto& [name, mesh] : all_meshes()) {
     SymmetricMatrix J = example(State(mesh));
     for (double scale : {1e-30, 1.0, 1e30}) {
@@ -90,18 +89,18 @@ TEST(Cholesky, Float32SolvesToItsPrecisionWhateverTheScaleOfTheRows) {
       for (double& value : scaled.value) {
         value *= scale;
       }
-      const SymbolicCholesky symbolic(scaled);
-      CholeskyFactor factor(symbolic, Precision::float32);
-      factor.factor(scaled);
+      const MultifrontalAnalysis analysis(scaled);
+      MultifrontalCholesky cholesky(analysis, Precision::float32);
+      cholesky.factor(scaled);
       const Points X = random_directions(J.size());
       Points Y;
-      CholeskySolver(factor).solve(multiply(scaled, X), Y);
+      cholesky.solve(multiply(scaled, X), Y);
       EXPECT_LT((multiply(J, Y) - multiply(J, X)).norm(), 1e-4 * multiply(J, X).norm()) << name;
     }
   }
 }
 
-TEST(Cholesky, SolvesToTheSameBytesForAnyNumberOfThreads) {
+TEST(Multifrontal, SolvesToTheSameBytesForAnyNumberOfThreads) {
   const State state(make_shape("icosphere", {.subdivide = 5}));
   const SymmetricMatrix J = example(state);
   const Points B = random_directions(J.size());
@@ -109,10 +108,10 @@ TEST(Cholesky, SolvesToTheSameBytesForAnyNumberOfThreads) {
     std::vector<Points> solutions(3);
     for (const int threads : {1, 2, 3}) {
       set_thread_count(threads);
-      const SymbolicCholesky symbolic(J, state.X);
-      CholeskyFactor factor(symbolic, precision);
-      factor.factor(J);
-      CholeskySolver(factor).solve(B, solutions[threads - 1]);
+      const MultifrontalAnalysis analysis(J, state.X);
+      MultifrontalCholesky cholesky(analysis, precision);
+      cholesky.factor(J);
+      cholesky.solve(B, solutions[threads - 1]);
     }
     set_thread_count(0);
     EXPECT_EQ(solutions[0], solutions[1]);
@@ -120,54 +119,53 @@ TEST(Cholesky, SolvesToTheSameBytesForAnyNumberOfThreads) {
   }
 }
 
-TEST(Cholesky, RefactorsOtherValuesInPlaceAndSolvesInPlace) {
+TEST(Multifrontal, RefactorsOtherValuesInPlaceAndSolvesInPlace) {
   SymmetricMatrix J = example(State(closed_meshes()[3].mesh));
-  const SymbolicCholesky symbolic(J);
-  CholeskyFactor factor(symbolic);
-  CholeskySolver solver(factor);
+  const MultifrontalAnalysis analysis(J);
+  MultifrontalCholesky cholesky(analysis);
   const Points X = random_directions(J.size());
   for (int round = 0; round < 3; ++round) {
     for (double& value : J.value) {
       value *= 2;
     }
-    factor.factor(J);
+    cholesky.factor(J);
     Points Y = multiply(J, X);
-    solver.solve(Y, Y);
+    cholesky.solve(Y, Y);
     EXPECT_LT((Y - X).norm(), 1e-9 * X.norm());
   }
 }
 
-TEST(Cholesky, OneAnalysisServesSeveralFactors) {
+TEST(Multifrontal, OneAnalysisServesSeveralFactors) {
   const SymmetricMatrix J = example(State(closed_meshes()[3].mesh));
   SymmetricMatrix K = J;
   for (double& value : K.value) {
     value *= 3;
   }
-  const SymbolicCholesky symbolic(J);
-  CholeskyFactor first(symbolic), second(symbolic);
+  const MultifrontalAnalysis analysis(J);
+  MultifrontalCholesky first(analysis), second(analysis);
   first.factor(J);
   second.factor(K);
   const Points X = random_directions(J.size());
   Points Y, Z;
-  CholeskySolver(first).solve(X, Y);
-  CholeskySolver(second).solve(X, Z);
+  first.solve(X, Y);
+  second.solve(X, Z);
   EXPECT_LT((Y - 3 * Z).norm(), 1e-10 * Y.norm());
 }
 
-TEST(Cholesky, NamesTheUnknownAtWhichAMatrixIsNotPositiveDefinite) {
+TEST(Multifrontal, NamesTheUnknownAtWhichAMatrixIsNotPositiveDefinite) {
   SymmetricMatrix J = example(State(closed_meshes()[3].mesh));
-  const SymbolicCholesky symbolic(J);
-  CholeskyFactor factor(symbolic);
+  const MultifrontalAnalysis analysis(J);
+  MultifrontalCholesky cholesky(analysis);
   J.value[J.column_first[17]] = -1;
   try {
-    factor.factor(J);
+    cholesky.factor(J);
     FAIL();
   } catch (const FactorizationFailed& error) {
     EXPECT_NE(std::string(error.what()).find("not positive definite"), std::string::npos);
   }
   // The symbolic analysis can still be used for a matrix that is positive definite.
   J.value[J.column_first[17]] = 1e6;
-  EXPECT_NO_THROW(factor.factor(J));
+  EXPECT_NO_THROW(cholesky.factor(J));
 }
 
 }  // namespace
