@@ -17,8 +17,10 @@
 #include "commands/usage/generators.h"
 #include "commands/usage/help_text.h"
 #include "commands/usage/usage_json.h"
+#include "ibmfair/base/errors.h"
 #include "ibmfair/base/threads.h"
 #include "ibmfair/base/version.h"
+#include "ibmfair/flow/jacobian_solver.h"
 
 namespace ibmfair::commands {
 
@@ -83,10 +85,22 @@ void add_questions(CLI::App& app, const std::function<ProgramUsage()>& program) 
   }
 }
 
-std::string version_text() {
+/// The versions of the program and its parts, and if `loaded`, of what single solvers load.
+std::string version_text(bool loaded) {
   std::string text = fmt::format("ibmfair {}\n", version());
-  for (const Component& component : component_versions()) {
-    text += fmt::format("  {} {}\n", component.name, component.version);
+  const auto add = [&](const std::vector<Component>& components) {
+    for (const Component& component : components) {
+      text += fmt::format("  {} {}\n", component.name, component.version);
+    }
+  };
+  add(component_versions());
+  for (const JacobianBackend& backend : jacobian_backends()) {
+    if (!loaded || backend.load == nullptr) continue;
+    try {
+      add(backend.load());
+    } catch (const Error& error) {
+      text += fmt::format("  {}\n", error.what());
+    }
   }
   return text;
 }
@@ -191,13 +205,15 @@ struct CommandLine::Parts {
   FrameOptions options;
   bool many_files;
   bool explain_all = false;           // the help of a command explains all options
+  bool asks_for_details = false;      // the versions include those of what solvers load
   std::deque<NamedCommand> commands;  // a deque, because callbacks refer to the elements
 
   explicit Parts(bool many_files) : many_files(many_files) {
     app.name("ibmfair");
     app.option_defaults()->group("Instead of a command");
-    app.set_version_flag("--version", version_text,
-                         "print the versions of the program and its parts");
+    app.set_version_flag(
+        "--version", [this] { return version_text(asks_for_details); },
+        "print the versions of the program and its parts; with -v also of what solvers load");
     add_questions(app, [this] { return usage(); });
     app.require_subcommand(1);
   }
@@ -269,7 +285,11 @@ CommandLine::CommandLine(const Command& command) : parts_(std::make_unique<Parts
 CommandLine::~CommandLine() = default;
 
 std::optional<std::string> CommandLine::parse(std::vector<std::string> words) {
-  parts_->explain_all = std::find(words.begin(), words.end(), "--all") != words.end();
+  const auto has = [&](const char* word) {
+    return std::find(words.begin(), words.end(), word) != words.end();
+  };
+  parts_->explain_all = has("--all");
+  parts_->asks_for_details = has("-v") || has("--verbose");
   if (!words.empty() && words.front() == help_command) {
     words = question_for_help(std::move(words));
   }

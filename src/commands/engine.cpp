@@ -1,6 +1,7 @@
 #include "commands/engine.h"
 
 #include <algorithm>
+#include <cstdlib>
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -30,6 +31,9 @@ void become_engine(const std::vector<std::string>& words, const char* const* arg
     return;
   }
   if (const std::string program = find_helper(engine_program); !program.empty()) {
+    // The BLAS that PETSc brings would start a thread for each core in each process. They spin, and
+    // where memory is short, they never end.
+    setenv("OPENBLAS_NUM_THREADS", "1", 0);
     execv(program.c_str(), const_cast<char* const*>(argv));
   }
 }

@@ -45,7 +45,6 @@ void prepare_process() {
   handle_signals();
   keep_freed_memory();
   use_large_pages();
-  end_blas_threads();
 }
 
 }  // namespace ibmfair::commands

@@ -115,10 +115,13 @@ void add_solver_options(CLI::App& app, SmoothArguments& a) {
                  "mesh; put PETSc's own options last")
       ->check(CLI::IsMember({single_engine, petsc_engine}))
       ->capture_default_str();
-  app.add_option("--solver", a.flow.solver,
-                 "solver of the linear systems: cholmod (one factorization for many steps), cg "
-                 "(conjugate gradients, least memory) or auto (the one that is predicted to be "
-                 "faster); with --engine petsc: cg, mumps (factorization) or auto")
+  app.add_option(
+         "--solver", a.flow.solver,
+         "solver of the linear systems: multifrontal (one factorization for many steps), cg "
+         "(conjugate gradients, least memory), cholmod (factorization by the package CHOLMOD, "
+         "slower; in double precision both factorizations give the same to 1e-12) or auto (the "
+         "one that is predicted to be fastest; with --plain cholmod); with --engine petsc: cg, "
+         "mumps (factorization) or auto")
       ->check(CLI::IsMember(solver_names()))
       ->capture_default_str();
   CLI::Option* tolerance = add_real(

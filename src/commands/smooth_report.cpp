@@ -14,6 +14,7 @@
 #include "ibmfair/energy/bending_energy.h"
 #include "ibmfair/energy/mass_matrices.h"
 #include "ibmfair/flow/folds.h"
+#include "ibmfair/flow/jacobian_solver.h"
 #include "ibmfair/mesh/geometry.h"
 
 namespace ibmfair::commands {
@@ -252,10 +253,10 @@ std::string smooth_table(const SmoothFigures& figures, bool detailed) {
 
 std::string forecast_table(const FlowForecast& forecast) {
   std::string text =
-      fmt::format("  {:<10}{:>14}{:>12}{:>18}\n", "solver", "seconds/core", "MB", "factor entries");
+      fmt::format("  {:<13}{:>14}{:>12}{:>18}\n", "solver", "seconds/core", "MB", "factor entries");
   for (const BackendForecast& backend : forecast.backends) {
     const SolverForecast& f = backend.forecast;
-    text += fmt::format("  {:<10}{:>14.2g}{:>12.0f}{:>18}{}\n", backend.solver, f.seconds,
+    text += fmt::format("  {:<13}{:>14.2g}{:>12.0f}{:>18}{}\n", backend.solver, f.seconds,
                         (resident_bytes() + f.bytes) / 1e6,
                         f.factor_entries > 0 ? fmt::format("{:.2g}", f.factor_entries) : "-",
                         backend.solver == forecast.solver ? "  <- would be used" : "");
@@ -272,6 +273,16 @@ ordered_json forecast_json(const FlowForecast& forecast) {
                         {"factor_entries", backend.forecast.factor_entries}});
   }
   return {{"unknowns", forecast.unknowns}, {"solver", forecast.solver}, {"solvers", backends}};
+}
+
+/// Adds the libraries that the solver has loaded.
+void add_loaded_components(std::string_view solver, ordered_json& components) {
+  for (const JacobianBackend& backend : jacobian_backends()) {
+    if (backend.name != solver || backend.load == nullptr) continue;
+    for (const Component& component : backend.load()) {
+      components.push_back({{"name", component.name}, {"version", component.version}});
+    }
+  }
 }
 
 void add_cutoff_choice(const SmoothFigures& figures, Report& report) {
@@ -332,6 +343,7 @@ void add_smooth_figures(const SmoothFigures& figures, const FlowOptions& options
                   {"ordering", flow.forecast.ordering},
                   {"factor_entries", flow.forecast.factor_entries},
                   {"factor_flops", flow.forecast.flops}};
+  add_loaded_components(flow.solver, json["components"]);
   json["steps"] = ordered_json::array();
   report.table = Table{step_json({}), {}};
   for (const StepRecord& step : flow.steps) {

@@ -116,6 +116,5 @@ int run_with_petsc(int argc, char** argv) {
 }  // namespace ibmfair::petsc
 
 int main(int argc, char** argv) {
-  const int code = ibmfair::petsc::run_with_petsc(argc, argv);
-  std::_Exit(code);  // for the same reason as in tools/ibmfair.cpp
+  return ibmfair::petsc::run_with_petsc(argc, argv);
 }

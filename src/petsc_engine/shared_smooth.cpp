@@ -55,6 +55,7 @@ void require_shareable(const SmoothArguments& arguments) {
   refuse(std::isfinite(arguments.flow.memory_limit), "--memory");
   refuse(arguments.flow.keep_volume, "--keep-volume");
   refuse(arguments.flow.keep_area, "--keep-area");
+  refuse(arguments.flow.solver == "multifrontal", "--solver multifrontal");
   refuse(arguments.flow.solver == "cholmod", "--solver cholmod");
   for (const std::string& path : arguments.report.paths) {
     refuse(path.ends_with(".html"), "a page as --report");

@@ -82,7 +82,7 @@ TEST(TangledSpots, HoldUpNothingElse) {
   for (State state : {torus(), State(make_shape("icosphere", {.subdivide = 4})),
                       State(make_shape("cylinder", {.rows = 40, .columns = 80}))}) {
     FlowOptions options;
-    options.solver = "cholmod";
+    options.solver = "multifrontal";
     const FlowRun clean = run_flow(state, 8, options);
     state.X = with_tangles(state);
     const FlowRun tangled = run_flow(state, 8, options);

@@ -70,7 +70,7 @@ TEST(PatchFlow, GoesWhereTheMeshWouldGoWithTheRestHeld) {
   const Flags wanted = around(state.topology, {700}, 3);
   for (auto& [name, options] : settings(state)) {
     SCOPED_TRACE(name);
-    options.solver = "cholmod";
+    options.solver = "multifrontal";
     options.total_time =
         time_in_flow_units(time_for_cutoff(6 * edge), state.X, state.topology, options);
     FlowProblem problem(state.X, state.topology, Flags(wanted.size(), 0), options,

@@ -48,7 +48,7 @@ TEST(TimeSteps, AreAsManyAsAskedForWithoutNoise) {
   for (const char* shape : {"torus", "cylinder", "catenoid"}) {
     const State state(make_shape(shape, {}));
     FlowOptions options;
-    options.solver = "cholmod";
+    options.solver = "multifrontal";
     const FlowRun run = run_flow(state, 8, options);
     EXPECT_EQ(run.report.steps.size(), 16U) << shape;
     EXPECT_EQ(run.report.factorizations, 1) << shape;

@@ -255,7 +255,7 @@ TEST(Twicing, WithSlidesFactorsOnceForAllPasses) {
   State state(make_shape("torus", {.rows = 24}));
   state.X = shaken(state, 0.2);
   FlowOptions options = umbrella_with_slides(1);
-  options.solver = "cholmod";
+  options.solver = "multifrontal";
   const FlowReport one = run_flow(state, 10, options).report;
   options.twicing = 9;
   const FlowReport nine = run_flow(state, 10, options).report;
@@ -269,7 +269,7 @@ TEST(Twicing, DoesNotDependOnTheSolver) {
   FlowOptions options;
   options.twicing = 1;
   options.solver_tolerance = 1e-6;
-  options.solver = "cholmod";
+  options.solver = "multifrontal";
   const Points direct = run_flow(state, 10, options).X;
   options.solver = "cg";
   const Points iterative = run_flow(state, 10, options).X;

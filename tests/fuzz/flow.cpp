@@ -28,7 +28,7 @@ struct FlowCase {
     constexpr std::array models{"crouzeix-raviart", "lagrange",           "weighted", "weighted",
                                 "umbrella",         "intrinsic-delaunay", "lagrange", "lagrange"};
     constexpr std::array masses{"", "", "", "galerkin", "", "", "galerkin", "voronoi"};
-    constexpr std::array solvers{"auto", "cholmod", "cg"};
+    constexpr std::array solvers{"auto", "multifrontal", "cg"};
     constexpr std::array cutoffs{8.0, 1.0, 40.0, 1e-3, 1e4, 3.0};
     const std::uint8_t kinds = bytes.next();
     const int member = (kinds & 1) | kinds >> 6 << 1;

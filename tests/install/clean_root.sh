@@ -42,6 +42,10 @@ demo() {
   printf '%s\n' "solid one" "facet normal 0 0 1" "outer loop" "vertex 0 0 0" "vertex 1 0 0" \
     "vertex 0 1 0" "endloop" "endfacet" "endsolid one" >"$work/root/tmp/one.stl"
   inside "$prefix/bin/ibmfair" smooth /tmp/one.stl /tmp/one.obj --steps 0 --quiet
+  # CHOLMOD, which is loaded and not linked.
+  inside "$prefix/bin/ibmfair" smooth "$prefix/share/ibmfair/femur.off" /tmp/plain.off \
+    --plain --cutoff 2 --json >"$work/plain.json"
+  grep --quiet '"solver": "cholmod"' "$work/plain.json"
 }
 
 echo "the Debian package"

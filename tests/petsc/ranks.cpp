@@ -48,7 +48,7 @@ Fair RanksTest::on_one(const std::string& input, const Words& options,
                        const std::string& output) const {
   std::filesystem::remove(files_ / output);  // the file that is there afterwards is from this run
   return collect(run_program(Words{"smooth", input, files_ / output, "--overwrite", "--json",
-                                   "--solver", "cholmod", "--solver-tolerance", "1e-12"} +
+                                   "--solver", "multifrontal", "--solver-tolerance", "1e-12"} +
                              options),
                  output);
 }

@@ -15,6 +15,7 @@
 #include "support/mesh_io.h"
 #include "support/run_program.h"
 #include "support/shell.h"
+#include "support/solvers.h"
 
 namespace ibmfair::test {
 namespace {
@@ -40,11 +41,11 @@ class DeterminismTest : public testing::Test {
     return read_bytes(out_);
   }
 
-  /// Every way to compute: both energies, both solvers, and holes.
-  std::vector<Words> runs() const {
+  /// Every way to compute: both energies, these solvers, and holes.
+  std::vector<Words> runs(const std::vector<std::string>& solvers) const {
     std::vector<Words> all{{"fill", open_, "--all"}};
     for (const std::string energy : {"crouzeix-raviart", "lagrange"}) {
-      for (const std::string solver : {"cholmod", "cg"}) {
+      for (const std::string& solver : solvers) {
         all.push_back(
             {"smooth", whole_, "--steps", "4", "--laplacian", energy, "--solver", solver});
       }
@@ -67,7 +68,7 @@ std::string text_of(const Words& words) {
 }
 
 TEST_F(DeterminismTest, TwentyRunsOnOneAndTwoThreadsGiveTheSameBytes) {
-  for (const Words& words : runs()) {
+  for (const Words& words : runs(solvers())) {
     SCOPED_TRACE(text_of(words));
     const std::string bytes = result_of(words + Words{"--threads", "1"});
     for (int run = 1; run < 20; ++run) {
@@ -108,7 +109,8 @@ TEST_F(DeterminismTest, EmulatedProcessorsRunTheirKernelsWithTheBytesOfThisOne) 
     const RunResult version = run_program({"--version"}, {.launcher = *launcher});
     EXPECT_TRUE(contains(version.out, "kernels " + processor.kernels)) << version.out;
     if (processor.kernels == "avx2") SKIP_WITHOUT_KERNEL_SET(InstructionSet::avx2);
-    for (const Words& words : runs()) {
+    // The BLAS of CHOLMOD chooses other kernels on other processors.
+    for (const Words& words : runs({"multifrontal", "cg"})) {
       SCOPED_TRACE(text_of(words));
       std::vector<std::string> environment{"IBMFAIR_KERNELS=" + processor.kernels};
       if (processor.kernels == "baseline") environment.push_back(plain_c_library);
@@ -145,7 +147,7 @@ TEST_F(DeterminismTest, WithoutFmaManyDigitsAgreeWhereNothingFolds) {
   const std::vector<Without> all{{{plain_c_library}, 1e-12},
                                  {{plain_c_library, "IBMFAIR_KERNELS=baseline"}, 1e-6}};
   make({"torus", whole_, "--rows", "60", "--columns", "150", "--noise", "0.01", "--overwrite"});
-  for (const Words& words : runs()) {
+  for (const Words& words : runs(solvers())) {
     SCOPED_TRACE(text_of(words));
     const Points X = MeshFiles::read(result_of(words), "here.ply").mesh().X;
     for (const auto& [environment, difference] : all) {

@@ -9,6 +9,7 @@
 #include "ibmfair/io/mesh_file.h"
 #include "support/hostile_meshes.h"
 #include "support/run_program.h"
+#include "support/solvers.h"
 #include "support/states.h"
 #include "support/temporary_directory.h"
 
@@ -45,7 +46,11 @@ class HostileGeometry : public testing::Test {
 
 TEST_F(HostileGeometry, SmoothEndsWellOrSaysWhyNot) {
   for (const HostileMesh& hostile : hostile_meshes()) {
-    for (const Words& options : {Words{}, Words{"--solver", "cg"}, Words{"--solver", "cholmod"}}) {
+    std::vector<Words> choices{{}};
+    for (const std::string& solver : solvers()) {
+      choices.push_back({"--solver", solver});
+    }
+    for (const Words& options : choices) {
       SCOPED_TRACE(hostile.name + (options.empty() ? "" : " with " + options[1]));
       const RunResult result = run("smooth", hostile.mesh, options);
       EXPECT_TRUE(result.exit_code == hostile.smooth ||

@@ -283,7 +283,7 @@ TEST(ConjugateGradients, TakeTheFlowWhereCholeskyDoes) {
       EXPECT_EQ(report.solver, solver);
       return X;
     };
-    const Points by_cg = ended("cg"), by_factor = ended("cholmod");
+    const Points by_cg = ended("cg"), by_factor = ended("multifrontal");
     const auto roughness = [](const Points& X) {
       return std::sqrt((X.rowwise().norm().array() - 1).square().mean());
     };

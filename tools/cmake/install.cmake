@@ -32,5 +32,5 @@ write_basic_package_version_file(${PROJECT_BINARY_DIR}/ibmfairConfigVersion.cmak
                                  COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/ibmfairConfig.cmake
               ${PROJECT_BINARY_DIR}/ibmfairConfigVersion.cmake
-              ${CMAKE_CURRENT_LIST_DIR}/FindCHOLMOD.cmake
+              ${CMAKE_CURRENT_LIST_DIR}/FindAMD.cmake
         DESTINATION ${package_directory} COMPONENT development)

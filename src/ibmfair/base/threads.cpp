@@ -12,8 +12,6 @@
 #include <thread>
 #include <vector>
 
-#include <dlfcn.h>
-#include <sys/mman.h>
 #include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
@@ -52,20 +50,6 @@ int possible_threads(int wanted) {
   return static_cast<int>(others.size()) + 1;
 }
 
-/// The function with this name in the loaded libraries, or null.
-template <class Function>
-Function* loaded_function(const char* name) {
-  return reinterpret_cast<Function*>(dlsym(RTLD_DEFAULT, name));
-}
-
-/// Whether the process can get this many more bytes of address space.
-bool can_map(std::size_t bytes) {
-  constexpr int no_file = -1;
-  void* const memory = mmap(nullptr, bytes, PROT_READ | PROT_WRITE,
-                            MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, no_file, 0);
-  return memory != MAP_FAILED && munmap(memory, bytes) == 0;
-}
-
 }  // namespace
 
 void set_thread_count(int count) {
@@ -98,22 +82,6 @@ int worker_count() {
 
 int worker_index() {
   return std::max(0, tbb::this_task_arena::current_thread_index());
-}
-
-void end_blas_threads() {
-  auto* const thread_count = loaded_function<int()>("openblas_get_num_threads");
-  auto* const set_threads = loaded_function<void(int)>("openblas_set_num_threads");
-  auto* const end_threads = loaded_function<int()>("blas_thread_shutdown_");
-  if (thread_count == nullptr || set_threads == nullptr || end_threads == nullptr) {
-    return;
-  }
-  // A thread of OpenBLAS that cannot allocate its buffer tries again for ever, and ending the
-  // threads would wait for it for ever.
-  constexpr std::size_t buffer_bytes = std::size_t{128} << 20U;
-  if (can_map(static_cast<std::size_t>(thread_count()) * buffer_bytes)) {
-    set_threads(1);  // must come first, because this call starts threads if there are none
-    end_threads();
-  }
 }
 
 }  // namespace ibmfair

@@ -20,10 +20,4 @@ int thread_count();
 int worker_count();
 int worker_index();
 
-/// Ends the threads that OpenBLAS starts when it is loaded, if it is the BLAS of this process; from
-/// then on OpenBLAS runs on the calling thread. For a tenth of a second after the start, its
-/// threads spin on the cores that the loops need: without them, a flow of 41 thousand vertices took
-/// a fifth less time. Does nothing if memory is so limited that the threads might never end.
-void end_blas_threads();
-
 }  // namespace ibmfair

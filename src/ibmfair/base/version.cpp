@@ -1,9 +1,7 @@
 #include "ibmfair/base/version.h"
 
-#include <array>
-
 #include <Eigen/Core>
-#include <cholmod.h>
+#include <amd.h>
 #include <fmt/format.h>
 
 #include "ibmfair/base/instruction_set.h"
@@ -15,14 +13,9 @@ std::string_view version() {
 }
 
 std::vector<Component> component_versions() {
-  std::array<int, 3> suitesparse{};
-  std::array<int, 3> cholmod{};
-  SuiteSparse_version(suitesparse.data());
-  cholmod_version(cholmod.data());
   return {{"Eigen",
            fmt::format("{}.{}.{}", EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION, EIGEN_MINOR_VERSION)},
-          {"SuiteSparse", fmt::format("{}", fmt::join(suitesparse, "."))},
-          {"CHOLMOD", fmt::format("{}", fmt::join(cholmod, "."))},
+          {"AMD", fmt::format("{}.{}.{}", AMD_MAIN_VERSION, AMD_SUB_VERSION, AMD_SUBSUB_VERSION)},
           {"kernels", std::string(kernel_set_name())}};
 }
 

@@ -15,8 +15,9 @@ struct Component {
   std::string version;
 };
 
-/// The components that the running program computes with (Eigen, SuiteSparse, CHOLMOD, and the
-/// instruction set of the kernels); versions are asked for at run time if the component can tell.
+/// What every run of the program computes with: Eigen, AMD of SuiteSparse, and the instruction set
+/// of the kernels. What single solvers load in addition is in the table of
+/// flow/jacobian_backends.cpp.
 std::vector<Component> component_versions();
 
 }  // namespace ibmfair

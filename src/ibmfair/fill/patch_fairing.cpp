@@ -87,7 +87,7 @@ class PatchFairing {
         flow_options_(options.flow_options()),
         h_(time_for_cutoff(first_cutoff * first_length(patch))),
         h_limit_(h_ * limit_growth) {
-    flow_options_.solver = "cholmod";  // near the limit only direct solves are accurate enough
+    flow_options_.solver = "multifrontal";  // near the limit only direct solves are accurate enough
     flow_options_.memory_limit = options.memory_limit;
   }
 

@@ -48,8 +48,9 @@ bool fits(double bytes, const FlowOptions& options) {
 
 const JacobianBackend& choose_backend(const JacobianShape& shape, const JacobianParts& parts) {
   const bool open = shape.options.solver == "auto";
-  if (!open || !shape.options.guarded) {  // the scheme of [W07] factors the Jacobian
-    const JacobianBackend& named = jacobian_backend(open ? "cholmod" : shape.options.solver);
+  if (!open || !shape.options.guarded) {
+    const JacobianBackend& named =
+        open ? backend_as_published() : jacobian_backend(shape.options.solver);
     if (!fits(bytes_of(named, shape), shape.options)) {
       refuse(named, shape);
     }

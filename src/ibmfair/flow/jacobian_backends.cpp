@@ -2,6 +2,10 @@
 
 #include "ibmfair/base/errors.h"
 #include "ibmfair/base/stopwatch.h"
+#ifdef IBMFAIR_CHOLMOD_LIBRARY
+#include "ibmfair/flow/cholmod_jacobian.h"
+#include "ibmfair/solve/cholmod_library.h"
+#endif
 #include "ibmfair/flow/iterative_jacobian.h"
 #include "ibmfair/flow/jacobian_solver.h"
 #include "ibmfair/flow/multifrontal_jacobian.h"
@@ -16,13 +20,26 @@ std::unique_ptr<JacobianSolver> make(const JacobianShape& shape) {
 }
 
 constexpr JacobianBackend backends[] = {
-    {"cholmod", "factored once, by CHOLMOD's analysis", make<MultifrontalJacobian>,
-     forecast_multifrontal, true},
+    {"multifrontal", "factored by this program's own multifrontal method: fastest",
+     make<MultifrontalJacobian>, forecast_multifrontal, true},
     {"cg", "conjugate gradients without a factor: least memory", make<IterativeJacobian>,
      forecast_iterative, false},
+#ifdef IBMFAIR_CHOLMOD_LIBRARY
+    {"cholmod", "factored by CHOLMOD, as the scheme was published", make<CholmodJacobian>,
+     forecast_cholmod, true, cholmod_components},
+#endif
 };
 
 }  // namespace
+
+bool JacobianBackend::is_present() const {
+  try {
+    if (load != nullptr) load();
+    return true;
+  } catch (const Error&) {
+    return false;
+  }
+}
 
 std::span<const JacobianBackend> jacobian_backends() {
   return backends;
@@ -37,6 +54,14 @@ const JacobianBackend& jacobian_backend(std::string_view name) {
     names += std::string(names.empty() ? "" : ", ") + std::string(backend.name);
   }
   throw BadOption("there is no solver '" + std::string(name) + "'; there are auto, " + names);
+}
+
+const JacobianBackend& backend_as_published() {
+  const JacobianBackend* best = &jacobian_backend("multifrontal");
+  for (const JacobianBackend& backend : backends) {
+    if (backend.name == "cholmod" && backend.is_present()) best = &backend;
+  }
+  return *best;
 }
 
 }  // namespace ibmfair

@@ -6,7 +6,9 @@
 #include <memory>
 #include <span>
 #include <string_view>
+#include <vector>
 
+#include "ibmfair/base/version.h"
 #include "ibmfair/energy/bending_energy.h"
 #include "ibmfair/energy/stencil_terms.h"
 #include "ibmfair/energy/unknowns.h"
@@ -60,6 +62,11 @@ struct JacobianShape {
   const FlowOptions& options;
   FlowReport& report;  ///< the backend adds its counts and times
 
+  /// Reports the beginning of a stage.
+  void tell(FlowStage stage) const {
+    if (options.on_stage) options.on_stage(stage);
+  }
+
   int solves_left() const { return std::max(0, options.solves() - report.solves); }
 };
 
@@ -81,6 +88,12 @@ struct JacobianBackend {
   /// of them would take without a factorization.
   SolverForecast (*forecast)(const JacobianShape& shape, const IterationForecast& iterations);
   bool has_factor;
+  /// Loads what the backend needs besides this library, and returns the versions; null if that is
+  /// nothing. Throws BadOption if something is missing, OutOfMemory if there is no room for it.
+  std::vector<Component> (*load)() = nullptr;
+
+  /// Whether everything that the backend needs can be loaded.
+  bool is_present() const;
 };
 
 /// Estimates the iterations per solve for a Jacobian with these parts.
@@ -92,7 +105,12 @@ std::span<const JacobianBackend> jacobian_backends();
 /// The backend called `name`. Throws BadOption, with the names of all backends, if there is none.
 const JacobianBackend& jacobian_backend(std::string_view name);
 
-/// The backend that options.solver names. For "auto": among the backends that fit into memory, the
+/// The backend of the scheme as published [W07], which factors the Jacobian once: CHOLMOD, or the
+/// multifrontal method where there is no CHOLMOD.
+const JacobianBackend& backend_as_published();
+
+/// The backend that options.solver names. For "auto": if the flow is not guarded,
+/// backend_as_published(); otherwise, among the backends that fit into memory, the
 /// backend with the least predicted time for a Jacobian with these parts. Backends without
 /// factorization get a bonus, because they can be replaced during the flow. Throws OutOfMemory if
 /// the named backend does not fit, or for "auto" if no backend fits.

@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "ibmfair/base/errors.h"
-#include "ibmfair/base/parallel.h"
 #include "ibmfair/base/stopwatch.h"
 
 namespace ibmfair {
@@ -23,30 +22,10 @@ constexpr double float32_tolerance = 1e-4;
 constexpr double per_flop = 1 / 52e9;   // of the factorization, float32
 constexpr double per_entry = 8 / 16e9;  // entry of the triangular factor, read twice per solve
 
-// The number of factorizations in all steps of the guarded flow. It grows with the cut-off: the
-// more of the noise is removed, the more the mesh differs from the one that the Jacobian was built
-// on.
-double factorizations(double iterations) {
-  return std::clamp(iterations / 15, 1.0, 6.0);
-}
-
-// Bytes, as measured on tori of 41 and 164 thousand vertices. Per unknown: the analysis and the
-// assembled matrix. Per entry: the triangular factor, which may have to be float64, with the
-// workspace of the factorization.
-constexpr double bytes_per_unknown = 1630, bytes_per_entry = 8.5;
-
 // The fill-reducing ordering, which uses all cores, and the symbolic factorization, which uses one.
 // Seconds as on two cores, because the choice must not depend on the number of cores.
 double analysis_seconds(double n) {
   return 2.2e-6 * n;
-}
-
-// Surfaces have small separators: with nested dissection, the factorization has about this cost.
-double factor_entries(double n) {
-  return 9 * n * std::log2(n + 2);
-}
-double factor_flops(double n) {
-  return 250 * std::pow(n, 1.5);
 }
 
 /// |B - J Y| / |B| in the norm of D^-1, with D the diagonal of J, so that every row counts alike,
@@ -82,62 +61,38 @@ bool is_too_wide_for_float32(const SymmetricMatrix& J, const Eigen::VectorXd& D)
   return !(largest <= widest * std::sqrt(*middle));
 }
 
-void tell_stage(const FlowOptions& options, FlowStage stage) {
-  if (options.on_stage) {
-    options.on_stage(stage);
-  }
-}
-
 }  // namespace
 
 SolverForecast forecast_multifrontal(const JacobianShape& shape,
                                      const IterationForecast& iterations) {
-  const double n = shape.unknowns.size(), entries = factor_entries(n);
-  const double left = shape.solves_left();
-  const double factors =
-      shape.options.guarded
-          ? std::max(1.0, factorizations(iterations.of_cutoff) * left / shape.options.steps)
-          : 1;
-  return {.seconds = analysis_seconds(n) + per_flop * factor_flops(n) * factors +
-                     per_entry * entries * left,
-          .bytes = bytes_per_unknown * n + bytes_per_entry * entries,
-          .factor_entries = entries};
+  const double n = shape.unknowns.size(), entries = forecast_factor_entries(n);
+  return {
+      .seconds = analysis_seconds(n) +
+                 per_flop * forecast_factor_flops(n) * forecast_factorizations(shape, iterations) +
+                 per_entry * entries * shape.solves_left(),
+      .bytes = forecast_factor_bytes(n),
+      .factor_entries = entries};
 }
 
 MultifrontalJacobian::MultifrontalJacobian(const JacobianShape& shape)
     : shape_(shape),
-      assembler_(shape.terms, shape.unknowns),
-      J_(assembler_.pattern()),
+      J_(shape),
       needs_float64_(shape.options.solver_tolerance < float32_tolerance) {}
 
 void MultifrontalJacobian::update(const JacobianParts& parts) {
-  {
-    const Stopwatch watch(shape_.report.seconds.assemble);
-    assemble(parts);
-  }
+  J_.update(parts);
   if (!analysis_) {
-    tell_stage(shape_.options, FlowStage::analyse);
+    shape_.tell(FlowStage::analyse);
     const Stopwatch watch(shape_.report.seconds.analyse);
-    analysis_.emplace(J_, shape_.start(shape_.unknowns.vertex, Eigen::all));
+    analysis_.emplace(J_.matrix(), shape_.start(shape_.unknowns.vertex, Eigen::all));
     shape_.report.forecast = analysis_->forecast();
   }
-  const bool wide = needs_float64_ || is_too_wide_for_float32(J_, parts.D);
+  const bool wide = needs_float64_ || is_too_wide_for_float32(J_.matrix(), parts.D);
   factor(wide ? Precision::float64 : Precision::float32);
 }
 
-void MultifrontalJacobian::assemble(const JacobianParts& parts) {
-  assembler_.assemble(parts.weights, J_);
-  parallel_for(J_.size(), [&](std::int64_t j) {
-    const std::int64_t diagonal = J_.column_first[j];
-    for (std::int64_t k = diagonal; k < J_.column_first[j + 1]; ++k) {
-      J_.value[k] *= parts.h;
-    }
-    J_.value[diagonal] += parts.D[j];
-  });
-}
-
 void MultifrontalJacobian::factor(Precision precision) {
-  tell_stage(shape_.options, FlowStage::factor);
+  shape_.tell(FlowStage::factor);
   const Stopwatch watch(shape_.report.seconds.factor);
   if (!cholesky_ || precision != precision_) {
     precision_ = precision;
@@ -146,7 +101,7 @@ void MultifrontalJacobian::factor(Precision precision) {
   ++shape_.report.factorizations;
   tried_ = precision == Precision::float64;
   try {
-    cholesky_->factor(J_);
+    cholesky_->factor(J_.matrix());
   } catch (const FactorizationFailed&) {
     if (precision == Precision::float64) throw;
     needs_float64_ = true;
@@ -155,11 +110,11 @@ void MultifrontalJacobian::factor(Precision precision) {
 }
 
 void MultifrontalJacobian::solve(const Points& B, Points& Y) {
-  tell_stage(shape_.options, FlowStage::solve);
+  shape_.tell(FlowStage::solve);
   {
     const Stopwatch watch(shape_.report.seconds.solve);
     cholesky_->solve(B, Y);
-    tried_ = tried_ || relative_residual(J_, Y, B) < good_enough;
+    tried_ = tried_ || relative_residual(J_.matrix(), Y, B) < good_enough;
   }
   if (!tried_) {
     needs_float64_ = true;

@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "ibmfair/energy/hessian.h"
+#include "ibmfair/flow/assembled_jacobian.h"
 #include "ibmfair/flow/jacobian_solver.h"
 #include "ibmfair/solve/multifrontal.h"
 
@@ -21,12 +21,10 @@ class MultifrontalJacobian final : public JacobianSolver {
   void solve(const Points& B, Points& Y) override;
 
  private:
-  void assemble(const JacobianParts& parts);
   void factor(Precision precision);
 
   const JacobianShape shape_;
-  HessianAssembler assembler_;
-  SymmetricMatrix J_;
+  AssembledJacobian J_;
   Precision precision_ = Precision::float32;
   bool needs_float64_;  // float64 was requested, or float32 has once been insufficient
   bool tried_ = false;  // the accuracy of the factorization is known to suffice
@@ -34,8 +32,7 @@ class MultifrontalJacobian final : public JacobianSolver {
   std::optional<MultifrontalCholesky> cholesky_;
 };
 
-/// The predicted cost of a MultifrontalJacobian. The number of factorizations is estimated from
-/// `iterations`.
+/// The predicted cost of a MultifrontalJacobian.
 SolverForecast forecast_multifrontal(const JacobianShape& shape,
                                      const IterationForecast& iterations);
 
