@@ -1,5 +1,6 @@
 """Functions shared by the sections of tools/bench: running programs and printing figures."""
 
+import json
 import math
 import os
 import subprocess
@@ -41,6 +42,17 @@ def wall_clock(command, longest=120):
     process.returncode = os.waitstatus_to_exitcode(status)
     unit = 1 if sys.platform == "darwin" else 1024
     return None if process.returncode else (seconds, usage.ru_maxrss * unit)
+
+
+def factorization(mesh, splits, solver, order="default", threads=1, blas_threads=1, openmp=False):
+    """Runs the program `factorizations`; returns its figures. `openmp`: CHOLMOD's loops run on the
+    four threads for which they ask OpenMP."""
+    environment = {**os.environ, "OPENBLAS_NUM_THREADS": str(blas_threads)}
+    if not openmp:
+        environment["OMP_THREAD_LIMIT"] = "1"
+    run = subprocess.run([os.path.join(PROGRAMS, "factorizations"), mesh, str(splits), solver, order,
+                          str(threads)], check=True, capture_output=True, text=True, env=environment)
+    return json.loads(run.stdout)
 
 
 def make(scratch, name, shape, *arguments):

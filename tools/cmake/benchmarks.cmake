@@ -18,18 +18,22 @@ function(add_benchmark name)
   add_dependencies(benchmarks ${name})
 endfunction()
 
-add_benchmark(bilaplacian_smooth bilaplacian_smooth.cpp)
-target_link_libraries(bilaplacian_smooth PRIVATE ibmfair_library CHOLMOD::CHOLMOD ibmfair_flags)
+if(IBMFAIR_CHOLMOD)
+  add_benchmark(factorizations factorizations.cpp)
+  target_link_libraries(factorizations PRIVATE ibmfair_library CHOLMOD::CHOLMOD ibmfair_flags)
+endif()
 
-add_benchmark(orderings orderings.cpp)
-target_link_libraries(orderings PRIVATE ibmfair_library CHOLMOD::CHOLMOD ibmfair_flags)
+if(CHOLMOD_FOUND)
+  add_benchmark(bilaplacian_smooth bilaplacian_smooth.cpp)
+  target_link_libraries(bilaplacian_smooth PRIVATE ibmfair_library CHOLMOD::CHOLMOD ibmfair_flags)
 
-add_benchmark(cgal_smooth cgal_smooth.cpp)
-target_include_directories(cgal_smooth SYSTEM PRIVATE ${CGAL_INCLUDE_DIR})
-target_compile_definitions(cgal_smooth PRIVATE CGAL_EIGEN3_ENABLED)
-target_compile_options(cgal_smooth PRIVATE -frounding-math)
-target_link_libraries(cgal_smooth PRIVATE Eigen3::Eigen CHOLMOD::CHOLMOD ${MPFR_LIBRARY}
-                      ${GMP_LIBRARY})
+  add_benchmark(cgal_smooth cgal_smooth.cpp)
+  target_include_directories(cgal_smooth SYSTEM PRIVATE ${CGAL_INCLUDE_DIR})
+  target_compile_definitions(cgal_smooth PRIVATE CGAL_EIGEN3_ENABLED)
+  target_compile_options(cgal_smooth PRIVATE -frounding-math)
+  target_link_libraries(cgal_smooth PRIVATE Eigen3::Eigen CHOLMOD::CHOLMOD ${MPFR_LIBRARY}
+                        ${GMP_LIBRARY})
+endif()
 
 if(OPENMESH_INCLUDE_DIR AND OPENMESH_CORE_LIBRARY AND OPENMESH_TOOLS_LIBRARY)
   add_benchmark(openmesh_smooth openmesh_smooth.cpp)

@@ -19,7 +19,7 @@ namespace ibmfair {
 ///              surface without being rough.
 /// With larger steps, noise grows into volume. The limits 0.15 and 0.4 were chosen on noisy
 /// spheres, tori and scans (tools/denoise_table) and on smooth shapes that change a lot
-/// (tools/figure9_table).
+/// (tools/paper_tables).
 class Distortion {
  public:
   /// All arguments must outlive this object.
