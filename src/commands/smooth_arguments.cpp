@@ -1,8 +1,10 @@
 #include "commands/smooth_arguments.h"
 
+#include <string>
 #include <vector>
 
 #include <CLI/CLI.hpp>
+#include <fmt/format.h>
 
 #include "commands/argument_roles.h"
 #include "commands/denoise_defaults.h"
@@ -21,6 +23,20 @@ std::vector<std::string> solver_names() {
   }
   names.emplace_back("mumps");
   return names;
+}
+
+/// The description of --solver.
+std::string solver_summaries() {
+  std::string text = "solver of the linear systems: ";
+  std::string_view published = "multifrontal";
+  for (const JacobianBackend& backend : jacobian_backends()) {
+    text += fmt::format("{} ({}), ", backend.name, backend.summary);
+    if (backend.name == "cholmod") published = backend.name;
+  }
+  return text + fmt::format(
+                    "or auto (the one that is predicted to be fastest; with --plain {}); "
+                    "with --engine petsc: cg, mumps (factorization) or auto",
+                    published);
 }
 
 void add_amount_options(CLI::App& app, SmoothArguments& a) {
@@ -115,13 +131,7 @@ void add_solver_options(CLI::App& app, SmoothArguments& a) {
                  "mesh; put PETSc's own options last")
       ->check(CLI::IsMember({single_engine, petsc_engine}))
       ->capture_default_str();
-  app.add_option(
-         "--solver", a.flow.solver,
-         "solver of the linear systems: multifrontal (one factorization for many steps), cg "
-         "(conjugate gradients, least memory), cholmod (factorization by the package CHOLMOD, "
-         "slower; in double precision both factorizations give the same to 1e-12) or auto (the "
-         "one that is predicted to be fastest; with --plain cholmod); with --engine petsc: cg, "
-         "mumps (factorization) or auto")
+  app.add_option("--solver", a.flow.solver, solver_summaries())
       ->check(CLI::IsMember(solver_names()))
       ->capture_default_str();
   CLI::Option* tolerance = add_real(

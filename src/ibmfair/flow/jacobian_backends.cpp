@@ -20,13 +20,14 @@ std::unique_ptr<JacobianSolver> make(const JacobianShape& shape) {
 }
 
 constexpr JacobianBackend backends[] = {
-    {"multifrontal", "factored by this program's own multifrontal method: fastest",
-     make<MultifrontalJacobian>, forecast_multifrontal, true},
-    {"cg", "conjugate gradients without a factor: least memory", make<IterativeJacobian>,
-     forecast_iterative, false},
+    {"multifrontal", "one factorization for many steps", make<MultifrontalJacobian>,
+     forecast_multifrontal, true},
+    {"cg", "conjugate gradients, least memory", make<IterativeJacobian>, forecast_iterative, false},
 #ifdef IBMFAIR_CHOLMOD_LIBRARY
-    {"cholmod", "factored by CHOLMOD, as the scheme was published", make<CholmodJacobian>,
-     forecast_cholmod, true, cholmod_components},
+    {"cholmod",
+     "factorization by the package CHOLMOD, slower; in double precision it gives the same as "
+     "multifrontal to 1e-12",
+     make<CholmodJacobian>, forecast_cholmod, true, cholmod_components},
 #endif
 };
 

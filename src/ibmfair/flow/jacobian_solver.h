@@ -82,7 +82,7 @@ struct IterationForecast {
 /// A row of the table of backends.
 struct JacobianBackend {
   std::string_view name;     ///< the value of the command line option
-  std::string_view summary;  ///< one line
+  std::string_view summary;  ///< for the description of the option
   std::unique_ptr<JacobianSolver> (*make)(const JacobianShape& shape);
   /// The predicted cost of the remaining solves; `iterations` is the number of iterations that each
   /// of them would take without a factorization.
