@@ -47,7 +47,7 @@ ExitCode exit_code_of_current_exception() {
   }
 }
 
-ExitCode tell_of_current_exception(const Console& console) {
+ExitCode print_current_exception(const Console& console) {
   const ExitCode code = exit_code_of_current_exception();
   try {
     throw;

@@ -34,6 +34,6 @@ ExitCode exit_code_of_current_exception();
 
 /// Prints the message of the exception being handled, and returns its exit code. Must be called in
 /// a catch block. Allocates no memory.
-ExitCode tell_of_current_exception(const Console& console);
+ExitCode print_current_exception(const Console& console);
 
 }  // namespace ibmfair::commands

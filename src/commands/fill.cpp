@@ -19,7 +19,7 @@
 #include "ibmfair/base/errors.h"
 #include "ibmfair/base/stopwatch.h"
 #include "ibmfair/fill/fill_region.h"
-#include "ibmfair/flow/held_vertices.h"
+#include "ibmfair/flow/fixed_vertices.h"
 #include "ibmfair/io/extension.h"
 #include "ibmfair/io/formats.h"
 #include "ibmfair/page/scene_lines.h"
@@ -63,7 +63,7 @@ HoleChoice hole_choice(const FillArguments& arguments, const Points& X, const To
 /// inner ring of fixed vertices, so they are left out of the region.
 std::vector<std::uint8_t> region_of(const FillArguments& arguments, const Input& input) {
   if (arguments.region == everything) {
-    std::vector<std::uint8_t> region = held_vertices(input.topology, BoundaryCondition::fixed);
+    std::vector<std::uint8_t> region = fixed_vertices(input.topology, BoundaryCondition::fixed);
     for (std::uint8_t& flag : region) {
       flag = flag ? 0 : 1;
     }
@@ -186,11 +186,11 @@ void deliver(const FillArguments& arguments, const Input& input, const Filling& 
 void deliver_region(const FillArguments& arguments, const Input& input, const Points& X,
                     const std::vector<std::uint8_t>& region, Report& report,
                     const Console& console) {
-  std::vector<std::uint8_t> held(region.size());
-  std::transform(region.begin(), region.end(), held.begin(),
+  std::vector<std::uint8_t> fixed(region.size());
+  std::transform(region.begin(), region.end(), fixed.begin(),
                  [](std::uint8_t chosen) { return chosen ? 0 : 1; });
   SceneSource marks;
-  marks.lines = held_lines(X, input.topology, held);
+  marks.lines = held_lines(X, input.topology, fixed);
   deliver(arguments, input, {"after", &X, &input.topology}, marks, report, console);
 }
 

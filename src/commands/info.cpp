@@ -70,7 +70,7 @@ Operator examine_operator(const Mesh& mesh, const Topology& topology,
   const BendingModel& model = bending_model(arguments.laplacian);
   const EnergyOptions options{true, {}, arguments.mass};
   return {arguments.laplacian, &mass_matrix(model, options),
-          model.bind(topology, options)->energy(mesh.X),
+          model.create(topology, options)->energy(mesh.X),
           spectrum_ends(model.matrices(mesh.X, topology, options))};
 }
 

@@ -38,7 +38,7 @@ ExitCode parse_and_run(const std::vector<std::string>& words, Console& console) 
     std::abort();
   }
   remove_temporary_files();
-  std::_Exit(static_cast<int>(tell_of_current_exception(Console())));
+  std::_Exit(static_cast<int>(print_current_exception(Console())));
 }
 
 }  // namespace
@@ -54,7 +54,7 @@ int run_program(int argc, const char* const* argv) {
     become_engine(words, argv);
     code = parse_and_run(words, console);
   } catch (...) {
-    code = tell_of_current_exception(console);
+    code = print_current_exception(console);
   }
   return static_cast<int>(code);
 }

@@ -47,7 +47,7 @@ extern "C" void end_on_request(int signal_number) {
 
 /// Prints the message, and then lets the signal have its default effect: SA_RESETHAND has removed
 /// this handler, and the raised signal is blocked until this function returns.
-extern "C" void tell_of_crash(int signal_number) {
+extern "C" void print_crash(int signal_number) {
   remove_temporary_files();
   end_terminal_line();
   tell(crash_message(signal_number));
@@ -74,7 +74,7 @@ void handle_crashes_on_another_stack() {
   stack.ss_size = sizeof memory;
   sigaltstack(&stack, nullptr);
   for (const int signal_number : {SIGSEGV, SIGBUS, SIGILL, SIGFPE, SIGABRT}) {
-    handle(signal_number, tell_of_crash, static_cast<int>(SA_RESETHAND) | SA_ONSTACK);
+    handle(signal_number, print_crash, static_cast<int>(SA_RESETHAND) | SA_ONSTACK);
   }
 }
 

@@ -27,8 +27,8 @@
 namespace ibmfair::commands {
 namespace {
 
-std::vector<std::uint8_t> held(const SmoothArguments& arguments, const MeshFile& file,
-                               const Topology& topology, const Eigen::VectorXd& weights) {
+std::vector<std::uint8_t> fixed(const SmoothArguments& arguments, const MeshFile& file,
+                                const Topology& topology, const Eigen::VectorXd& weights) {
   std::vector<Index> listed;
   if (!arguments.fix_file.empty()) {
     listed = read_vertex_list(arguments.fix_file, topology.vertex_count);
@@ -60,7 +60,7 @@ struct Smoothing {
   MeshFile file;
   Topology topology;
   Points X;  // positions after smoothing
-  std::vector<std::uint8_t> held;
+  std::vector<std::uint8_t> fixed;
   SmoothFigures figures;
 
   const Points& before() const { return file.mesh().X; }
@@ -91,7 +91,7 @@ ExitCode forecast(const SmoothArguments& arguments, Smoothing& s, Report& report
   FlowForecast forecast;
   if (options.steps > 0) {
     set_scale(arguments, s.before(), s.topology, MeshParts::one(), options, s.figures);
-    forecast = forecast_flow(s.X, s.topology, s.held, options);
+    forecast = forecast_flow(s.X, s.topology, s.fixed, options);
   }
   report.figures["input"] = arguments.input;
   add_cutoff_choice(s.figures, report);
@@ -110,8 +110,8 @@ std::optional<Scene> smooth_scene(const SmoothArguments& arguments, const Smooth
                      {{"before", &s.before(), &s.topology}, {"after", &s.X, &s.topology}},
                      arguments.flow.laplacian};
   source.polygons = &s.file.mesh().faces;
-  if (!s.held.empty()) {
-    source.lines = held_lines(s.X, s.topology, s.held);
+  if (!s.fixed.empty()) {
+    source.lines = held_lines(s.X, s.topology, s.fixed);
   }
   return mesh_scene(std::move(source), warnings, console);
 }
@@ -128,7 +128,7 @@ void write_and_tell(const SmoothArguments& arguments, const OutputOptions& outpu
   draw(arguments, s.topology, s.before(), s.X);
   progress.end();
   report.figures["defects"] = defects_json(s.topology);
-  tell_of_smoothing(arguments, s.figures, output.path, written, "", console, report);
+  print_smoothing(arguments, s.figures, output.path, written, "", console, report);
 }
 
 /// The options of the flow, completed from the mesh and from other options.
@@ -150,7 +150,7 @@ FlowOptions flow_options(const SmoothArguments& arguments, const Smoothing& s) {
 void measure(Smoothing& s, const FlowOptions& options) {
   const Stopwatch watch(s.figures.seconds_measure);
   const bool known =
-      options.steps > 0 && std::find(s.held.begin(), s.held.end(), 1) == s.held.end();
+      options.steps > 0 && std::find(s.fixed.begin(), s.fixed.end(), 1) == s.fixed.end();
   const auto figures = [&](const Points& X, double energy) {
     return known ? mesh_figures(X, s.topology, energy) : mesh_figures(X, s.topology, options);
   };
@@ -172,16 +172,17 @@ ExitCode run_smooth(SmoothArguments arguments, const CLI::App& app, Console& con
   const FlowOptions& options = arguments.flow;
   s.figures.mean_edge_length = mean_edge_length(s.before(), s.topology.E);
   if (options.steps > 0) {
-    s.held = held(arguments, s.file, s.topology, options.cutoff_factor);
-    resolve_cutoff(arguments, s.before(), s.topology, s.held, s.figures, progress);
+    s.fixed = fixed(arguments, s.file, s.topology, options.cutoff_factor);
+    resolve_cutoff(arguments, s.before(), s.topology, s.fixed, s.figures, progress);
   }
-  lay_directions(arguments, s.before(), s.topology, s.held, MeshParts::one(), s.figures, progress);
+  project_directions(arguments, s.before(), s.topology, s.fixed, MeshParts::one(), s.figures,
+                     progress);
   if (arguments.dry_run) {
     progress.end();
     return forecast(arguments, s, report, console);
   }
   if (options.steps > 0) {
-    run_flow(arguments, s.X, s.topology, s.held, MeshParts::one(), s.figures, progress);
+    run_flow(arguments, s.X, s.topology, s.fixed, MeshParts::one(), s.figures, progress);
   }
   progress.begin("measure");
   measure(s, options);

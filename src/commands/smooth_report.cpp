@@ -177,7 +177,7 @@ bool is_nearly_done(const SmoothFigures& figures) {
 MeshFigures mesh_figures(const Points& X, const Topology& topology, const FlowOptions& options) {
   return mesh_figures(
       X, topology,
-      bending_model(options.laplacian).bind(topology, options.energy_options())->energy(X));
+      bending_model(options.laplacian).create(topology, options.energy_options())->energy(X));
 }
 
 MeshFigures mesh_figures(const Points& X, const Topology& topology, double energy) {

@@ -48,7 +48,7 @@ struct SmoothFigures {
 /// E_b, area, volume and quality of `X`.
 MeshFigures mesh_figures(const Points& X, const Topology& topology, const FlowOptions& options);
 
-/// Like above, if E_b is already known: to bind the energy to a mesh takes longer than everything
+/// Like above, if E_b is already known: to create the energy of a mesh takes longer than everything
 /// else.
 MeshFigures mesh_figures(const Points& X, const Topology& topology, double energy);
 

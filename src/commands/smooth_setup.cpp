@@ -14,7 +14,7 @@
 #include "ibmfair/base/errors.h"
 #include "ibmfair/base/stopwatch.h"
 #include "ibmfair/flow/crease_choice.h"
-#include "ibmfair/flow/held_vertices.h"
+#include "ibmfair/flow/fixed_vertices.h"
 #include "ibmfair/flow/part_measures.h"
 #include "ibmfair/flow/time_scale.h"
 #include "ibmfair/flow/willmore_flow.h"
@@ -76,10 +76,10 @@ std::string remark_on_default_cutoff(const SmoothFigures& figures) {
 
 /// If keeping creases leaves less error than the choice stored in `figures`, replaces the choice.
 void resolve_creases(SmoothArguments& arguments, const Points& X, const Topology& topology,
-                     const std::vector<std::uint8_t>& held, const FlowOptions& without,
+                     const std::vector<std::uint8_t>& fixed, const FlowOptions& without,
                      const CutoffSearch& search, SmoothFigures& figures) {
   const FlowOptions options = crease_options(arguments, without);
-  const auto creases = choose_creases(X, topology, held, options, *figures.choice, search);
+  const auto creases = choose_creases(X, topology, fixed, options, *figures.choice, search);
   if (creases) {
     arguments.flow = options;
     arguments.flow.sharp_angle = creases->sharp_angle;
@@ -162,9 +162,9 @@ void set_scale(const SmoothArguments& arguments, const Points& X, const Topology
 }
 
 void resolve_cutoff(SmoothArguments& arguments, const Points& X, const Topology& topology,
-                    const std::vector<std::uint8_t>& held, SmoothFigures& figures,
+                    const std::vector<std::uint8_t>& fixed, SmoothFigures& figures,
                     Progress& progress) {
-  if (!arguments.cutoff_auto || std::find(held.begin(), held.end(), 0) == held.end()) {
+  if (!arguments.cutoff_auto || std::find(fixed.begin(), fixed.end(), 0) == fixed.end()) {
     return;  // not requested, or no vertex can move
   }
   const Stopwatch watch(figures.seconds_choice);
@@ -174,16 +174,16 @@ void resolve_cutoff(SmoothArguments& arguments, const Points& X, const Topology&
     progress.begin(fmt::format("try a cut-off of {:.1f} edges", cutoff / figures.mean_edge_length));
   };
   const CutoffSearch search{.largest = figures.diagonal / 2, .observer = tell};
-  figures.choice = choose_cutoff(X, topology, held, options, search);
+  figures.choice = choose_cutoff(X, topology, fixed, options, search);
   if (arguments.finds_creases) {
-    resolve_creases(arguments, X, topology, held, options, search, figures);
+    resolve_creases(arguments, X, topology, fixed, options, search, figures);
   }
   arguments.cutoff = Length{figures.choice->cutoff, Length::Unit::absolute};
 }
 
-void lay_directions(SmoothArguments& arguments, const Points& X, const Topology& topology,
-                    const std::vector<std::uint8_t>& held, const MeshParts& parts,
-                    SmoothFigures& figures, Progress& progress) {
+void project_directions(SmoothArguments& arguments, const Points& X, const Topology& topology,
+                        const std::vector<std::uint8_t>& fixed, const MeshParts& parts,
+                        SmoothFigures& figures, Progress& progress) {
   const std::vector<double>& a = arguments.anisotropy;
   if (a.empty()) {
     return;
@@ -196,7 +196,7 @@ void lay_directions(SmoothArguments& arguments, const Points& X, const Topology&
   FlowOptions options = flow;
   flow.material_directions = laid_onto(X);
   // Throws now, and not after a long flow, if the options are invalid.
-  bending_model(flow.laplacian).bind(topology, flow.energy_options());
+  bending_model(flow.laplacian).create(topology, flow.energy_options());
   if (flow.steps == 0 || arguments.dry_run) {
     return;
   }
@@ -204,7 +204,7 @@ void lay_directions(SmoothArguments& arguments, const Points& X, const Topology&
   options.twicing = 0;
   set_scale(arguments, X, topology, parts, options, figures);
   Points smooth = X;
-  willmore_flow(smooth, topology, held, options, {}, parts);
+  willmore_flow(smooth, topology, fixed, options, {}, parts);
   flow.material_directions = laid_onto(smooth);
 }
 
@@ -212,22 +212,22 @@ std::vector<std::uint8_t> held_by(const SmoothArguments& arguments, const Topolo
                                   const std::vector<Index>& listed,
                                   const std::vector<std::uint8_t>& mask,
                                   const Eigen::VectorXd& weights) {
-  auto held = held_vertices(topology, boundary_condition(arguments.boundary));
+  auto fixed = fixed_vertices(topology, boundary_condition(arguments.boundary));
   for (const Index v : listed) {
-    held[v] = 1;
+    fixed[v] = 1;
   }
   for (std::size_t v = 0; v < mask.size(); ++v) {
-    held[v] |= mask[v] ? 0 : 1;
+    fixed[v] |= mask[v] ? 0 : 1;
   }
   for (Eigen::Index v = 0; v < weights.size(); ++v) {
-    held[v] |= weights[v] > 0 ? 0 : 1;
+    fixed[v] |= weights[v] > 0 ? 0 : 1;
   }
-  return held;
+  return fixed;
 }
 
 void run_flow(const SmoothArguments& arguments, Points& X, const Topology& topology,
-              const std::vector<std::uint8_t>& held, const MeshParts& parts, SmoothFigures& figures,
-              Progress& progress) {
+              const std::vector<std::uint8_t>& fixed, const MeshParts& parts,
+              SmoothFigures& figures, Progress& progress) {
   FlowOptions options = arguments.flow;
   set_scale(arguments, X, topology, parts, options, figures);
   std::optional<PostponedEnd> postponed;
@@ -240,7 +240,7 @@ void run_flow(const SmoothArguments& arguments, Points& X, const Topology& topol
     progress.advance(step, options.steps, options.total_time);
     return !parts.any(PostponedEnd::signal_number() != 0);
   };
-  figures.flow = willmore_flow(X, topology, held, options, observe, parts);
+  figures.flow = willmore_flow(X, topology, fixed, options, observe, parts);
   figures.total_time = options.total_time;
 }
 
@@ -252,9 +252,9 @@ void measure_moves(const Points& before, const Points& after, SmoothFigures& fig
   }
 }
 
-void tell_of_smoothing(const SmoothArguments& arguments, const SmoothFigures& figures,
-                       const std::string& output, const WriteReport& written, std::string_view by,
-                       const Console& console, Report& report) {
+void print_smoothing(const SmoothArguments& arguments, const SmoothFigures& figures,
+                     const std::string& output, const WriteReport& written, std::string_view by,
+                     const Console& console, Report& report) {
   if (const std::string remark = remark_on_texture(arguments); !remark.empty()) {
     console.note(remark);
   }

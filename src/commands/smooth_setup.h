@@ -39,7 +39,7 @@ void set_scale(const SmoothArguments& arguments, const Points& X, const Topology
 /// kept. Stores the choice in the arguments, and its reasons in the figures. Throws like set_scale
 /// and choose_cutoff.
 void resolve_cutoff(SmoothArguments& arguments, const Points& X, const Topology& topology,
-                    const std::vector<std::uint8_t>& held, SmoothFigures& figures,
+                    const std::vector<std::uint8_t>& fixed, SmoothFigures& figures,
                     Progress& progress);
 
 /// With --anisotropy, computes the material direction of every triangle. The direction is projected
@@ -47,9 +47,9 @@ void resolve_cutoff(SmoothArguments& arguments, const Points& X, const Topology&
 /// with its triangles. The triangles of the noisy mesh, turned and stretched by the noise, would
 /// each give a different direction. With --dry-run or without steps, the direction is projected
 /// onto the mesh as it is. Throws like set_scale, willmore_flow and material_directions.
-void lay_directions(SmoothArguments& arguments, const Points& X, const Topology& topology,
-                    const std::vector<std::uint8_t>& held, const MeshParts& parts,
-                    SmoothFigures& figures, Progress& progress);
+void project_directions(SmoothArguments& arguments, const Points& X, const Topology& topology,
+                        const std::vector<std::uint8_t>& fixed, const MeshParts& parts,
+                        SmoothFigures& figures, Progress& progress);
 
 /// #V, 1 for fixed vertices: vertices that --boundary fixes, vertices of the list, and vertices for
 /// which `mask` or `weights` (#V, or empty) is 0.
@@ -62,8 +62,8 @@ std::vector<std::uint8_t> held_by(const SmoothArguments& arguments, const Topolo
 /// figures. With --checkpoint, a request to end stops the flow between two steps. Throws like
 /// set_scale and willmore_flow.
 void run_flow(const SmoothArguments& arguments, Points& X, const Topology& topology,
-              const std::vector<std::uint8_t>& held, const MeshParts& parts, SmoothFigures& figures,
-              Progress& progress);
+              const std::vector<std::uint8_t>& fixed, const MeshParts& parts,
+              SmoothFigures& figures, Progress& progress);
 
 /// Stores the largest and the root-mean-square move of the vertices in the figures.
 void measure_moves(const Points& before, const Points& after, SmoothFigures& figures);
@@ -71,8 +71,8 @@ void measure_moves(const Points& before, const Points& after, SmoothFigures& fig
 /// Prints the results and the name of the written file `output`, and adds them to the report. `by`
 /// is a text that follows the number of moved vertices and says which processes did the work; it is
 /// empty for this process alone.
-void tell_of_smoothing(const SmoothArguments& arguments, const SmoothFigures& figures,
-                       const std::string& output, const WriteReport& written, std::string_view by,
-                       const Console& console, Report& report);
+void print_smoothing(const SmoothArguments& arguments, const SmoothFigures& figures,
+                     const std::string& output, const WriteReport& written, std::string_view by,
+                     const Console& console, Report& report);
 
 }  // namespace ibmfair::commands

@@ -5,7 +5,7 @@
 #include "ibmfair/energy/bending_energy.h"  // IWYU pragma: export
 #include "ibmfair/fill/fill_holes.h"        // IWYU pragma: export
 #include "ibmfair/fill/fill_region.h"       // IWYU pragma: export
-#include "ibmfair/flow/held_vertices.h"     // IWYU pragma: export
+#include "ibmfair/flow/fixed_vertices.h"    // IWYU pragma: export
 #include "ibmfair/flow/time_scale.h"        // IWYU pragma: export
 #include "ibmfair/flow/willmore_flow.h"     // IWYU pragma: export
 #include "ibmfair/io/mesh_file.h"           // IWYU pragma: export

@@ -59,11 +59,11 @@ bool all_get_here() {
 
 /// Prints the exception being handled and returns its exit code. If all ranks have thrown, only the
 /// first rank prints. If only some ranks have thrown, these print, and abort all ranks.
-int tell_or_abort(const commands::Console& console) {
+int print_or_abort(const commands::Console& console) {
   const auto code = static_cast<int>(commands::exit_code_of_current_exception());
   const bool agreed = all_get_here();
   if (world->is_first() || !agreed) {
-    commands::tell_of_current_exception(console);
+    commands::print_current_exception(console);
   }
   if (!agreed) {
     remove_temporary_files();
@@ -82,7 +82,7 @@ int run(const std::vector<std::string>& words) {
     }
     return failure.code();
   } catch (...) {
-    return tell_or_abort(console);
+    return print_or_abort(console);
   }
 }
 

@@ -66,7 +66,7 @@ commands::MeshFigures mesh_figures(const MeshPiece& piece, const Points& X,
   energy.own_vertices = parts.own_vertices();
   energy.own_triangles = parts.own_triangles();
   commands::MeshFigures figures;
-  figures.energy = parts.sum(bending_model(options.laplacian).bind(topology, energy)->energy(X));
+  figures.energy = parts.sum(bending_model(options.laplacian).create(topology, energy)->energy(X));
   figures.area = surface_area(X, topology, parts);
   figures.volume = volume(piece, X, parts);
   figures.smallest_angle = smallest_angle(topology, piece, X, parts);

@@ -137,8 +137,8 @@ FlowOptions flow_options(const SmoothArguments& arguments, const SharedMesh& mes
   return options;
 }
 
-std::vector<std::uint8_t> held(const SmoothArguments& arguments, const SharedMesh& mesh,
-                               const Eigen::VectorXd& weights) {
+std::vector<std::uint8_t> fixed(const SmoothArguments& arguments, const SharedMesh& mesh,
+                                const Eigen::VectorXd& weights) {
   const MeshPiece& piece = mesh.piece;
   std::vector<Index> listed;
   mesh.parts->communicator().together([&] {
@@ -158,9 +158,9 @@ std::vector<std::uint8_t> held(const SmoothArguments& arguments, const SharedMes
   if (!arguments.mask.empty()) {
     mask = mesh.at_vertices(mesh.source->vertex_mask(arguments.mask));
   }
-  auto held = commands::held_by(arguments, mesh.topology, listed, mask, weights);
-  mesh.parts->refresh(held);  // the border of the piece is no boundary of the mesh
-  return held;
+  auto fixed = commands::held_by(arguments, mesh.topology, listed, mask, weights);
+  mesh.parts->refresh(fixed);  // the border of the piece is no boundary of the mesh
+  return fixed;
 }
 
 void measure_moves(const SharedMesh& mesh, SmoothFigures& figures) {
@@ -209,7 +209,7 @@ class SharedSmooth {
     });
     Progress progress(console_);
     SharedMesh mesh = read(comm_, arguments_, console_, figures_, progress);
-    tell_of_defects(mesh);
+    print_defects(mesh);
     if (arguments_.flow.solver == "mumps") {
       mesh.parts->set_solver(LinearSolver::mumps);
     }
@@ -217,13 +217,13 @@ class SharedSmooth {
     arguments_.textured = mesh.source->has_texture_coordinates();
     arguments_.flow = flow_options(arguments_, mesh);
     figures_.mean_edge_length = mean_edge_length(mesh.X, mesh.topology, *mesh.parts);
-    const auto held_vertices = held(arguments_, mesh, arguments_.flow.cutoff_factor);
-    commands::lay_directions(arguments_, mesh.X, mesh.topology, held_vertices, *mesh.parts,
-                             figures_, progress);
+    const auto fixed_vertices = fixed(arguments_, mesh, arguments_.flow.cutoff_factor);
+    commands::project_directions(arguments_, mesh.X, mesh.topology, fixed_vertices, *mesh.parts,
+                                 figures_, progress);
     progress.begin("measure");
     figures_.before = measured(mesh);
     if (arguments_.flow.steps > 0) {
-      commands::run_flow(arguments_, mesh.X, mesh.topology, held_vertices, *mesh.parts, figures_,
+      commands::run_flow(arguments_, mesh.X, mesh.topology, fixed_vertices, *mesh.parts, figures_,
                          progress);
     }
     progress.begin("measure");
@@ -245,7 +245,7 @@ class SharedSmooth {
     return mesh_figures(mesh.piece, mesh.X, mesh.topology, arguments_.flow, *mesh.parts);
   }
 
-  void tell_of_defects(const SharedMesh& mesh) {
+  void print_defects(const SharedMesh& mesh) {
     const Topology defects = gathered_defects(comm_, mesh.topology, mesh.piece);
     comm_.together([&] {
       if (comm_.is_first()) {
@@ -280,8 +280,8 @@ class SharedSmooth {
   void tell(const WriteReport& written, const commands::OutputOptions& output,
             const nlohmann::ordered_json& ranks) {
     report_.figures["ranks"] = ranks;
-    tell_of_smoothing(arguments_, figures_, output.path, written,
-                      fmt::format(", on {} ranks", comm_.size()), console_, report_);
+    print_smoothing(arguments_, figures_, output.path, written,
+                    fmt::format(", on {} ranks", comm_.size()), console_, report_);
     deliver_report(arguments_.report, output.write.overwrite, report_);
   }
 

@@ -23,7 +23,7 @@ class EnergyDerivatives : public testing::TestWithParam<DerivativeCase> {
   EnergyDerivatives()
       : plate_(test::small_plate(GetParam().mesh)),
         H_(element_rows(plate_.topology), static_cast<Index>(plate_.rest.rows())),
-        term_(GetParam().term.bind(plate_, H_)),
+        term_(GetParam().term.create(plate_, H_)),
         X_(test::crumpled(plate_.rest)) {
     if (GetParam().damped) {
       const Points before = X_ + 0.01 * random_directions(X_.rows(), 5);

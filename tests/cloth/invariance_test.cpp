@@ -20,7 +20,7 @@ class EnergyInvariance : public testing::TestWithParam<InvarianceCase> {
   EnergyInvariance()
       : plate_(test::small_plate(GetParam().mesh)),
         H_(element_rows(plate_.topology), static_cast<Index>(plate_.rest.rows())),
-        term_(GetParam().term.bind(plate_, H_)),
+        term_(GetParam().term.create(plate_, H_)),
         X_(test::crumpled(plate_.rest)) {}
 
   Points gradient(const Points& X) {
@@ -95,7 +95,7 @@ class BendingModelsAgree : public testing::TestWithParam<SheetMesh> {
     X.col(2) = amplitude * test::crumpled(plate_.rest).col(2);
     Two two{{}, {Points::Zero(X.rows(), 3), Points::Zero(X.rows(), 3)}};
     for (int model = 0; model < 2; ++model) {
-      const auto term = bending_forces()[model].bind(plate_, H_);
+      const auto term = bending_forces()[model].create(plate_, H_);
       two.energy[model] = term->energy(X);
       term->add_gradient(X, two.gradient[model]);
     }
@@ -130,7 +130,7 @@ TEST_P(BendingModelsAgree, InTheNormalForceToFirstOrder) {
 TEST_P(BendingModelsAgree, InTheHessianAtRest) {
   Eigen::MatrixXd hessian[2];
   for (int model = 0; model < 2; ++model) {
-    const auto term = bending_forces()[model].bind(plate_, H_);
+    const auto term = bending_forces()[model].create(plate_, H_);
     H_.clear();
     term->add_hessian(plate_.rest, HessianPart::exact, H_);
     hessian[model] = test::dense(H_);
@@ -144,7 +144,7 @@ TEST_P(BendingModelsAgree, WithTheLibrarysEnergyUnderIsometry) {
   Points rolled = plate_.rest;  // rolled onto a cylinder of radius 1/2, nearly an isometry
   rolled.col(0) = (2 * plate_.rest.col(0).array()).sin() / 2;
   rolled.col(2) = (1 - (2 * plate_.rest.col(0).array()).cos()) / 2;
-  const auto ibm = bending_force("ibm").bind(plate_, H_);
+  const auto ibm = bending_force("ibm").create(plate_, H_);
   const double E = bending_energy(rolled, plate_.topology, "crouzeix-raviart");
   EXPECT_NEAR(ibm->energy(rolled) / plate_.material.bending, E, 0.02 * E);
 }

@@ -40,8 +40,8 @@ class FreeSheet : public testing::TestWithParam<MotionCase> {
  protected:
   FreeSheet() { surroundings_.gravity.setZero(); }
 
-  std::unique_ptr<Integrator> bind(const Plate& plate, const StepOptions& options = {}) const {
-    return GetParam().integrator.bind(plate, surroundings_, GetParam().bending, options);
+  std::unique_ptr<Integrator> create(const Plate& plate, const StepOptions& options = {}) const {
+    return GetParam().integrator.create(plate, surroundings_, GetParam().bending, options);
   }
 
   static Motion tumbling(const Plate& plate) {
@@ -72,7 +72,7 @@ class FreeSheet : public testing::TestWithParam<MotionCase> {
     StepOptions options;
     options.time_step = h;
     options.tolerance = 1e-9;
-    advance(*bind(plate, options), seconds, motion);
+    advance(*create(plate, options), seconds, motion);
     return (angular_momentum(plate, motion) - before).norm() / before.norm();
   }
 
@@ -88,7 +88,7 @@ TEST_P(FreeSheet, KeepsItsMomentum) {
   const Vec3 before = momentum(plate, motion);
   StepOptions options;
   options.tolerance = 1e-9;
-  const auto stepper = bind(plate, options);
+  const auto stepper = create(plate, options);
   for (int i = 0; i < 20; ++i) {
     stepper->step(motion);
   }
@@ -120,7 +120,7 @@ TEST_P(FreeSheet, FallsAsTheMethodSays) {
   surroundings_.gravity = {1, -9.81, 2};
   const Plate plate = test::small_plate(sheet_meshes()[0]);
   Motion motion = at_rest(plate.rest);
-  const auto stepper = bind(plate);
+  const auto stepper = create(plate);
   constexpr int steps = 10;
   for (int i = 0; i < steps; ++i) {
     stepper->step(motion);
@@ -135,7 +135,7 @@ TEST_P(FreeSheet, StopsMovingByMassDampingAsTheMethodSays) {
   const Plate plate = test::small_plate(sheet_meshes()[0], {.mass_damping = 3});
   Motion motion = at_rest(plate.rest);
   motion.V.rowwise() = Eigen::RowVector3d(1, 2, 3);
-  const auto stepper = bind(plate);
+  const auto stepper = create(plate);
   for (int i = 0; i < 10; ++i) {
     stepper->step(motion);
   }
@@ -151,7 +151,7 @@ TEST_P(FreeSheet, LosesEnergyByStrainDamping) {
     Motion motion = tumbling(plate);
     StepOptions options;
     options.time_step = 2e-4;
-    advance(*bind(plate, options), 0.02, motion);
+    advance(*create(plate, options), 0.02, motion);
     ElasticSheet sheet(plate, GetParam().bending);
     return sheet.membrane->energy(motion.X) + sheet.bending->energy(motion.X) +
            plate.mass.dot(motion.V.rowwise().squaredNorm()) / 2;
@@ -165,7 +165,7 @@ TEST_P(FreeSheet, StaysWhereItIsWhenNothingActs) {
   const Plate plate =
       test::small_plate(sheet_meshes()[0], {.mass_damping = 1, .strain_damping = 1e-3});
   Motion motion = at_rest(plate.rest);
-  const auto stepper = bind(plate);
+  const auto stepper = create(plate);
   for (int i = 0; i < 5; ++i) {
     stepper->step(motion);
   }
@@ -190,7 +190,7 @@ TEST_P(IntegratorsAgree, AsTheImplicitStepGetsShorterToFirstOrder) {
     Motion motion = at_rest(plate.rest);
     motion.X.col(2) = 0.1 * test::crumpled(plate.rest).col(2);
     const StepOptions options{.time_step = h, .tolerance = 1e-6};
-    advance(*integrator(name).bind(plate, surroundings, GetParam(), options), 0.04, motion);
+    advance(*integrator(name).create(plate, surroundings, GetParam(), options), 0.04, motion);
     return motion.X;
   };
   const Points fine = after("explicit", 4e-5);
@@ -215,7 +215,7 @@ TEST(StableTimeStep, IsStableAndTwoAndAHalfTimesItIsNot) {
       const auto largest_speed = [&](double step) {
         Motion motion = at_rest(plate.rest);
         motion.V = 1e-6 * test::random_directions(motion.X.rows());
-        advance(*integrator("explicit").bind(plate, space, bending, {.time_step = step}),
+        advance(*integrator("explicit").create(plate, space, bending, {.time_step = step}),
                 400 * step, motion);
         return motion.V.cwiseAbs().maxCoeff();
       };
@@ -233,13 +233,13 @@ TEST_P(SceneRuns, HoldsWhatIsHeldAndStaysOutOfTheSphere) {
   StepOptions options;
   options.time_step = methods.integrator.name == "implicit" ? row.time_step : 0;
   const auto stepper =
-      methods.integrator.bind(scene.plate, scene.surroundings, methods.bending, options);
+      methods.integrator.create(scene.plate, scene.surroundings, methods.bending, options);
   Motion motion = at_rest(scene.start);
   for (int frame = 0; frame < 2; ++frame) {
     advance(*stepper, 0.05, motion);
     ASSERT_TRUE(motion.X.allFinite());
     for (Index v = 0; v < motion.X.rows(); ++v) {
-      if (scene.plate.held[v]) {
+      if (scene.plate.fixed[v]) {
         EXPECT_EQ(motion.X.row(v), scene.start.row(v));
       }
       if (const auto& sphere = scene.surroundings.sphere) {

@@ -43,19 +43,19 @@ INSTANTIATE_TEST_SUITE_P(Sizes, SheetMeshes,
                          });
 
 /// Four single vertices that slide on a sphere of radius 1, stick to it, are outside it, or are
-/// held.
+/// fixed.
 TEST(PushOut, TakesTheVelocityInwardsAndFriction) {
   Sphere sphere;
   sphere.radius = 1;
   sphere.friction = 0.5;
   Plate plate;
-  plate.held = {0, 0, 0, 1};
+  plate.fixed = {0, 0, 0, 1};
   Points X(4, 3), V(4, 3);
   X << 0.9, 0, 0, 0, 0.9, 0, 1.1, 0, 0, 0.9, 0, 0;
   V << -1, 2, 0,   // slides on, slower
       0.4, -1, 0,  // sticks
       -1, 2, 0,    // outside
-      0, 0, 0;     // held
+      0, 0, 0;     // fixed
   push_out(sphere, 1, plate, X, V);
   Points expected_X(4, 3), expected_V(4, 3);
   expected_X << 1, 0, 0, 0, 1, 0, 1.1, 0, 0, 0.9, 0, 0;
@@ -104,7 +104,7 @@ TEST(Tables, NameWhatThereIsForNamesThatTheyLack) {
 TEST(Frames, ReadBackAsTheyWere) {
   const Scene built = scene("flag").build(regular_sheet(36));
   const auto stepper =
-      integrator("implicit").bind(built.plate, built.surroundings, bending_force("ibm"), {});
+      integrator("implicit").create(built.plate, built.surroundings, bending_force("ibm"), {});
   const std::vector<Points> frames = run_frames(built, *stepper, 0.1);
   ASSERT_EQ(frames.size(), 1 + std::lround(0.1 * frames_per_second));
   EXPECT_EQ(frames.front(), built.start);

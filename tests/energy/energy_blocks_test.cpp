@@ -45,7 +45,7 @@ struct Evaluation {
 
   Evaluation(const TriangleMesh& mesh, const BendingModel& model, const EnergyOptions& options) {
     const Topology topology = build_topology(mesh.X, mesh.F);
-    const auto energy = model.bind(topology, options);
+    const auto energy = model.create(topology, options);
     E = energy->energy_and_gradient(mesh.X, G);
     E_alone = energy->energy(mesh.X);
     energy->linearise(mesh.X, weights);
@@ -169,14 +169,14 @@ TEST(EnergyBlocks, EveryTriangleIsOwnedOnceAndFewAreRepeated) {
 TEST(EnergyBlocks, AMeshThatIsNumberedByItsBlocksHasTheSameOnes) {
   const TriangleMesh mesh = make_icosphere({5, {}});
   const std::vector<std::uint8_t> all(mesh.F.rows(), 1);
-  const Rows blocks = vertex_blocks(build_topology(mesh.X, mesh.F), all);
+  const CompressedRows blocks = vertex_blocks(build_topology(mesh.X, mesh.F), all);
   ASSERT_GT(blocks.size(), 2);
   std::vector<Index> number(blocks.value.size());
   for (std::size_t i = 0; i < number.size(); ++i) {
     number[blocks.value[i]] = static_cast<Index>(i);
   }
   const TriangleMesh there = renumbered(mesh, number);
-  const Rows runs = vertex_blocks(build_topology(there.X, there.F), all);
+  const CompressedRows runs = vertex_blocks(build_topology(there.X, there.F), all);
   EXPECT_EQ(runs.first, blocks.first);
   EXPECT_TRUE(std::is_sorted(runs.value.begin(), runs.value.end()));
   EXPECT_EQ(runs.value.size(), number.size());

@@ -24,7 +24,7 @@ TEST(SharpHinges, HaveTheExactGradient) {
     const Points X = shaken(state, 0.05);
     for (const double angle : {10.0, 40.0, 120.0}) {
       const auto energy =
-          bending_model("crouzeix-raviart").bind(state.topology, {.sharp_angle = angle * degree});
+          bending_model("crouzeix-raviart").create(state.topology, {.sharp_angle = angle * degree});
       if (energy->stencils().size() > 0) {
         expect_exact_gradient(*energy, X, mean_edge_length(X, state.topology.E), 2e-3, 3e-3, name);
       }
@@ -39,7 +39,7 @@ TEST(SharpHinges, HaveNoMoreEnergyThanTheBoundAndAreGentleOnesBelowIt) {
     double last = 0;
     for (const double angle : {1.0, 10.0, 60.0, 179.0}) {
       const double E = bending_model("crouzeix-raviart")
-                           .bind(state.topology, {.sharp_angle = angle * degree})
+                           .create(state.topology, {.sharp_angle = angle * degree})
                            ->energy(state.X);
       const double bound = 2 * std::sqrt(3.0) * (1 - std::cos(angle * degree));
       EXPECT_LE(E, whole * (1 + 1e-14)) << name;
@@ -52,33 +52,33 @@ TEST(SharpHinges, HaveNoMoreEnergyThanTheBoundAndAreGentleOnesBelowIt) {
   const State fine(make_shape("icosphere", {.subdivide = 4}));
   const double plain = bending_energy(fine.X, fine.topology, "crouzeix-raviart");
   const auto energy =
-      bending_model("crouzeix-raviart").bind(fine.topology, {.sharp_angle = 60 * degree});
+      bending_model("crouzeix-raviart").create(fine.topology, {.sharp_angle = 60 * degree});
   EXPECT_NEAR(energy->energy(fine.X), plain, 0.01 * plain);
 }
 
 TEST(SharpHinges, LeaveTheHessianPositiveAndPullLessOnIt) {
   const State cube(make_shape("cube", {.subdivide = 3}));
-  const auto plain = bending_model("crouzeix-raviart").bind(cube.topology, {});
+  const auto plain = bending_model("crouzeix-raviart").create(cube.topology, {});
   const auto sharp =
-      bending_model("crouzeix-raviart").bind(cube.topology, {.sharp_angle = 30 * degree});
+      bending_model("crouzeix-raviart").create(cube.topology, {.sharp_angle = 30 * degree});
   StencilWeights all, bounded;
   plain->linearise(cube.X, all);
   sharp->linearise(cube.X, bounded);
-  int gentle = 0, held = 0;
+  int gentle = 0, fixed = 0;
   for (Eigen::Index h = 0; h < all.w.size(); ++h) {
     EXPECT_GT(bounded.w[h], 0);
     gentle += bounded.w[h] > 0.999 * all.w[h] ? 1 : 0;
-    held += bounded.w[h] < 0.02 * all.w[h] ? 1 : 0;  // right angles
+    fixed += bounded.w[h] < 0.02 * all.w[h] ? 1 : 0;  // right angles
   }
-  EXPECT_EQ(gentle + held, static_cast<int>(all.w.size()));
-  EXPECT_EQ(held, 12 * 8);
+  EXPECT_EQ(gentle + fixed, static_cast<int>(all.w.size()));
+  EXPECT_EQ(fixed, 12 * 8);
 }
 
 TEST(SharpHinges, AreNotForEveryMember) {
   const State state(closed_meshes().front().mesh);
-  EXPECT_THROW(bending_model("lagrange").bind(state.topology, {.sharp_angle = 1}), BadOption);
+  EXPECT_THROW(bending_model("lagrange").create(state.topology, {.sharp_angle = 1}), BadOption);
   EXPECT_THROW(
-      bending_model("crouzeix-raviart").bind(state.topology, {.mass = false, .sharp_angle = 1}),
+      bending_model("crouzeix-raviart").create(state.topology, {.mass = false, .sharp_angle = 1}),
       BadOption);
 }
 
@@ -95,7 +95,7 @@ TEST(SpontaneousCurvature, HasTheExactGradient) {
     for (Index v = 0; v < X.rows(); ++v) {
       options.spontaneous_curvature[v] *= 1 + 0.1 * (v % 7);
     }
-    const auto energy = bending_model("lagrange").bind(state.topology, options);
+    const auto energy = bending_model("lagrange").create(state.topology, options);
     if (energy->stencils().size() > 0) {
       expect_exact_gradient(*energy, X, edge, 2e-3, 3e-3, name);
     }
@@ -106,7 +106,7 @@ TEST(SpontaneousCurvature, OfZeroIsThePlainEnergy) {
   for (const auto& [name, mesh] : good_meshes()) {
     const State state(mesh);
     EXPECT_EQ(
-        bending_model("lagrange").bind(state.topology, spontaneous(state, 0))->energy(state.X),
+        bending_model("lagrange").create(state.topology, spontaneous(state, 0))->energy(state.X),
         bending_energy(state.X, state.topology))
         << name;
   }
@@ -118,7 +118,7 @@ std::pair<double, double> unit_sphere(int subdivide, double H0) {
   const State state(make_shape("icosphere", {.subdivide = subdivide}));
   Points G;
   const double E = bending_model("lagrange")
-                       .bind(state.topology, spontaneous(state, H0))
+                       .create(state.topology, spontaneous(state, H0))
                        ->energy_and_gradient(state.X, G);
   const PerVertex m = lumped_vertex_mass(state.X, state.topology);
   double outward = 0;
@@ -155,10 +155,11 @@ TEST(SpontaneousCurvature, ChangesItsSignWithTheOrientation) {
     F.col(1).swap(F.col(2));
     const State turned(mesh_from_triangles(mesh.X, F));
     const double E =
-        bending_model("lagrange").bind(state.topology, spontaneous(state, 0.5))->energy(state.X);
-    EXPECT_NEAR(
-        bending_model("lagrange").bind(turned.topology, spontaneous(turned, -0.5))->energy(state.X),
-        E, 1e-12 * E)
+        bending_model("lagrange").create(state.topology, spontaneous(state, 0.5))->energy(state.X);
+    EXPECT_NEAR(bending_model("lagrange")
+                    .create(turned.topology, spontaneous(turned, -0.5))
+                    ->energy(state.X),
+                E, 1e-12 * E)
         << name;
   }
 }
@@ -166,11 +167,11 @@ TEST(SpontaneousCurvature, ChangesItsSignWithTheOrientation) {
 TEST(SpontaneousCurvature, NeedsTwoSidesAndAMemberThatKnowsIt) {
   for (const auto& [name, mesh] : nonorientable_meshes()) {
     const State state(mesh);
-    EXPECT_THROW(bending_model("lagrange").bind(state.topology, spontaneous(state, 1)), BadMesh)
+    EXPECT_THROW(bending_model("lagrange").create(state.topology, spontaneous(state, 1)), BadMesh)
         << name;
   }
   const State state(closed_meshes().front().mesh);
-  EXPECT_THROW(bending_model("crouzeix-raviart").bind(state.topology, spontaneous(state, 1)),
+  EXPECT_THROW(bending_model("crouzeix-raviart").create(state.topology, spontaneous(state, 1)),
                BadOption);
 }
 

@@ -48,7 +48,7 @@ bool within_one_piece(const Topology& topology, const Points& X, const Points& Y
 TEST_P(BendingEnergies, GradientAgreesWithCentralDifferencesAtSecondOrder) {
   for (const auto& [name, mesh] : all_meshes()) {
     const State state(mesh);
-    const auto energy = GetParam().bind(state.topology);
+    const auto energy = GetParam().create(state.topology);
     const Points X = shaken(state, 0.05);
     if (energy->stencils().size() == 0) {
       Points G;
@@ -70,7 +70,7 @@ TEST_P(BendingEnergies, GradientAgreesWithCentralDifferencesAtSecondOrder) {
 TEST_P(BendingEnergies, GradientIsOrthogonalToRigidMotionsAndScaling) {
   for (const auto& [name, mesh] : good_meshes()) {
     const State state(mesh);
-    const auto energy = GetParam().bind(state.topology);
+    const auto energy = GetParam().create(state.topology);
     Points G;
     const double E = energy->energy_and_gradient(shaken(state, 0.05), G);
     const Points X = shaken(state, 0.05);
@@ -134,7 +134,7 @@ TEST_P(BendingEnergies, IsQuadraticUnderIsometricDeformations) {
     x += 0.1 * x * x;  // no two columns are alike
   }
   const State flat(sheet);
-  const auto energy = GetParam().bind(flat.topology);
+  const auto energy = GetParam().create(flat.topology);
   const StencilTerms terms(energy->stencils(), flat.topology.vertex_count);
   const HessianAssembler assembler(terms, Unknowns(std::vector<std::uint8_t>(flat.X.rows(), 0)));
   SymmetricMatrix S = assembler.pattern();
@@ -169,8 +169,8 @@ TEST_P(BendingEnergies, VanishesOnAPlaneIfTheLaplacianDoes) {
 TEST_P(BendingEnergies, DoesNotDependOnOrientation) {
   for (const auto& [name, mesh] : all_meshes()) {
     const State state(in_triangles(mesh)), mixed(with_mixed_orientation(in_triangles(mesh)));
-    const double E = GetParam().bind(state.topology)->energy(state.X);
-    EXPECT_NEAR(GetParam().bind(mixed.topology)->energy(mixed.X), E, 1e-12 * E + 1e-26) << name;
+    const double E = GetParam().create(state.topology)->energy(state.X);
+    EXPECT_NEAR(GetParam().create(mixed.topology)->energy(mixed.X), E, 1e-12 * E + 1e-26) << name;
   }
 }
 
@@ -178,8 +178,8 @@ TEST_P(BendingEnergies, LargestTurnIsThatOfTheSharpestHinge) {
   for (const auto& [name, mesh] : all_meshes()) {
     for (const Mesh& turned : {in_triangles(mesh), with_mixed_orientation(in_triangles(mesh))}) {
       const State state(turned);
-      const auto energy = GetParam().bind(state.topology);
-      const double untold = energy->largest_turn();
+      const auto energy = GetParam().create(state.topology);
+      const double untold = energy->max_dihedral_turn();
       for (const double amount : {0.05, 0.5}) {
         const Points X = shaken(state, amount);
         const Eigen::VectorXd theta = dihedral_angles(X, state.topology.H);
@@ -187,10 +187,10 @@ TEST_P(BendingEnergies, LargestTurnIsThatOfTheSharpestHinge) {
         const double expected = std::isfinite(untold) ? sharpest : untold;
         Points G;
         energy->energy(X);
-        EXPECT_DOUBLE_EQ(energy->largest_turn() + 1, expected + 1) << name;
+        EXPECT_DOUBLE_EQ(energy->max_dihedral_turn() + 1, expected + 1) << name;
         energy->energy_and_gradient(state.X, G);
         energy->energy_and_gradient(X, G);
-        EXPECT_DOUBLE_EQ(energy->largest_turn() + 1, expected + 1) << name;
+        EXPECT_DOUBLE_EQ(energy->max_dihedral_turn() + 1, expected + 1) << name;
       }
     }
   }
@@ -198,7 +198,7 @@ TEST_P(BendingEnergies, LargestTurnIsThatOfTheSharpestHinge) {
 
 TEST(CrouzeixRaviart, TellsOfTurns) {
   const State state(flat_sheet(3, 3));
-  EXPECT_EQ(bending_model("crouzeix-raviart").bind(state.topology, {})->largest_turn(), 0);
+  EXPECT_EQ(bending_model("crouzeix-raviart").create(state.topology, {})->max_dihedral_turn(), 0);
 }
 
 TEST_P(BendingEnergies, ActiveStencilsHaveTheWholeGradientAtActiveVertices) {
@@ -210,9 +210,9 @@ TEST_P(BendingEnergies, ActiveStencilsHaveTheWholeGradientAtActiveVertices) {
       active[v] = 1;
     }
     Points whole, part;
-    GetParam().bind(state.topology)->energy_and_gradient(X, whole);
+    GetParam().create(state.topology)->energy_and_gradient(X, whole);
     bending_model(GetParam().laplacian)
-        .bind(state.topology, {true, active, GetParam().mass})
+        .create(state.topology, {true, active, GetParam().mass})
         ->energy_and_gradient(X, part);
     for (std::size_t v = 0; v < active.size(); v += 3) {
       EXPECT_LT((whole.row(v) - part.row(v)).norm(), 1e-12 * whole.norm() + 1e-300) << name;
@@ -224,7 +224,7 @@ TEST_P(BendingEnergies, DefectsLeaveItFinite) {
   for (const auto& [name, mesh] : defective_meshes()) {
     const State state(mesh);
     Points G;
-    EXPECT_TRUE(std::isfinite(GetParam().bind(state.topology)->energy_and_gradient(state.X, G)))
+    EXPECT_TRUE(std::isfinite(GetParam().create(state.topology)->energy_and_gradient(state.X, G)))
         << name;
     EXPECT_TRUE(G.allFinite()) << name;
   }
@@ -270,7 +270,7 @@ TEST(BendingModels, AMassThatDoesNotGoWithTheLaplacianIsRefusedWithThoseThatDo) 
         continue;
       }
       try {
-        model.bind(state.topology, options);
+        model.create(state.topology, options);
         FAIL() << model.name << ", " << mass.name;
       } catch (const BadOption& error) {
         EXPECT_NE(std::string(error.what()).find(model.masses.front()), std::string::npos);

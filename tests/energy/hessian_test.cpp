@@ -30,7 +30,7 @@ void for_every_hessian(const Check& check) {
       if (state.X.rows() > 800) {
         continue;  // dense matrices are for small meshes
       }
-      const auto energy = member.bind(state.topology);
+      const auto energy = member.create(state.topology);
       const Points X = shaken(state, 0.05);
       const Unknowns all(std::vector<std::uint8_t>(X.rows(), 0));
       SCOPED_TRACE(identifier(member) + ", " + name);
@@ -70,10 +70,10 @@ TEST(Hessian, IsPositiveSemiDefinite) {
 TEST(Hessian, OfTheUnknownsIsTheBlockOfTheWhole) {
   for (const BendingModel& model : bending_models()) {
     const State state(closed_meshes().front().mesh);
-    const auto energy = model.bind(state.topology, {});
-    std::vector<std::uint8_t> held(state.X.rows(), 0);
-    held[1] = held[2] = 1;
-    const Unknowns some(held), all(std::vector<std::uint8_t>(held.size(), 0));
+    const auto energy = model.create(state.topology, {});
+    std::vector<std::uint8_t> fixed(state.X.rows(), 0);
+    fixed[1] = fixed[2] = 1;
+    const Unknowns some(fixed), all(std::vector<std::uint8_t>(fixed.size(), 0));
     const Eigen::MatrixXd whole = dense(assemble(*energy, state.X, all));
     EXPECT_EQ(dense(assemble(*energy, state.X, some)),
               Eigen::MatrixXd(whole(some.vertex, some.vertex)))
@@ -85,10 +85,10 @@ TEST(Hessian, IsTheSumOverTheStencils) {
   for (const Mesh& mesh : {all_meshes().front().mesh, barrel(300)}) {  // rows of hundreds
     const State state(mesh);
     for (const Member& member : family()) {
-      const auto energy = member.bind(state.topology);
+      const auto energy = member.create(state.topology);
       StencilWeights weights;
       energy->linearise(shaken(state, 0.05), weights);
-      const Rows& stencils = energy->stencils();
+      const CompressedRows& stencils = energy->stencils();
       Eigen::MatrixXd S = Eigen::MatrixXd::Zero(state.X.rows(), state.X.rows());
       for (Index s = 0; s < stencils.size(); ++s) {
         for (std::int64_t k = stencils.first[s]; k < stencils.first[s + 1]; ++k) {
@@ -112,7 +112,7 @@ TEST(Hessian, IsTheSumOverTheStencils) {
 TEST(Hessian, RefillingDoesNotRememberTheOldValues) {
   for (const BendingModel& model : bending_models()) {
     const State state(closed_meshes()[3].mesh);
-    const auto energy = model.bind(state.topology, {});
+    const auto energy = model.create(state.topology, {});
     const Unknowns all(std::vector<std::uint8_t>(state.X.rows(), 0));
     const StencilTerms terms(energy->stencils(), state.topology.vertex_count);
     const HessianAssembler assembler(terms, all);

@@ -62,8 +62,8 @@ TEST(IntrinsicDelaunay, LeavesADelaunayMeshAsItIs) {
       EXPECT_EQ(triangulation.flips(), 0);
       EXPECT_EQ(triangulation.corners(), topology.F);
       Points G, H;
-      const auto flipped = Member{"intrinsic-delaunay", member.mass}.bind(topology);
-      const auto own = member.bind(topology);
+      const auto flipped = Member{"intrinsic-delaunay", member.mass}.create(topology);
+      const auto own = member.create(topology);
       const double E = own->energy_and_gradient(ball.X, G);
       EXPECT_NEAR(flipped->energy_and_gradient(ball.X, H), E, 1e-13 * E);
       EXPECT_LE((H - G).norm(), 1e-12 * G.norm() + 1e-12 * E);

@@ -14,7 +14,7 @@ namespace ibmfair::test {
 namespace {
 
 std::unique_ptr<BendingEnergy> weighted(const Topology& topology, std::vector<double> weights) {
-  return bending_model("weighted").bind(topology, {true, {}, {}, std::move(weights)});
+  return bending_model("weighted").create(topology, {true, {}, {}, std::move(weights)});
 }
 
 TEST(WeightedLaplacian, WithEqualWeightsIsTheCotangentOne) {
@@ -23,7 +23,7 @@ TEST(WeightedLaplacian, WithEqualWeightsIsTheCotangentOne) {
     const Points X = shaken(state, 0.05);
     Points G, G_weighted;
     const double E =
-        Member{"lagrange", "barycentric"}.bind(state.topology)->energy_and_gradient(X, G);
+        Member{"lagrange", "barycentric"}.create(state.topology)->energy_and_gradient(X, G);
     const double edge = mean_edge_length(X, state.topology.E);
     for (const double weight : {0.0, edge * edge}) {
       const auto energy = weighted(state.topology, std::vector<double>(X.rows(), weight));

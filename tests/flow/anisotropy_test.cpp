@@ -8,7 +8,7 @@
 #include "ibmfair/base/errors.h"
 #include "ibmfair/energy/bending_energy.h"
 #include "ibmfair/energy/hessian.h"
-#include "ibmfair/flow/held_vertices.h"
+#include "ibmfair/flow/fixed_vertices.h"
 #include "ibmfair/flow/time_scale.h"
 #include "ibmfair/flow/willmore_flow.h"
 #include "ibmfair/mesh/geometry.h"
@@ -24,9 +24,9 @@ std::unique_ptr<BendingEnergy> directed(const State& state, const Points& refere
                                         const Vec3& direction, double factor,
                                         const std::string& mass = {}) {
   return bending_model("lagrange")
-      .bind(state.topology, {.mass_matrix = mass,
-                             .material_directions = material_directions(reference, state.topology,
-                                                                        direction, factor)});
+      .create(state.topology, {.mass_matrix = mass,
+                               .material_directions = material_directions(reference, state.topology,
+                                                                          direction, factor)});
 }
 
 TEST(Anisotropy, WithoutAFactorIsTheCotangentLaplacianHoweverTrianglesDeform) {
@@ -137,7 +137,7 @@ TEST(Anisotropy, SmoothsRipplesAcrossTheDirectionLess) {
   options.total_time = time_in_flow_units(time, sheet.X, sheet.topology, options);
   Points X = sheet.X;
   const auto report = willmore_flow(
-      X, sheet.topology, held_vertices(sheet.topology, BoundaryCondition::fixed), options);
+      X, sheet.topology, fixed_vertices(sheet.topology, BoundaryCondition::fixed), options);
   EXPECT_EQ(report.status, FlowStatus::completed);
   const auto amplitude = [](const Points& positions, int axis) {
     double sum = 0;
@@ -157,12 +157,13 @@ TEST(Anisotropy, RefusesWhatCannotBe) {
   EXPECT_THROW(material_directions(state.X, state.topology, Vec3::Zero(), 2), BadOption);
   EXPECT_THROW(material_directions(state.X, state.topology, Vec3::UnitX(), 0), BadOption);
   const auto directions = material_directions(state.X, state.topology, Vec3::UnitX(), 2);
-  EXPECT_THROW(bending_model("umbrella").bind(state.topology, {.material_directions = directions}),
-               BadOption);
+  EXPECT_THROW(
+      bending_model("umbrella").create(state.topology, {.material_directions = directions}),
+      BadOption);
   EXPECT_THROW(
       bending_model("lagrange")
-          .bind(state.topology, {.material_directions = directions,
-                                 .spontaneous_curvature = Eigen::VectorXd::Ones(state.X.rows())}),
+          .create(state.topology, {.material_directions = directions,
+                                   .spontaneous_curvature = Eigen::VectorXd::Ones(state.X.rows())}),
       BadOption);
 }
 

@@ -46,14 +46,14 @@ class System {
   /// `hold` fixes every third vertex.
   System(const State& state, const Member& member, double stiffness, bool hold = false)
       : X_(shaken(state, 0.1)),
-        energy_(member.bind(state.topology)),
+        energy_(member.create(state.topology)),
         terms_(energy_->stencils(), state.topology.vertex_count),
         unknowns_([&] {
-          std::vector<std::uint8_t> held(state.X.rows(), 0);
-          for (std::size_t v = 0; hold && v < held.size(); v += 3) {
-            held[v] = 1;
+          std::vector<std::uint8_t> fixed(state.X.rows(), 0);
+          for (std::size_t v = 0; hold && v < fixed.size(); v += 3) {
+            fixed[v] = 1;
           }
-          return Unknowns(held);
+          return Unknowns(fixed);
         }()),
         options_(flow_options(member)) {
     energy_->linearise(X_, weights_);

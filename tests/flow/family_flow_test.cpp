@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "ibmfair/base/errors.h"
-#include "ibmfair/flow/held_vertices.h"
+#include "ibmfair/flow/fixed_vertices.h"
 #include "ibmfair/flow/time_scale.h"
 #include "ibmfair/flow/willmore_flow.h"
 #include "ibmfair/shapes/grids.h"
@@ -32,7 +32,7 @@ TEST_P(FamilyFlows, LowerTheEnergyOfANoisyMeshAtEveryStep) {
     options.total_time = time_in_flow_units(time_for_cutoff(6 * edge), mesh.X, topology, options);
     Points X = mesh.X;
     const FlowReport report =
-        willmore_flow(X, topology, held_vertices(topology, BoundaryCondition::fixed), options);
+        willmore_flow(X, topology, fixed_vertices(topology, BoundaryCondition::fixed), options);
     EXPECT_EQ(report.status, FlowStatus::completed);
     EXPECT_LT(report.energy_after, 0.5 * report.energy_before);
     double last = report.energy_before;

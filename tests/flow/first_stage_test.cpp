@@ -92,13 +92,13 @@ TEST(FirstStage, LeavesNoSpikesOfNoiseOnTheFacesOfACube) {
 
 TEST(FirstStage, EndsWhereTheObserverAsksForIt) {
   const State rough = noisy("cube", 0.2);
-  const auto held = held_vertices(rough.topology, BoundaryCondition::fixed);
+  const auto fixed = fixed_vertices(rough.topology, BoundaryCondition::fixed);
   const FlowOptions options = keeping_creases(rough, 8);
   for (const int last : {1, 3, 5}) {
     Points X = rough.X;
     int first = 0, all = 0;
     const FlowReport report =
-        willmore_flow(X, rough.topology, held, options, [&](const StepRecord& step) {
+        willmore_flow(X, rough.topology, fixed, options, [&](const StepRecord& step) {
           first += step.step == 0;
           EXPECT_EQ(step.time == 0, step.step == 0);
           return ++all < last;

@@ -1,4 +1,4 @@
-// The laws of the whole flow: the guarded flow never raises the energy and folds nothing, held
+// The laws of the whole flow: the guarded flow never raises the energy and folds nothing, fixed
 // vertices stay, and results follow scaling and rigid motions. Options that make no sense are
 // refused.
 #include <algorithm>
@@ -9,8 +9,8 @@
 
 #include "ibmfair/base/errors.h"
 #include "ibmfair/base/threads.h"
+#include "ibmfair/flow/fixed_vertices.h"
 #include "ibmfair/flow/folds.h"
-#include "ibmfair/flow/held_vertices.h"
 #include "ibmfair/flow/time_scale.h"
 #include "ibmfair/flow/willmore_flow.h"
 #include "ibmfair/shapes/shapes.h"
@@ -28,7 +28,7 @@ FlowOptions options_for(const State& state, double cutoff, FlowOptions options =
 }
 
 std::vector<std::uint8_t> hold(const State& state) {
-  return held_vertices(state.topology, BoundaryCondition::fixed);
+  return fixed_vertices(state.topology, BoundaryCondition::fixed);
 }
 
 Mesh shape(const char* name, int level) {
@@ -62,11 +62,11 @@ TEST_P(GuardedFlow, EnergyNeverRisesAndNothingFoldsOnAnyMesh) {
     options.laplacian = laplacian;
     options.steps = 4;
     options = options_for(state, cutoff, options);
-    const auto held = hold(state);
-    const Unknowns unknowns(held);
+    const auto fixed = hold(state);
+    const Unknowns unknowns(fixed);
     FoldWatch folds(state.X, state.topology, unknowns);
     Points X = state.X;
-    const FlowReport report = willmore_flow(X, state.topology, held, options);
+    const FlowReport report = willmore_flow(X, state.topology, fixed, options);
     EXPECT_TRUE(X.allFinite());
     EXPECT_TRUE(folds.new_folds(X).empty());
     double energy = report.energy_before;
@@ -89,9 +89,9 @@ INSTANTIATE_TEST_SUITE_P(Flow, GuardedFlow,
 TEST(Flow, HeldVerticesKeepTheirBits) {
   for (const auto& [name, mesh] : all_meshes()) {
     const State state(mesh);
-    std::vector<std::uint8_t> held = hold(state);
-    for (std::size_t v = 0; v < held.size(); v += 4) {
-      held[v] = 1;
+    std::vector<std::uint8_t> fixed = hold(state);
+    for (std::size_t v = 0; v < fixed.size(); v += 4) {
+      fixed[v] = 1;
     }
     for (const bool guarded : {true, false}) {
       FlowOptions options;
@@ -102,9 +102,9 @@ TEST(Flow, HeldVerticesKeepTheirBits) {
         continue;
       }
       Points X = state.X;
-      willmore_flow(X, state.topology, held, options);
-      for (std::size_t v = 0; v < held.size(); ++v) {
-        if (held[v]) {
+      willmore_flow(X, state.topology, fixed, options);
+      for (std::size_t v = 0; v < fixed.size(); ++v) {
+        if (fixed[v]) {
           EXPECT_EQ(X.row(v), state.X.row(v)) << name;
         }
       }
@@ -199,7 +199,7 @@ TEST(Flow, RippleOfTheCutoffWavelengthDecaysByE) {
   options.total_time = time_for_cutoff(wavelength);
   willmore_flow(X, state.topology, hold(state), options);
   // The height is measured in the middle of the sheet, a wavelength and more from the boundary,
-  // which is held.
+  // which is fixed.
   double largest = 0;
   for (Eigen::Index v = 0; v < X.rows(); ++v) {
     const bool inside = (X.row(v).head(2).array() - 0.5).abs().maxCoeff() < 0.13;
@@ -266,7 +266,7 @@ TEST(Flow, MoreNewtonIterationsSolveTheStepBetter) {
     options = options_for(state, 3, options);
     Points X = start, G;
     willmore_flow(X, state.topology, hold(state), options);
-    bending_model("lagrange").bind(state.topology, {})->energy_and_gradient(X, G);
+    bending_model("lagrange").create(state.topology, {})->energy_and_gradient(X, G);
     const PerVertex D = lumped_vertex_mass(start, state.topology);
     return (D.asDiagonal() * (X - start) + options.total_time * G).norm();
   };
@@ -394,34 +394,34 @@ TEST(Flow, ObserverCanStopIt) {
 TEST(Flow, RefusesWhatCannotBe) {
   const State state(shape("icosphere", 1));
   Points X = state.X;
-  const auto held = hold(state);
+  const auto fixed = hold(state);
   FlowOptions options = options_for(state, 4);
   options.steps = 0;
-  EXPECT_THROW(willmore_flow(X, state.topology, held, options), BadOption);
+  EXPECT_THROW(willmore_flow(X, state.topology, fixed, options), BadOption);
   options = options_for(state, 4);
   options.total_time = std::nan("");
-  EXPECT_THROW(willmore_flow(X, state.topology, held, options), BadOption);
+  EXPECT_THROW(willmore_flow(X, state.topology, fixed, options), BadOption);
   X(3, 1) = std::numeric_limits<double>::infinity();
-  EXPECT_THROW(willmore_flow(X, state.topology, held, options_for(state, 4)), BadMesh);
+  EXPECT_THROW(willmore_flow(X, state.topology, fixed, options_for(state, 4)), BadMesh);
 }
 
-TEST(HeldVertices, KeepTwoRingsOneOrNone) {
+TEST(FixedVertices, KeepTwoRingsOneOrNone) {
   const State state(flat_sheet(8, 8));
   const auto count = [&](BoundaryCondition condition) {
-    const auto held = held_vertices(state.topology, condition);
-    return std::count(held.begin(), held.end(), 1);
+    const auto fixed = fixed_vertices(state.topology, condition);
+    return std::count(fixed.begin(), fixed.end(), 1);
   };
   EXPECT_EQ(count(BoundaryCondition::free), 0);
   EXPECT_EQ(count(BoundaryCondition::position), 32);
   EXPECT_EQ(count(BoundaryCondition::fixed), 32 + 24);
 }
 
-TEST(HeldVertices, IncludeEveryDefect) {
+TEST(FixedVertices, IncludeEveryDefect) {
   for (const auto& [name, mesh] : defective_meshes()) {
     const State state(mesh);
-    const auto held = held_vertices(state.topology, BoundaryCondition::free);
-    for (std::size_t v = 0; v < held.size(); ++v) {
-      EXPECT_GE(held[v], state.topology.defective[v]) << name;
+    const auto fixed = fixed_vertices(state.topology, BoundaryCondition::free);
+    for (std::size_t v = 0; v < fixed.size(); ++v) {
+      EXPECT_GE(fixed[v], state.topology.defective[v]) << name;
     }
   }
 }

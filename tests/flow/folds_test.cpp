@@ -24,14 +24,14 @@ TEST(Folds, AreNeverRuledOutWhereThereAreAnyAndMostlyWhereThereAreNone) {
     int folded = 0, ruled_out = 0, in_doubt = 0;
     for (const auto& [name, mesh] : good_meshes()) {
       const State state(mesh);
-      const auto energy = bending_model("crouzeix-raviart").bind(state.topology, {});
+      const auto energy = bending_model("crouzeix-raviart").create(state.topology, {});
       for (const double amount : {0.1, 0.3, 0.5, 1.0}) {
         for (unsigned seed = 1; seed <= 20; ++seed) {
           const Points X = shaken(state, amount, seed);
           const std::vector<std::uint8_t> folds = folded_hinges(X, state.topology, angle);
           const bool any = std::find(folds.begin(), folds.end(), 1) != folds.end();
           energy->energy(X);
-          const bool none = energy->largest_turn() < least_turn(angle);
+          const bool none = energy->max_dihedral_turn() < least_turn(angle);
           EXPECT_FALSE(any && none) << name;
           folded += any ? 1 : 0;
           ruled_out += none ? 1 : 0;
@@ -49,7 +49,7 @@ TEST(Folds, AreNeverRuledOutWhereThereAreAnyAndMostlyWhereThereAreNone) {
 // sees all folds.
 TEST(Folds, AreSeenWhereTheEnergyHasSeenTurns) {
   const State state(make_shape("icosphere", {.subdivide = 5}));
-  const auto energy = bending_model("crouzeix-raviart").bind(state.topology, {});
+  const auto energy = bending_model("crouzeix-raviart").create(state.topology, {});
   const Unknowns unknowns(std::vector<std::uint8_t>(state.X.rows(), 0));
   FoldWatch folds(state.X, state.topology, unknowns), near_folds(state.X, state.topology, unknowns);
   const double edge = mean_edge_length(state.X, state.topology.E);

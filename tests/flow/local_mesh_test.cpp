@@ -10,7 +10,7 @@
 
 #include <gtest/gtest.h>
 
-#include "ibmfair/flow/held_vertices.h"
+#include "ibmfair/flow/fixed_vertices.h"
 #include "ibmfair/flow/time_scale.h"
 #include "ibmfair/flow/willmore_flow.h"
 #include "ibmfair/mesh/geometry.h"
@@ -84,12 +84,12 @@ double mean_distance_in_memory(const Topology& topology) {
 TEST(LocalMesh, IsTheSameMesh) {
   const State state = state_of(shuffled(wounded(noisy_torus(80, 90))).mesh);
   const Topology& topology = state.topology;
-  std::vector<std::uint8_t> held = held_vertices(topology, BoundaryCondition::fixed);
+  std::vector<std::uint8_t> fixed = fixed_vertices(topology, BoundaryCondition::fixed);
   FlowOptions options;
   options.cutoff_factor = state.X.col(0).array() + 10;
   options.spontaneous_curvature = state.X.col(1);
   options.material_directions = material_directions(state.X, topology, Vec3(1, 2, 3), 4);
-  const LocalMesh local = local_mesh(state.X, topology, held, options);
+  const LocalMesh local = local_mesh(state.X, topology, fixed, options);
 
   const std::vector<Index>& vertex = local.vertex;
   std::vector<Index> all = vertex;
@@ -100,7 +100,7 @@ TEST(LocalMesh, IsTheSameMesh) {
   for (Index i = 0; i < topology.vertex_count; ++i) {
     const Index v = vertex[i];
     ASSERT_EQ(local.X.row(i), state.X.row(v));
-    ASSERT_EQ(local.held[i], held[v]);
+    ASSERT_EQ(local.fixed[i], fixed[v]);
     ASSERT_EQ(local.topology.kind[i], topology.kind[v]);
     ASSERT_EQ(local.topology.defective[i], topology.defective[v]);
     ASSERT_EQ(local.options.cutoff_factor[i], options.cutoff_factor[v]);
@@ -127,8 +127,8 @@ TEST(LocalMesh, IsTheSameMesh) {
 
 TEST(LocalMesh, BringsNeighboursTogether) {
   const State state = state_of(shuffled(noisy_torus(80, 90)).mesh);
-  const std::vector<std::uint8_t> held(state.X.rows(), 0);
-  const LocalMesh local = local_mesh(state.X, state.topology, held, {});
+  const std::vector<std::uint8_t> fixed(state.X.rows(), 0);
+  const LocalMesh local = local_mesh(state.X, state.topology, fixed, {});
   EXPECT_LT(mean_distance_in_memory(local.topology), 0.1 * mean_distance_in_memory(state.topology));
 }
 
@@ -180,11 +180,11 @@ TEST(LocalMesh, FlowsLikeTheMeshInOrder) {
       const double length = 4 * mean_edge_length(state.X, state.topology.E);
       options.total_time =
           time_in_flow_units(time_for_cutoff(length), state.X, state.topology, options);
-      auto held = held_vertices(state.topology, BoundaryCondition::fixed);
+      auto fixed = fixed_vertices(state.topology, BoundaryCondition::fixed);
       for (Eigen::Index v = 0; v < state.X.rows(); ++v) {
-        held[v] |= state.X(v, 2) > 0.3 ? 1 : 0;
+        fixed[v] |= state.X(v, 2) > 0.3 ? 1 : 0;
       }
-      const FlowReport report = willmore_flow(state.X, state.topology, held, options);
+      const FlowReport report = willmore_flow(state.X, state.topology, fixed, options);
       EXPECT_EQ(report.status, FlowStatus::completed);
       return state.X;
     };

@@ -7,8 +7,8 @@
 
 #include <gtest/gtest.h>
 
+#include "ibmfair/flow/fixed_vertices.h"
 #include "ibmfair/flow/guarded_flow.h"
-#include "ibmfair/flow/held_vertices.h"
 #include "ibmfair/flow/time_scale.h"
 #include "ibmfair/shapes/shapes.h"
 #include "support/flow_run.h"
@@ -21,8 +21,8 @@ using Flags = std::vector<std::uint8_t>;
 
 TEST(Patches, AreThePiecesOfWhatIsWantedAndMayMove) {
   const State state(make_shape("plane", {.rows = 25, .columns = 40}));
-  const Unknowns unknowns(held_vertices(state.topology, BoundaryCondition::fixed));
-  const Rows rings = vertex_rings(state.topology);
+  const Unknowns unknowns(fixed_vertices(state.topology, BoundaryCondition::fixed));
+  const CompressedRows rings = vertex_rings(state.topology);
   const Flags wanted = around(state.topology, {300, 306, 330, 0}, 2);
   const std::vector<VertexPatch> patches = patches_of(wanted, rings, unknowns, MeshParts::one());
   EXPECT_EQ(patches.size(), 3U);
@@ -65,7 +65,7 @@ std::vector<Setting> settings(const State& state) {
 TEST(PatchFlow, GoesWhereTheMeshWouldGoWithTheRestHeld) {
   State state(make_shape("torus", {.ratio = 2.5, .rows = 24, .columns = 60}));
   state.X = shaken(state, 0.2);
-  const Rows rings = vertex_rings(state.topology);
+  const CompressedRows rings = vertex_rings(state.topology);
   const double edge = mean_edge_length(state.X, state.topology.E);
   const Flags wanted = around(state.topology, {700}, 3);
   for (auto& [name, options] : settings(state)) {
@@ -80,11 +80,11 @@ TEST(PatchFlow, GoesWhereTheMeshWouldGoWithTheRestHeld) {
     Points move = Points::Zero(state.X.rows(), 3);
     EXPECT_TRUE(PatchFlow(problem, rings).run(patch, state.X, options.total_time, move));
 
-    Flags held(wanted.size());
-    std::ranges::transform(wanted, held.begin(), [](auto flag) { return flag ? 0 : 1; });
+    Flags fixed(wanted.size());
+    std::ranges::transform(wanted, fixed.begin(), [](auto flag) { return flag ? 0 : 1; });
     FlowOptions options_alone = options;
-    options_alone.mend = false;
-    FlowProblem alone(state.X, state.topology, held, options_alone, MeshParts::one());
+    options_alone.clean_up = false;
+    FlowProblem alone(state.X, state.topology, fixed, options_alone, MeshParts::one());
     run_guarded(alone, {});  // patches come last, after any first stage
     EXPECT_GT(move.norm(), 0.01 * edge);
     EXPECT_LT((state.X + move - alone.X).rowwise().norm().maxCoeff(), 1e-6 * edge);
@@ -93,7 +93,7 @@ TEST(PatchFlow, GoesWhereTheMeshWouldGoWithTheRestHeld) {
 
 TEST(PatchFlow, LeavesAPatchAloneThatWouldHaveMoreEnergy) {
   const State state(make_shape("icosphere", {.subdivide = 3}));
-  const Rows rings = vertex_rings(state.topology);
+  const CompressedRows rings = vertex_rings(state.topology);
   FlowOptions options;
   options.total_time = time_for_cutoff(4 * mean_edge_length(state.X, state.topology.E));
   const FlowProblem problem(state.X, state.topology, Flags(state.X.rows(), 0), options,

@@ -21,25 +21,25 @@ namespace {
 
 constexpr double rounding = 1e-13;
 
-/// A state with some of its vertices held, and the rings of its vertices.
-struct Held {
+/// A state with some of its vertices fixed, and the rings of its vertices.
+struct WithFixedVertices {
   State state;
-  Rows rings;
+  CompressedRows rings;
   Unknowns unknowns;
   RingGroups groups;
 
-  explicit Held(const Mesh& mesh)
+  explicit WithFixedVertices(const Mesh& mesh)
       : state(mesh),
         rings(vertex_rings(state.topology)),
         unknowns(every_fifth(state.topology.vertex_count)),
         groups(state.topology, rings, unknowns) {}
 
   static std::vector<std::uint8_t> every_fifth(Index count) {
-    std::vector<std::uint8_t> held(static_cast<std::size_t>(count), 0);
+    std::vector<std::uint8_t> fixed(static_cast<std::size_t>(count), 0);
     for (Index v = 0; v < count; v += 5) {
-      held[v] = 1;
+      fixed[v] = 1;
     }
-    return held;
+    return fixed;
   }
 };
 
@@ -47,12 +47,12 @@ template <class Check>
 void for_all_meshes(const Check& check) {
   for (const auto& [name, mesh] : all_meshes()) {
     SCOPED_TRACE(name);
-    check(Held(mesh));
+    check(WithFixedVertices(mesh));
   }
 }
 
 TEST(RingGroups, HaveEveryVertexNearAnUnknownOnce) {
-  for_all_meshes([](const Held& mesh) {
+  for_all_meshes([](const WithFixedVertices& mesh) {
     std::vector<Index> found = mesh.groups.others;
     for (std::int64_t part = 0; part < mesh.groups.parts(); ++part) {
       RingRange(mesh.groups, part).for_each([&](Index v, std::int64_t) { found.push_back(v); });
@@ -66,7 +66,7 @@ TEST(RingGroups, HaveEveryVertexNearAnUnknownOnce) {
 }
 
 TEST(RingKernels, FindTheNormalsAndTheMeans) {
-  for_all_meshes([](const Held& mesh) {
+  for_all_meshes([](const WithFixedVertices& mesh) {
     const Topology& topology = mesh.state.topology;
     const Points& X = mesh.state.X;
     for (std::int64_t part = 0; part < mesh.groups.parts(); ++part) {
@@ -101,7 +101,7 @@ TEST(RingKernels, FindTheNormalsAndTheMeans) {
 }
 
 /// The distortion as distortion.h defines it, computed edge by edge.
-double distortion(const Held& mesh, const Points& step, const PerVertex& edge_length) {
+double distortion(const WithFixedVertices& mesh, const Points& step, const PerVertex& edge_length) {
   const auto move = [&](Index v) -> Vec3 {
     const Index u = mesh.unknowns.unknown[v];
     return u >= 0 ? Vec3(step.row(u)) : Vec3(Vec3::Zero());
@@ -126,7 +126,7 @@ double distortion(const Held& mesh, const Points& step, const PerVertex& edge_le
 }
 
 TEST(Distortion, IsTheLargerOfRoughnessAndStrain) {
-  for_all_meshes([](const Held& mesh) {
+  for_all_meshes([](const WithFixedVertices& mesh) {
     const PerVertex edge_length =
         local_edge_length(mesh.state.X, mesh.rings).array() + 0.01;  // lone vertices have no edges
     const Points rough = random_directions(mesh.unknowns.size());
@@ -142,7 +142,7 @@ TEST(Distortion, IsTheLargerOfRoughnessAndStrain) {
 
 TEST(RingKernels, Avx2GivesTheBytesOfTheBaseline) {
   SKIP_WITHOUT_KERNEL_SET(InstructionSet::avx2);
-  for_all_meshes([](const Held& mesh) {
+  for_all_meshes([](const WithFixedVertices& mesh) {
     const PerVertex edge_length = PerVertex::Ones(mesh.state.topology.vertex_count);
     const Points step = random_directions(mesh.unknowns.size());
     const auto find = [&](InstructionSet set, Points& own) {

@@ -17,8 +17,8 @@ namespace ibmfair::test {
 namespace {
 
 Points sweep(const State& state, bool keeps_creases) {
-  const Unknowns unknowns(held_vertices(state.topology, BoundaryCondition::fixed));
-  const Rows rings = vertex_rings(state.topology);
+  const Unknowns unknowns(fixed_vertices(state.topology, BoundaryCondition::fixed));
+  const CompressedRows rings = vertex_rings(state.topology);
   const RingGroups groups(state.topology, rings, unknowns);
   TangentialRelaxation relaxation(state.topology, groups, unknowns, MeshParts::one(),
                                   keeps_creases);
@@ -96,7 +96,7 @@ TEST(TangentialRelaxation, SeesNoCreasesInFineSmoothSurfaces) {
 TEST(TangentialRelaxation, LaysSpikesDown) {
   const State state = made("torus");
   const double edge = mean_edge_length(state.X, state.topology.E);
-  const Rows rings = vertex_rings(state.topology);
+  const CompressedRows rings = vertex_rings(state.topology);
   for (const double height : {-3.0, 2.0, 4.0}) {
     State spiky = state;
     const Index v = 100;
@@ -116,8 +116,8 @@ TEST(TangentialRelaxation, LaysSpikesDown) {
 TEST(TangentialRelaxation, FindsTheCornersOfNeedlesAlone) {
   for (const char* shape : {"icosphere", "torus"}) {
     State state = made(shape);
-    const Unknowns unknowns(held_vertices(state.topology, BoundaryCondition::fixed));
-    const Rows rings = vertex_rings(state.topology);
+    const Unknowns unknowns(fixed_vertices(state.topology, BoundaryCondition::fixed));
+    const CompressedRows rings = vertex_rings(state.topology);
     const RingGroups groups(state.topology, rings, unknowns);
     TangentialRelaxation relaxation(state.topology, groups, unknowns, MeshParts::one(), false);
     Points all, move;
@@ -161,11 +161,11 @@ TEST(TangentialRelaxation, LetsNoFlapsOfNoiseSurviveTheFlow) {
   for (const char* shape : {"icosphere", "torus"}) {
     State state = made(shape);
     state.X = shaken(state, 0.5);
-    const auto flaps = [&](const Points& X) {
+    const auto folds = [&](const Points& X) {
       return (dihedral_angles(X, state.topology.H).array() < 90 * degree).count();
     };
-    EXPECT_GT(flaps(state.X), state.topology.H.rows() / 50) << shape;
-    EXPECT_EQ(flaps(run_flow(state, 4, {}).X), 0) << shape;
+    EXPECT_GT(folds(state.X), state.topology.H.rows() / 50) << shape;
+    EXPECT_EQ(folds(run_flow(state, 4, {}).X), 0) << shape;
   }
 }
 

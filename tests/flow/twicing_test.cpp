@@ -8,8 +8,8 @@
 
 #include <gtest/gtest.h>
 
+#include "ibmfair/flow/fixed_vertices.h"
 #include "ibmfair/flow/folds.h"
-#include "ibmfair/flow/held_vertices.h"
 #include "ibmfair/flow/time_scale.h"
 #include "ibmfair/flow/willmore_flow.h"
 #include "ibmfair/measure/exact_surface.h"
@@ -25,7 +25,7 @@ namespace {
 Points repeated(const State& state, int times, const FlowOptions& options) {
   State now = state;
   for (int i = 0; i < times; ++i) {
-    willmore_flow(now.X, now.topology, held_vertices(now.topology, BoundaryCondition::fixed),
+    willmore_flow(now.X, now.topology, fixed_vertices(now.topology, BoundaryCondition::fixed),
                   options);
   }
   return now.X;
@@ -181,12 +181,12 @@ TEST(Twicing, KeepsThePromisesOfTheFlowOnEveryMesh) {
       const FlowRun result = run_flow(state, 5, options);
       EXPECT_TRUE(result.X.allFinite()) << name;
       EXPECT_LE(result.report.energy_after, result.report.energy_before) << name;
-      const auto held = held_vertices(state.topology, BoundaryCondition::fixed);
-      const Unknowns unknowns(held);
+      const auto fixed = fixed_vertices(state.topology, BoundaryCondition::fixed);
+      const Unknowns unknowns(fixed);
       FoldWatch folds(state.X, state.topology, unknowns);
       EXPECT_TRUE(folds.new_folds(result.X).empty()) << name << " " << laplacian;
       for (Eigen::Index v = 0; v < state.X.rows(); ++v) {
-        if (held[v]) {
+        if (fixed[v]) {
           EXPECT_EQ(result.X.row(v), state.X.row(v)) << name;
         }
       }
@@ -241,7 +241,7 @@ TEST(Twicing, WithSlidesKeepsTheVolumeOfAFlowThatIsInterrupted) {
   options.total_time = time_in_flow_units(time, state.X, state.topology, options);
   Points X = state.X;
   const FlowReport report =
-      willmore_flow(X, state.topology, held_vertices(state.topology, BoundaryCondition::fixed),
+      willmore_flow(X, state.topology, fixed_vertices(state.topology, BoundaryCondition::fixed),
                     options, [](const StepRecord& step) { return step.step < 2; });
   EXPECT_EQ(report.status, FlowStatus::interrupted);
   EXPECT_EQ(report.twicings, 0);

@@ -1,6 +1,6 @@
-// For any mesh and options, the flow ends with finite positions and with the held vertices in their
-// places, and the guarded flow ends with no more energy than at its start; or the flow says why it
-// failed and leaves the mesh as it was. A second run gives the same bits.
+// For any mesh and options, the flow ends with finite positions and with the fixed vertices in
+// their places, and the guarded flow ends with no more energy than at its start; or the flow says
+// why it failed and leaves the mesh as it was. A second run gives the same bits.
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -10,7 +10,7 @@
 #include "ibmfair/base/errors.h"
 #include "ibmfair/energy/bending_energy.h"
 #include "ibmfair/energy/material_directions.h"
-#include "ibmfair/flow/held_vertices.h"
+#include "ibmfair/flow/fixed_vertices.h"
 #include "ibmfair/flow/time_scale.h"
 #include "ibmfair/flow/willmore_flow.h"
 #include "ibmfair/mesh/geometry.h"
@@ -83,11 +83,11 @@ struct Ending {
   std::string refusal;
 };
 
-Ending run(const Mesh& mesh, const Topology& topology, const std::vector<std::uint8_t>& held,
+Ending run(const Mesh& mesh, const Topology& topology, const std::vector<std::uint8_t>& fixed,
            const FlowOptions& options) {
   Ending ending{mesh.X, {}, {}};
   try {
-    ending.report = willmore_flow(ending.X, topology, held, options);
+    ending.report = willmore_flow(ending.X, topology, fixed, options);
   } catch (const Error& error) {
     ending.refusal = error.what();
     law(!ending.refusal.empty(), "a refusal says why");
@@ -96,14 +96,14 @@ Ending run(const Mesh& mesh, const Topology& topology, const std::vector<std::ui
   return ending;
 }
 
-double energy_of(const Points& X, const Topology& topology, const std::vector<std::uint8_t>& held,
+double energy_of(const Points& X, const Topology& topology, const std::vector<std::uint8_t>& fixed,
                  const FlowOptions& options) {
   EnergyOptions energy = options.energy_options();
-  energy.active = held;
+  energy.active = fixed;
   for (std::uint8_t& flag : energy.active) {
     flag = flag != 0 ? 0 : 1;
   }
-  return bending_model(options.laplacian).bind(topology, energy)->energy(X);
+  return bending_model(options.laplacian).create(topology, energy)->energy(X);
 }
 
 /// If the volume or the area is to be kept, it must be unchanged up to the rounding of the
@@ -134,27 +134,27 @@ void flow(std::string_view input) {
   const Mesh mesh = small_mesh(bytes);
   if (mesh.faces.size() == 0) return;  // no reader returns such a mesh
   const Topology topology = build_topology(mesh.X, triangulate(mesh).F);
-  const std::vector<std::uint8_t> held = held_vertices(topology, wanted.boundary);
+  const std::vector<std::uint8_t> fixed = fixed_vertices(topology, wanted.boundary);
   wanted.fit_to(mesh, topology);
   FlowOptions& options = wanted.options;
   const double cutoff = wanted.cutoff_edges * mean_edge_length(mesh.X, topology.E);
   options.total_time = time_in_flow_units(time_for_cutoff(cutoff), mesh.X, topology, options);
 
-  const Ending once = run(mesh, topology, held, options);
+  const Ending once = run(mesh, topology, fixed, options);
   law(once.X.rows() == mesh.X.rows() && once.X.allFinite(), "all ends in finite places");
   for (Index v = 0; v < topology.vertex_count; ++v)
-    law(held[v] == 0 || once.X.row(v) == mesh.X.row(v), "held vertices stay where they are");
+    law(fixed[v] == 0 || once.X.row(v) == mesh.X.row(v), "fixed vertices stay where they are");
   if (once.refusal.empty()) require_kept(mesh.X, once.X, topology, options);
   if (once.refusal.empty() && options.guarded) {
     const FlowReport& report = once.report;
     law(report.energy_after <= report.energy_before, "the report's energy does not rise");
     if (report.unknowns > 0) {
-      const double before = energy_of(mesh.X, topology, held, options);
-      const double after = energy_of(once.X, topology, held, options);
+      const double before = energy_of(mesh.X, topology, fixed, options);
+      const double after = energy_of(once.X, topology, fixed, options);
       law(after <= before, "the energy does not rise");
     }
   }
-  const Ending twice = run(mesh, topology, held, options);
+  const Ending twice = run(mesh, topology, fixed, options);
   law(twice.X == once.X && twice.refusal == once.refusal, "the same comes out again");
 }
 

@@ -53,7 +53,7 @@ TEST(Topology, RingsFollowTheTriangles) {
   Index in_turn = 0, in_order = 0;
   for (const auto& [name, mesh] : all_meshes()) {
     const Topology topology = topology_of(mesh);
-    const Rows rings = vertex_rings(topology);
+    const CompressedRows rings = vertex_rings(topology);
     for (Index v = 0; v < topology.vertex_count; ++v) {
       const auto ring = rings[v];
       std::set<Index> neighbours;

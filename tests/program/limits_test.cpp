@@ -12,9 +12,9 @@
 #include <nlohmann/json.hpp>
 #include <sys/mman.h>
 
+#include "ibmfair/base/compressed_rows.h"
 #include "ibmfair/base/errors.h"
 #include "ibmfair/base/process_memory.h"
-#include "ibmfair/base/rows.h"
 #include "ibmfair/mesh/mesh.h"
 #include "ibmfair/mesh/topology.h"
 #include "support/files.h"

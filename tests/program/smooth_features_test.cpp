@@ -234,10 +234,10 @@ TEST_F(SmoothFeatures, CutoffAutoIsTheCutoffThatItNames) {
 TEST_F(SmoothFeatures, CutoffAutoWhereThereIsNothingToChoose) {
   const std::string input = noisy("icosahedron", {"--noise", "0.1"});
   write_bytes(files_ / "all.txt", "0 1 2 3 4 5 6 7 8 9 10 11\n");
-  const Smoothed held = smooth(input, {"--cutoff", "auto", "--fix", files_ / "all.txt"});
-  EXPECT_EQ(held.exit_code, 0);
-  EXPECT_TRUE(contains(held.err, "no vertex is free to move")) << held.err;
-  EXPECT_FALSE(held.report.contains("cutoff_choice"));
+  const Smoothed fixed = smooth(input, {"--cutoff", "auto", "--fix", files_ / "all.txt"});
+  EXPECT_EQ(fixed.exit_code, 0);
+  EXPECT_TRUE(contains(fixed.err, "no vertex is free to move")) << fixed.err;
+  EXPECT_FALSE(fixed.report.contains("cutoff_choice"));
   EXPECT_EQ(smooth(input, {"--cutoff", "auto", "--steps", "0"}).exit_code, 0);
   EXPECT_EQ(smooth(input, {"--cutoff", "auto"}).exit_code, 0);
   EXPECT_EQ(smooth(input, {"--cutoff", "auto", "--time-step", "1"}).exit_code, 2);

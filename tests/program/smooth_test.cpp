@@ -85,8 +85,8 @@ TEST(Smooth, StagesTakeNoMoreThanTheRun) {
   }
 }
 
-/// The law also holds if vertices are held, so that the flow computes the energies of a part of the
-/// mesh only.
+/// The law also holds if vertices are fixed, so that the flow computes the energies of a part of
+/// the mesh only.
 TEST(Smooth, EnergiesAreThoseOfTheWholeMesh) {
   const TemporaryDirectory directory;
   const std::string out = directory / "out.ply";

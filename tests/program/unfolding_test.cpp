@@ -1,4 +1,4 @@
-// Foldovers (flaps) that noise left upside down are unfolded, and no other vertices are moved.
+// Foldovers that noise left upside down are unfolded, and no other vertices are moved.
 #include "ibmfair/flow/unfolding.h"
 
 #include <algorithm>
@@ -22,13 +22,13 @@ namespace {
 
 constexpr double flat = 0.6;
 
-/// The moves of the vertices when the flagged vertices are held.
-Points unfolded_by(const State& state, const std::vector<std::uint8_t>& held) {
-  const Rows rings = vertex_rings(state.topology);
+/// The moves of the vertices when the flagged vertices are fixed.
+Points unfolded_by(const State& state, const std::vector<std::uint8_t>& fixed) {
+  const CompressedRows rings = vertex_rings(state.topology);
   Points X = state.X;
-  for (const VertexPatch& flap :
-       find_flaps(state.X, state.topology, rings, Unknowns(held), MeshParts::one(), flat)) {
-    even_out(flap, rings, X);
+  for (const VertexPatch& patch : find_folded_patches(state.X, state.topology, rings,
+                                                      Unknowns(fixed), MeshParts::one(), flat)) {
+    even_out(patch, rings, X);
   }
   return X - state.X;
 }
@@ -52,7 +52,7 @@ std::vector<State> smooth_states() {
 
 /// Interior vertices whose rings are two or more rings away from each other and from any boundary.
 std::vector<Index> far_apart(const Topology& topology) {
-  const Rows rings = vertex_rings(topology);
+  const CompressedRows rings = vertex_rings(topology);
   std::vector<std::uint8_t> taken(static_cast<std::size_t>(topology.vertex_count), 0);
   for (Index v = 0; v < topology.vertex_count; ++v) {
     taken[v] = topology.kind[v] == VertexKind::interior ? 0 : 1;
@@ -79,7 +79,7 @@ std::vector<Index> far_apart(const Topology& topology) {
 /// Each of these vertices changes places with its first neighbour, so that the two triangles at the
 /// edge between them are upside down.
 Points with_flaps(const State& state, const std::vector<Index>& vertices) {
-  const Rows rings = vertex_rings(state.topology);
+  const CompressedRows rings = vertex_rings(state.topology);
   Points X = state.X;
   for (const Index v : vertices) {
     X.row(v).swap(X.row(rings[v][0]));
@@ -112,10 +112,10 @@ TEST(Unfolding, KeepsWhatIsHeldAndPatchesToThemselves) {
     const std::vector<Index> vertices = far_apart(state.topology);
     state.X = with_flaps(state, vertices);
     const Points all = unfolded_by(state, none_of(state));
-    const std::vector<std::uint8_t> held = around(state.topology, {vertices[0]}, 2);
-    const Points rest = unfolded_by(state, held);
+    const std::vector<std::uint8_t> fixed = around(state.topology, {vertices[0]}, 2);
+    const Points rest = unfolded_by(state, fixed);
     for (Index v = 0; v < all.rows(); ++v) {
-      if (held[v] != 0) {
+      if (fixed[v] != 0) {
         EXPECT_EQ(rest.row(v), Vec3(Vec3::Zero()).transpose()) << v;
       }
     }

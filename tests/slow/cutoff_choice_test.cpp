@@ -71,7 +71,7 @@ std::vector<Noisy> noisy_shapes() {
 
 CutoffChoice choice_for(const State& state, double largest, const FlowOptions& options) {
   return choose_cutoff(state.X, state.topology,
-                       held_vertices(state.topology, BoundaryCondition::fixed), options,
+                       fixed_vertices(state.topology, BoundaryCondition::fixed), options,
                        {.largest = largest});
 }
 
@@ -146,9 +146,9 @@ TEST(CutoffChoice, ASampleTellsAboutWhatTheWholeMeshTells) {
                     std::make_unique<ExactTorus>(Vec3::Zero(), 1, 0.4), 0.2);
   FlowOptions options{.laplacian = "umbrella", .steps = 8, .relax = false, .twicing = 1};
   options.keep_volume = true;  // a part of the mesh cannot keep the volume
-  const auto held = held_vertices(noisy.state.topology, BoundaryCondition::fixed);
+  const auto fixed = fixed_vertices(noisy.state.topology, BoundaryCondition::fixed);
   const auto choice = [&](Index enough) {
-    return choose_cutoff(noisy.state.X, noisy.state.topology, held, options,
+    return choose_cutoff(noisy.state.X, noisy.state.topology, fixed, options,
                          {.largest = noisy.diagonal / 2, .enough = enough});
   };
   const CutoffChoice whole = choice(noisy.state.topology.vertex_count), sample = choice(50'000);
@@ -160,9 +160,9 @@ TEST(CutoffChoice, ASampleTellsAboutWhatTheWholeMeshTells) {
 
 TEST(CutoffChoice, PiecesThatAreAllRimTellNothing) {
   const State torus(make_shape("torus", {.ratio = 2.5, .rows = 24}));
-  const auto held = held_vertices(torus.topology, BoundaryCondition::fixed);
+  const auto fixed = fixed_vertices(torus.topology, BoundaryCondition::fixed);
   const auto choice = [&](Index enough) {
-    return choose_cutoff(shaken(torus, 0.1), torus.topology, held, {},
+    return choose_cutoff(shaken(torus, 0.1), torus.topology, fixed, {},
                          {.largest = 1, .enough = enough})
         .cutoff;
   };
@@ -236,9 +236,9 @@ TEST(CutoffChoice, ComparesWhatIsLeftWhereCreasesAreKept) {
 
 TEST(CutoffChoice, ForgetsTheCreasesOfTheLastOne) {
   const NoisyPolyhedron noisy("icosahedron", 0.2);
-  const auto held = held_vertices(noisy.state.topology, BoundaryCondition::fixed);
+  const auto fixed = fixed_vertices(noisy.state.topology, BoundaryCondition::fixed);
   const auto chooser = [&] {
-    return CutoffChooser(noisy.state.X, noisy.state.topology, held, keeping_creases(0),
+    return CutoffChooser(noisy.state.X, noisy.state.topology, fixed, keeping_creases(0),
                          {.largest = 6 * noisy.edge, .noise = noisy.noise});
   };
   const auto risks_of = [](const CutoffChoice& choice) {
@@ -267,9 +267,9 @@ TEST(CreaseChoice, KeepsThoseOfPolyhedra) {
     for (const double noise : {0.05, 0.2, 0.3}) {
       SCOPED_TRACE(std::string(shape) + ", noise " + std::to_string(noise));
       const NoisyPolyhedron noisy(shape, noise);
-      const auto held = held_vertices(noisy.state.topology, BoundaryCondition::fixed);
+      const auto fixed = fixed_vertices(noisy.state.topology, BoundaryCondition::fixed);
       const CutoffChoice without = choice_for(noisy.state, 2, without_creases());
-      const auto creases = choose_creases(noisy.state.X, noisy.state.topology, held,
+      const auto creases = choose_creases(noisy.state.X, noisy.state.topology, fixed,
                                           keeping_creases(0), without, {.largest = 2});
       ASSERT_TRUE(creases);
       EXPECT_EQ(creases->cutoff.noise, without.noise);
@@ -283,9 +283,9 @@ TEST(CreaseChoice, KeepsThoseOfPolyhedra) {
 
 TEST(CreaseChoice, FindsNoneInSmoothShapes) {
   for (const Noisy& noisy : noisy_shapes()) {
-    const auto held = held_vertices(noisy.state.topology, BoundaryCondition::fixed);
+    const auto fixed = fixed_vertices(noisy.state.topology, BoundaryCondition::fixed);
     const CutoffChoice without = choice_for(noisy.state, noisy.diagonal / 2, without_creases());
-    EXPECT_FALSE(choose_creases(noisy.state.X, noisy.state.topology, held, keeping_creases(0),
+    EXPECT_FALSE(choose_creases(noisy.state.X, noisy.state.topology, fixed, keeping_creases(0),
                                 without, {.largest = noisy.diagonal / 2}))
         << noisy.name;
   }

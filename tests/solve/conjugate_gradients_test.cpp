@@ -20,18 +20,18 @@
 namespace ibmfair::test {
 namespace {
 
-/// The matrix J = D + h S of a shaken mesh, with every third vertex held or with no vertex held,
+/// The matrix J = D + h S of a shaken mesh, with every third vertex fixed or with no vertex fixed,
 /// both by rows and assembled.
 struct Example {
   Example(const State& state, std::string_view model, bool hold)
-      : energy(bending_model(model).bind(state.topology, {})),
+      : energy(bending_model(model).create(state.topology, {})),
         terms(energy->stencils(), state.topology.vertex_count),
         unknowns([&] {
-          std::vector<std::uint8_t> held(state.X.rows(), 0);
-          for (std::size_t v = 0; hold && v < held.size(); v += 3) {
-            held[v] = 1;
+          std::vector<std::uint8_t> fixed(state.X.rows(), 0);
+          for (std::size_t v = 0; hold && v < fixed.size(); v += 3) {
+            fixed[v] = 1;
           }
-          return Unknowns(held);
+          return Unknowns(fixed);
         }()) {
     energy->linearise(shaken(state, 0.1), weights);
     D = Eigen::VectorXd::LinSpaced(unknowns.size(), 1, 3);
@@ -98,7 +98,7 @@ void for_every_example(const Check& check) {
     for (const Placement placement : all_placements) {
       for (const auto& [name, mesh] : placed(all_meshes(), placement)) {
         for (const bool hold : {false, true}) {
-          SCOPED_TRACE(std::string(model.name) + ", " + name + (hold ? ", some held" : ""));
+          SCOPED_TRACE(std::string(model.name) + ", " + name + (hold ? ", some fixed" : ""));
           Example example(State(mesh), model.name, hold);
           check(example);
         }

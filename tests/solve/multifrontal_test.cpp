@@ -16,7 +16,7 @@ namespace {
 /// The matrix I + S of a mesh: symmetric positive definite, with the pattern that the matrices of
 /// the flow have.
 SymmetricMatrix example(const State& state) {
-  const auto energy = bending_model("lagrange").bind(state.topology, {});
+  const auto energy = bending_model("lagrange").create(state.topology, {});
   const StencilTerms terms(energy->stencils(), state.topology.vertex_count);
   const HessianAssembler assembler(terms, Unknowns(std::vector<std::uint8_t>(state.X.rows(), 0)));
   SymmetricMatrix J = assembler.pattern();

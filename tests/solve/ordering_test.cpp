@@ -21,7 +21,7 @@ namespace {
 /// The vertices of a mesh and its edges.
 struct Example {
   Points X;
-  Rows graph;
+  CompressedRows graph;
 };
 
 Example example(const Mesh& mesh) {
@@ -56,7 +56,8 @@ bool is_permutation(std::vector<Index> order, Index size) {
 }
 
 TEST(Orderings, ArePermutations) {
-  std::vector<Example> examples{{Points(0, 3), Rows()}, sphere(5), twice(sphere(4), {3, 0, 0})};
+  std::vector<Example> examples{
+      {Points(0, 3), CompressedRows()}, sphere(5), twice(sphere(4), {3, 0, 0})};
   for (const auto& [name, mesh] : all_meshes()) {
     examples.push_back(example(mesh));
   }
@@ -80,14 +81,14 @@ TEST(Orderings, AreTheSameForAnyNumberOfThreads) {
 
 TEST(Orderings, GraphOfAMatrixHasItsEntriesAtBothEnds) {
   const SymmetricMatrix J{{0, 3, 4, 5}, {0, 1, 2, 1, 2}, {4, 1, 1, 4, 4}};
-  const Rows graph = graph_of(J);
+  const CompressedRows graph = graph_of(J);
   EXPECT_EQ(graph.first, (std::vector<std::int64_t>{0, 2, 3, 4}));
   EXPECT_EQ(graph.value, (std::vector<Index>{1, 2, 0, 0}));
 }
 
 /// The two sides and the separator together contain each node exactly once, and no edge joins the
 /// sides.
-void expect_separation(const Rows& graph, const Separation& parts) {
+void expect_separation(const CompressedRows& graph, const Separation& parts) {
   std::vector<int> where(static_cast<std::size_t>(graph.size()), -1);
   const auto mark = [&](const std::vector<Index>& nodes, int part) {
     for (const Index v : nodes) {
@@ -170,7 +171,7 @@ TEST(Separators, AreNotFoundInAPointOrNowhere) {
   EXPECT_FALSE(separate(graph, HUGE_VAL * X));
   X(7, 1) = std::nan("");
   EXPECT_FALSE(separate(graph, X));
-  EXPECT_FALSE(separate(Rows(), Points(0, 3)));
+  EXPECT_FALSE(separate(CompressedRows(), Points(0, 3)));
 }
 
 }  // namespace

@@ -34,21 +34,21 @@ std::vector<std::set<Index>> eliminated(const EliminationGraph& graph) {
 
 struct NamedGraph {
   std::string name;
-  Rows graph;
+  CompressedRows graph;
   std::vector<Index> order;
 };
 
 /// The graphs of all meshes, of a path, of a star and of unconnected nodes, each in its own order,
 /// by minimum degree and in a random order.
 std::vector<NamedGraph> named_graphs() {
-  std::vector<NamedGraph> graphs{{"nothing", Rows(), {}}};
+  std::vector<NamedGraph> graphs{{"nothing", CompressedRows(), {}}};
   const auto graph_from = [](Index nodes, const std::vector<std::pair<Index, Index>>& edges) {
     std::vector<std::set<Index>> neighbours(static_cast<std::size_t>(nodes));
     for (const auto& [a, b] : edges) {
       neighbours[a].insert(b);
       neighbours[b].insert(a);
     }
-    Rows graph;
+    CompressedRows graph;
     for (const auto& of_node : neighbours) {
       graph.value.insert(graph.value.end(), of_node.begin(), of_node.end());
       graph.first.push_back(std::ssize(graph.value));

@@ -21,13 +21,13 @@ using namespace ibmfair::test;  // random_directions
 /// A part of the elastic energy, by name.
 struct TermRow {
   std::string_view name;
-  std::unique_ptr<EnergyTerm> (*bind)(const Plate& plate, const BlockHessian& H);
+  std::unique_ptr<EnergyTerm> (*create)(const Plate& plate, const BlockHessian& H);
 };
 
 inline std::vector<TermRow> terms() {
   std::vector<TermRow> rows{{"membrane", bind_membrane}};
   for (const BendingForce& force : bending_forces()) {
-    rows.push_back({force.name, force.bind});
+    rows.push_back({force.name, force.create});
   }
   return rows;
 }

@@ -23,14 +23,14 @@ struct Member {
   /// Whether the stencils of the Hessian are the stencils of the energy itself.
   bool has_own_hessian() const { return laplacian != "intrinsic-delaunay" && mass != "galerkin"; }
 
-  std::unique_ptr<BendingEnergy> bind(const Topology& topology) const {
-    return bending_model(laplacian).bind(topology, options());
+  std::unique_ptr<BendingEnergy> create(const Topology& topology) const {
+    return bending_model(laplacian).create(topology, options());
   }
   LaplacianMatrices matrices(const Points& X, const Topology& topology) const {
     return bending_model(laplacian).matrices(X, topology, options());
   }
   double energy(const Points& X, const Topology& topology) const {
-    return bind(topology)->energy(X);
+    return create(topology)->energy(X);
   }
 };
 

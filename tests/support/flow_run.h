@@ -1,7 +1,7 @@
-// A flow of a mesh with its open boundaries held.
+// A flow of a mesh with its open boundaries fixed.
 #pragma once
 
-#include "ibmfair/flow/held_vertices.h"
+#include "ibmfair/flow/fixed_vertices.h"
 #include "ibmfair/flow/time_scale.h"
 #include "ibmfair/flow/willmore_flow.h"
 #include "ibmfair/mesh/geometry.h"
@@ -20,7 +20,7 @@ inline FlowRun run_flow(const State& state, double cutoff, FlowOptions options) 
   options.total_time = time_in_flow_units(time, state.X, state.topology, options);
   FlowRun result{state.X, {}};
   result.report = willmore_flow(result.X, state.topology,
-                                held_vertices(state.topology, BoundaryCondition::fixed), options);
+                                fixed_vertices(state.topology, BoundaryCondition::fixed), options);
   return result;
 }
 

@@ -40,12 +40,12 @@ using namespace ibmfair;
 
 /// I + the Laplacian of the graph of a crouzeix-raviart Jacobian over all vertices.
 SymmetricMatrix example(const Topology& topology) {
-  const auto energy = bending_model("crouzeix-raviart").bind(topology, {});
+  const auto energy = bending_model("crouzeix-raviart").create(topology, {});
   const StencilTerms terms(energy->stencils(), topology.vertex_count);
   const Unknowns all(std::vector<std::uint8_t>(topology.vertex_count, 0));
   SymmetricMatrix J = HessianAssembler(terms, all).pattern();
   std::fill(J.value.begin(), J.value.end(), -1);
-  const Rows graph = graph_of(J);
+  const CompressedRows graph = graph_of(J);
   for (Index j = 0; j < graph.size(); ++j) {
     J.value[J.column_first[j]] = 1 + static_cast<double>(graph[j].size());
   }

@@ -27,8 +27,8 @@ void build(StageInputs& s) {
 }
 
 /// The blocks over which an energy is summed.
-void bind(StageInputs& s) {
-  s.results.bending = bending_model("crouzeix-raviart").bind(s.topology, {});
+void create(StageInputs& s) {
+  s.results.bending = bending_model("crouzeix-raviart").create(s.topology, {});
 }
 
 void make_pattern(StageInputs& s) {
@@ -204,7 +204,7 @@ bool worth_factoring(const FactorForecast& forecast) {
 constexpr std::array table{
     Stage{"read", read, read_bytes},
     Stage{"topology", build, topology_bytes},
-    Stage{"bind", bind, topology_bytes},
+    Stage{"bind", create, topology_bytes},
     Stage{"pattern", make_pattern, pattern_bytes},
     Stage{"assemble", assemble, matrix_bytes},
     Stage{"analyse", analyse, analysis_bytes, nullptr, is_analysed_quickly},
@@ -230,8 +230,8 @@ StageInputs::StageInputs(std::string input_path, std::string output_path)
       X(file.mesh().X),
       moved(0.999 * X),
       topology(build_topology(X, triangulate(file.mesh()).F)),
-      crouzeix_raviart(bending_model("crouzeix-raviart").bind(topology, {})),
-      lagrange(bending_model("lagrange").bind(topology, {})),
+      crouzeix_raviart(bending_model("crouzeix-raviart").create(topology, {})),
+      lagrange(bending_model("lagrange").create(topology, {})),
       unknowns(std::vector<std::uint8_t>(topology.vertex_count, 0)),
       terms(crouzeix_raviart->stencils(), topology.vertex_count),
       assembler(terms, unknowns),

@@ -13,7 +13,7 @@ namespace ibmfair::cloth {
 struct BendingForce {
   std::string_view name;     ///< name on the command line
   std::string_view summary;  ///< one line
-  std::unique_ptr<EnergyTerm> (*bind)(const Plate& plate, const BlockHessian& H);
+  std::unique_ptr<EnergyTerm> (*create)(const Plate& plate, const BlockHessian& H);
 };
 
 std::span<const BendingForce> bending_forces();

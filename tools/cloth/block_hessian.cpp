@@ -5,7 +5,7 @@
 
 namespace ibmfair::cloth {
 
-BlockHessian::BlockHessian(const Rows& elements, Index vertices)
+BlockHessian::BlockHessian(const CompressedRows& elements, Index vertices)
     : pattern_(HessianAssembler(StencilTerms(elements, vertices),
                                 Unknowns(std::vector<std::uint8_t>(vertices, 0)))
                    .pattern()),
@@ -23,7 +23,7 @@ Index BlockHessian::place(Index i, Index j) const {
   return i >= j ? k : ~k;
 }
 
-std::vector<Index> BlockHessian::places(const Rows& elements) const {
+std::vector<Index> BlockHessian::places(const CompressedRows& elements) const {
   std::vector<Index> places;
   for (Index e = 0; e < elements.size(); ++e) {
     for (std::size_t a = 0; a < elements[e].size(); ++a) {

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "ibmfair/base/rows.h"
+#include "ibmfair/base/compressed_rows.h"
 #include "ibmfair/base/types.h"
 #include "ibmfair/energy/hessian.h"
 
@@ -18,7 +18,7 @@ using Block = Eigen::Matrix3d;
 class BlockHessian {
  public:
   /// A block for each pair of the `vertices` that share a row of `elements`, and on the diagonal.
-  BlockHessian(const Rows& elements, Index vertices);
+  BlockHessian(const CompressedRows& elements, Index vertices);
 
   void clear();
 
@@ -28,7 +28,7 @@ class BlockHessian {
 
   /// For each row of `elements`, all of the same length k, the places of the pairs (a, b) with
   /// b <= a of its vertices, k (k + 1) / 2 of them: (0,0), (1,0), (1,1), (2,0), ...
-  std::vector<Index> places(const Rows& elements) const;
+  std::vector<Index> places(const CompressedRows& elements) const;
 
   /// Adds d^2 E / dx_i dx_j to the block at `place(i, j)`.
   template <class Derived>

@@ -2,9 +2,9 @@
 
 namespace ibmfair::cloth {
 
-BlockSolver::BlockSolver(const BlockHessian& H, const std::vector<std::uint8_t>& held,
+BlockSolver::BlockSolver(const BlockHessian& H, const std::vector<std::uint8_t>& fixed,
                          const Points& rest)
-    : unknowns_(held) {
+    : unknowns_(fixed) {
   const SymmetricMatrix& pattern = H.pattern();
   for (const Index v : unknowns_.vertex) {
     for (int c = 0; c < 3; ++c) {

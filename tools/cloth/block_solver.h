@@ -12,8 +12,8 @@ namespace ibmfair::cloth {
 /// The pattern is analysed once.
 class BlockSolver {
  public:
-  /// H gives the pattern; `held` is #V; `rest` is #V x 3, the approximate positions.
-  BlockSolver(const BlockHessian& H, const std::vector<std::uint8_t>& held, const Points& rest);
+  /// H gives the pattern; `fixed` is #V; `rest` is #V x 3, the approximate positions.
+  BlockSolver(const BlockHessian& H, const std::vector<std::uint8_t>& fixed, const Points& rest);
 
   /// d: #V. Throws FactorizationFailed where J is not positive definite.
   void factor(const BlockHessian& H, const PerVertex& d);

@@ -16,7 +16,7 @@ struct ElasticSheet {
   ElasticSheet(const Plate& plate, const BendingForce& force)
       : hessian(element_rows(plate.topology), static_cast<Index>(plate.rest.rows())),
         membrane(bind_membrane(plate, hessian)),
-        bending(force.bind(plate, hessian)) {}
+        bending(force.create(plate, hessian)) {}
 };
 
 }  // namespace ibmfair::cloth

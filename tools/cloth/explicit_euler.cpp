@@ -46,7 +46,7 @@ class ExplicitEuler final : public Integrator {
     }
     const double decay = 1 / (1 + h_ * plate_.material.mass_damping);
     for (Index v = 0; v < X.rows(); ++v) {
-      if (!plate_.held[v]) {
+      if (!plate_.fixed[v]) {
         V.row(v) = decay * (V.row(v) + step_over_mass_[v] * (force_.row(v) - gradient_.row(v)));
         X.row(v) += h_ * V.row(v);
       }

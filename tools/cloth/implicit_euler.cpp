@@ -26,7 +26,7 @@ class ImplicitEuler final : public Integrator {
         smallest_move_(options.tolerance * mean_edge_length(plate.rest, plate.topology.E)),
         inertia_((1 / (h_ * h_)) * plate.mass),
         sheet_(plate, bending),
-        solver_(sheet_.hessian, plate.held, plate.rest) {
+        solver_(sheet_.hessian, plate.fixed, plate.rest) {
     terms_ = {sheet_.membrane.get(), sheet_.bending.get()};
     if (surroundings.sphere) {
       contact_ = bind_contact(*surroundings.sphere, plate, h_, sheet_.hessian);
@@ -67,14 +67,14 @@ class ImplicitEuler final : public Integrator {
     return value;
   }
 
-  /// The gradient of Phi, 0 at vertices that are held.
+  /// The gradient of Phi, 0 at vertices that are fixed.
   void gradient(const Points& X, Points& G) const {
     G = inertia_.asDiagonal() * (X - predicted_ + damping() * (X - X_)) - force_;
     for (EnergyTerm* term : terms_) {
       term->add_gradient(X, G);
     }
     for (Index v = 0; v < X.rows(); ++v) {
-      if (plate_.held[v]) {
+      if (plate_.fixed[v]) {
         G.row(v).setZero();
       }
     }

@@ -42,8 +42,8 @@ struct IntegratorRow {
   std::string_view name;     ///< name on the command line
   std::string_view summary;  ///< one line
   /// Refers to plate and surroundings.
-  std::unique_ptr<Integrator> (*bind)(const Plate& plate, const Surroundings& surroundings,
-                                      const BendingForce& bending, const StepOptions& options);
+  std::unique_ptr<Integrator> (*create)(const Plate& plate, const Surroundings& surroundings,
+                                        const BendingForce& bending, const StepOptions& options);
 };
 
 std::span<const IntegratorRow> integrators();

@@ -9,7 +9,7 @@ namespace ibmfair::cloth {
 namespace {
 
 SymmetricMatrix hessian_at_rest(const Plate& plate) {
-  const auto energy = bending_model("crouzeix-raviart").bind(plate.topology, {});
+  const auto energy = bending_model("crouzeix-raviart").create(plate.topology, {});
   StencilWeights weights;
   energy->linearise(plate.rest, weights);
   const Unknowns all(std::vector<std::uint8_t>(static_cast<std::size_t>(plate.rest.rows()), 0));

@@ -56,8 +56,9 @@ std::vector<Points> run(const Arguments& arguments, const SceneRow& row, const S
   options.newton_iterations = arguments.newton_iterations;
   const bool chosen_by_scene = arguments.time_step == 0 && arguments.integrator == "implicit";
   options.time_step = chosen_by_scene ? row.time_step : arguments.time_step;
-  const auto stepper = integrator(arguments.integrator)
-                           .bind(scene.plate, scene.surroundings, bending_force(bending), options);
+  const auto stepper =
+      integrator(arguments.integrator)
+          .create(scene.plate, scene.surroundings, bending_force(bending), options);
   const double length = arguments.seconds > 0 ? arguments.seconds : row.seconds;
   double seconds = 0;
   std::vector<Points> frames;

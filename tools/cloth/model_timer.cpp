@@ -23,10 +23,10 @@ ModelTimer::ModelTimer(const SceneRow& row, const TriangleMesh& sheet, const Ben
       elastic_(scene_.plate, bending),
       system_(scene_.plate, bending),
       inertia_(scene_.plate.mass / (row.time_step * row.time_step)),
-      solver_(system_.hessian, scene_.plate.held, scene_.plate.rest),
+      solver_(system_.hessian, scene_.plate.fixed, scene_.plate.rest),
       G_(Points::Zero(scene_.start.rows(), 3)),
-      explicit_(bind("explicit", 0, bending)),
-      implicit_(bind("implicit", row.time_step, bending)),
+      explicit_(create("explicit", 0, bending)),
+      implicit_(create("implicit", row.time_step, bending)),
       explicit_motion_(at_rest(scene_.start)),
       implicit_motion_(at_rest(scene_.start)) {
   system_.membrane->add_hessian(scene_.start, HessianPart::positive, system_.hessian);
@@ -40,12 +40,12 @@ void ModelTimer::factor_and_solve() {
   solver_.solve(scene_.start, D_);
 }
 
-std::unique_ptr<Integrator> ModelTimer::bind(std::string_view name, double time_step,
-                                             const BendingForce& bending) const {
+std::unique_ptr<Integrator> ModelTimer::create(std::string_view name, double time_step,
+                                               const BendingForce& bending) const {
   StepOptions options;
   options.time_step = time_step;
   options.newton_iterations = 1;
-  return integrator(name).bind(scene_.plate, scene_.surroundings, bending, options);
+  return integrator(name).create(scene_.plate, scene_.surroundings, bending, options);
 }
 
 }  // namespace ibmfair::cloth

@@ -23,8 +23,8 @@ class ModelTimer {
   void factor_and_solve();
 
  private:
-  std::unique_ptr<Integrator> bind(std::string_view name, double time_step,
-                                   const BendingForce& bending) const;
+  std::unique_ptr<Integrator> create(std::string_view name, double time_step,
+                                     const BendingForce& bending) const;
 
   Scene scene_;
   ElasticSheet elastic_, system_;  // the second one's Hessian is that of the whole sheet

@@ -24,18 +24,18 @@ struct Plate {
   Points rest;  ///< #V x 3, metres
   Topology topology;
   Material material;
-  std::vector<std::uint8_t> held;  ///< #V, 1 for fixed vertices
-  PerVertex mass;                  ///< #V, kg: [W07]'s rho M, lumped
+  std::vector<std::uint8_t> fixed;  ///< #V, 1 for fixed vertices
+  PerVertex mass;                   ///< #V, kg: [W07]'s rho M, lumped
 };
 
-/// `held` may be empty: no vertex is fixed.
+/// `fixed` may be empty: no vertex is fixed.
 Plate make_plate(const Points& rest, const Triangles& F, const Material& material,
-                 std::vector<std::uint8_t> held = {});
+                 std::vector<std::uint8_t> fixed = {});
 
 /// The vertices of each triangle and of each hinge, over which the terms of the energy sum.
-Rows triangle_rows(const Topology& topology);
-Rows hinge_rows(const Topology& topology);
+CompressedRows triangle_rows(const Topology& topology);
+CompressedRows hinge_rows(const Topology& topology);
 /// Both.
-Rows element_rows(const Topology& topology);
+CompressedRows element_rows(const Topology& topology);
 
 }  // namespace ibmfair::cloth

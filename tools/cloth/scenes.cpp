@@ -33,11 +33,11 @@ Scene flag(const TriangleMesh& sheet) {
   const Material material{
       .density = 0.1, .young = 1000, .bending = 2e-4, .mass_damping = 0, .strain_damping = 1e-4};
   Scene scene;
-  std::vector<std::uint8_t> held;
+  std::vector<std::uint8_t> fixed;
   for (const double x : sheet.X.col(0)) {
-    held.push_back(x == 0 ? 1 : 0);
+    fixed.push_back(x == 0 ? 1 : 0);
   }
-  scene.plate = make_plate(sheet.X, sheet.F, material, held);
+  scene.plate = make_plate(sheet.X, sheet.F, material, fixed);
   scene.surroundings.wind = {15, 0, 0.5};
   scene.surroundings.drag = 0.5;
   scene.start = sheet.X;

@@ -106,7 +106,7 @@ void push_out(const Sphere& sphere, double radius, const Plate& plate, Points& X
   for (Index v = 0; v < X.rows(); ++v) {
     const Vec3 from_centre = X.row(v).transpose() - sphere.centre;
     const double distance = from_centre.norm();
-    if (plate.held[v] || distance >= radius) {
+    if (plate.fixed[v] || distance >= radius) {
       continue;
     }
     const Vec3 n = from_centre / distance, velocity = V.row(v);

@@ -6,8 +6,8 @@
 #include <numeric>
 #include <vector>
 
+#include "ibmfair/base/compressed_rows.h"
 #include "ibmfair/base/parallel.h"
-#include "ibmfair/base/rows.h"
 
 namespace ibmfair {
 
@@ -15,7 +15,7 @@ namespace ibmfair {
 /// must call put(row, value) for every value, about `work` of them, in the same way each time it is
 /// called. Values for rows outside 0 .. count - 1 are dropped.
 template <class Each>
-Rows sort_into_rows(Index count, std::int64_t work, const Each& each) {
+CompressedRows sort_into_rows(Index count, std::int64_t work, const Each& each) {
   const auto for_own_rows = [&](const auto& take) {
     parallel_ranges(count, work, [&](std::int64_t first, std::int64_t last) {
       each([&](std::int64_t row, Index value) {
@@ -23,7 +23,7 @@ Rows sort_into_rows(Index count, std::int64_t work, const Each& each) {
       });
     });
   };
-  Rows rows;
+  CompressedRows rows;
   rows.first.assign(static_cast<std::size_t>(count) + 1, 0);
   for_own_rows([&](std::size_t row, Index /*value*/) { ++rows.first[row + 1]; });
   std::partial_sum(rows.first.begin(), rows.first.end(), rows.first.begin());

@@ -8,8 +8,8 @@ namespace {
 /// The energy 1/2 w |sum c_i x_i|^2 of stencil s, divided by its number of vertices. Because the
 /// coefficients sum to zero, positions can be taken relative to one of the vertices, so that no
 /// digits are lost far from the origin.
-double share_of_stencil(const Points& X, const Rows& stencils, const StencilWeights& weights,
-                        Index s) {
+double share_of_stencil(const Points& X, const CompressedRows& stencils,
+                        const StencilWeights& weights, Index s) {
   const auto vertices = stencils[s];
   const Vec3 origin = X.row(vertices[0]);
   Vec3 sum = Vec3::Zero();
@@ -22,7 +22,7 @@ double share_of_stencil(const Points& X, const Rows& stencils, const StencilWeig
 }  // namespace
 
 PerVertex BendingEnergy::energy_by_vertex(const Points& X) {
-  const Rows& rows = stencils();
+  const CompressedRows& rows = stencils();
   StencilWeights weights;
   linearise(X, weights);
   Eigen::VectorXd shares(rows.size());

@@ -90,7 +90,7 @@ class BendingEnergy {
   /// The largest 1 + cos(theta) over all hinges in the last evaluation, where theta is the dihedral
   /// angle: 0 if all hinges are flat, 2 if a hinge is folded over. Infinite for members whose
   /// stencils are not hinges. Undefined if the last energy was not finite.
-  virtual double largest_turn() const { return std::numeric_limits<double>::infinity(); }
+  virtual double max_dihedral_turn() const { return std::numeric_limits<double>::infinity(); }
 
   /// Flags (#V) the vertices of all hinges with 1 + cos(theta) >= `turn` in the last evaluation;
   /// other vertices near such hinges may be flagged as well. Empty if the member cannot tell, so
@@ -98,7 +98,7 @@ class BendingEnergy {
   virtual std::vector<std::uint8_t> near_turns(double /*turn*/) const { return {}; }
 
   /// The vertices of each stencil.
-  virtual const Rows& stencils() const = 0;
+  virtual const CompressedRows& stencils() const = 0;
 
   /// The part of E_b(X) that belongs to each vertex, #V: by default, the energy of a stencil is
   /// divided equally among its vertices; a member may override this with a more exact split.
@@ -131,7 +131,8 @@ struct BendingModel {
   /// matrices that cannot be combined with it, and for options that do not have one value for every
   /// vertex or triangle. Throws BadMesh for a spontaneous curvature on a mesh that is not
   /// orientable.
-  std::unique_ptr<BendingEnergy> bind(const Topology& topology, const EnergyOptions& options) const;
+  std::unique_ptr<BendingEnergy> create(const Topology& topology,
+                                        const EnergyOptions& options) const;
 };
 
 /// All members of the family.

@@ -165,8 +165,8 @@ void require_one_for_each(std::ptrdiff_t given, std::ptrdiff_t wanted, const cha
 
 }  // namespace
 
-std::unique_ptr<BendingEnergy> BendingModel::bind(const Topology& topology,
-                                                  const EnergyOptions& options) const {
+std::unique_ptr<BendingEnergy> BendingModel::create(const Topology& topology,
+                                                    const EnergyOptions& options) const {
   require_known(*this, options);
   require_one_for_each(options.spontaneous_curvature.size(), topology.vertex_count,
                        "spontaneous curvature", "vertices");
@@ -187,7 +187,7 @@ const BendingModel& bending_model(std::string_view name) {
 }
 
 double bending_energy(const Points& X, const Topology& topology, std::string_view model) {
-  return bending_model(model).bind(topology, {})->energy(X);
+  return bending_model(model).create(topology, {})->energy(X);
 }
 
 }  // namespace ibmfair

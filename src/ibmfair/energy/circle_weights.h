@@ -25,8 +25,8 @@ class CircleWeights {
   void pull_back(const Points& X, const PerVertex& by_weight, Points& G) const;
 
  private:
-  Triangles F_;  // the usable triangles
-  Rows stars_;   // #V, rows of F_
+  Triangles F_;           // the usable triangles
+  CompressedRows stars_;  // #V, rows of F_
   PerVertex radius_, weight_;
 };
 

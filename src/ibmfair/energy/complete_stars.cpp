@@ -22,8 +22,8 @@ std::array<Index, 2> opposite_edge(const Topology& topology, Index t, Index v) {
 
 }  // namespace
 
-Rows complete_stars(const Topology& topology, const std::vector<std::uint8_t>& active) {
-  Rows stars;
+CompressedRows complete_stars(const Topology& topology, const std::vector<std::uint8_t>& active) {
+  CompressedRows stars;
   stars.first.reserve(static_cast<std::size_t>(topology.vertex_count) + 1);
   stars.value.reserve(topology.stars.value.size() + stars.first.capacity());
   // For each vertex of the ring, the exclusive or a ^ b of the ring vertices before and after it.

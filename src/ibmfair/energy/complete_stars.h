@@ -12,6 +12,6 @@ namespace ibmfair {
 /// neighbours in the cyclic order of the triangles around it. Triangle k lies between neighbours k
 /// and k + 1, and the last triangle between the last and the first neighbour. With `active` (#V, or
 /// empty for all), only the stars that contain a vertex marked true.
-Rows complete_stars(const Topology& topology, const std::vector<std::uint8_t>& active);
+CompressedRows complete_stars(const Topology& topology, const std::vector<std::uint8_t>& active);
 
 }  // namespace ibmfair

@@ -26,9 +26,9 @@ std::vector<Index> active_hinges(const Topology& topology,
   });
 }
 
-Rows rows_of_four(const Hinges& H, const std::vector<Index>& hinges) {
+CompressedRows rows_of_four(const Hinges& H, const std::vector<Index>& hinges) {
   const auto count = static_cast<std::int64_t>(hinges.size());
-  Rows rows;
+  CompressedRows rows;
   rows.first.assign(hinges.size() + 1, 0);
   rows.value.resize(4 * hinges.size());
   parallel_for(count, [&](std::int64_t i) {
@@ -93,11 +93,11 @@ double CrouzeixRaviart::block_energy(const MeshBlock& b, const Points& X, const 
       vertices, frames);
   const HingeSums sums = crouzeix_raviart_hinges(blocks_.fetching_next(b, b.groups, X), terms_,
                                                  G != nullptr, vertices, frames);
-  turns_[&b - blocks_.block.data()] = sums.largest_turn;
+  turns_[&b - blocks_.block.data()] = sums.max_dihedral_turn;
   return sums.energy;
 }
 
-double CrouzeixRaviart::largest_turn() const {
+double CrouzeixRaviart::max_dihedral_turn() const {
   return turns_.empty() ? 0 : *std::max_element(turns_.begin(), turns_.end());
 }
 

@@ -32,9 +32,9 @@ class CrouzeixRaviart final : public BendingEnergy {
 
   double energy(const Points& X) override;
   double energy_and_gradient(const Points& X, Points& G) override;
-  double largest_turn() const override;
+  double max_dihedral_turn() const override;
   std::vector<std::uint8_t> near_turns(double turn) const override;
-  const Rows& stencils() const override { return stencils_; }
+  const CompressedRows& stencils() const override { return stencils_; }
   void linearise(const Points& X, StencilWeights& weights) override;
 
  private:
@@ -43,8 +43,8 @@ class CrouzeixRaviart final : public BendingEnergy {
   double block_energy(const MeshBlock& b, const Points& X, const Points* G, BlockScratch& scratch);
 
   HingeTerms terms_;
-  Rows stencils_;      // #H rows of four
-  MeshBlocks blocks_;  // the triangles at the hinges
+  CompressedRows stencils_;  // #H rows of four
+  MeshBlocks blocks_;        // the triangles at the hinges
   BlockLoop loop_;
   std::vector<double> turns_;  // largest 1 + cos(theta) per block, last evaluation
 };

@@ -18,7 +18,7 @@ struct HingeTerms {
 
 struct HingeSums {
   double energy = 0;  ///< of the block's `own_groups`; each side of a hinge adds half of its energy
-  double largest_turn = 0;  ///< the largest 1 + cos(theta)
+  double max_dihedral_turn = 0;  ///< the largest 1 + cos(theta)
 };
 
 /// The sums over the hinges of the fans. If `gradient`, adds the gradient of the hinges' energy to

@@ -9,7 +9,7 @@
 namespace ibmfair {
 namespace {
 
-std::vector<std::uint8_t> is_centre(const Rows& stencils, Index vertex_count) {
+std::vector<std::uint8_t> is_centre(const CompressedRows& stencils, Index vertex_count) {
   std::vector<std::uint8_t> centre(static_cast<std::size_t>(vertex_count), 0);
   for (Index s = 0; s < stencils.size(); ++s) {
     centre[stencils[s][0]] = 1;

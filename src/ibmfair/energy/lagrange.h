@@ -33,7 +33,7 @@ class Lagrange final : public BendingEnergy {
 
   double energy(const Points& X) override;
   double energy_and_gradient(const Points& X, Points& G) override;
-  const Rows& stencils() const override { return stencils_; }
+  const CompressedRows& stencils() const override { return stencils_; }
   void linearise(const Points& X, StencilWeights& weights) override;
 
  private:
@@ -45,7 +45,7 @@ class Lagrange final : public BendingEnergy {
 
   bool mass_;
   PerVertex spontaneous_;           // H0, or empty for none
-  Rows stencils_;                   // #U rows: the centre, then its ring in cyclic order
+  CompressedRows stencils_;         // #U rows: the centre, then its ring in cyclic order
   MeshBlocks blocks_;               // the triangles around U
   std::vector<VertexRoles> roles_;  // one per block
   BlockLoop loop_;

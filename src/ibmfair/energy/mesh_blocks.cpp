@@ -384,7 +384,7 @@ MeshBlocks mesh_blocks(const Topology& topology, const std::vector<std::uint8_t>
                        const BlockSurroundings& surroundings,
                        const std::vector<std::uint8_t>& counted) {
   MeshBlocks blocks;
-  Rows vertices = vertex_blocks(topology, kept);
+  CompressedRows vertices = vertex_blocks(topology, kept);
   blocks.owned = std::move(vertices.value);
   WholeMesh mesh{topology, kept, surroundings, counted, blocks.owned, {}};
   mesh.position.resize(static_cast<std::size_t>(topology.vertex_count), -1);

@@ -3,7 +3,7 @@
 namespace ibmfair {
 namespace {
 
-bool all_have(const Rows& rows, std::int64_t width) {
+bool all_have(const CompressedRows& rows, std::int64_t width) {
   for (std::size_t i = 0; i < rows.first.size(); ++i) {
     if (rows.first[i] != width * static_cast<std::int64_t>(i)) {
       return false;
@@ -14,7 +14,7 @@ bool all_have(const Rows& rows, std::int64_t width) {
 
 }  // namespace
 
-StencilTerms::StencilTerms(const Rows& stencils, Index vertex_count)
+StencilTerms::StencilTerms(const CompressedRows& stencils, Index vertex_count)
     : stencils_(stencils),
       places_(positions_by_value(stencils.value, vertex_count)),
       all_are_hinges_(all_have(stencils, hinge_width)),

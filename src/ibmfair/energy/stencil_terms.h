@@ -7,7 +7,7 @@
 #include <type_traits>
 #include <vector>
 
-#include "ibmfair/base/rows.h"
+#include "ibmfair/base/compressed_rows.h"
 #include "ibmfair/energy/bending_energy.h"
 
 namespace ibmfair {
@@ -15,7 +15,7 @@ namespace ibmfair {
 class StencilTerms {
  public:
   /// Keeps a reference to `stencils`, whose vertices are below `vertex_count`.
-  StencilTerms(const Rows& stencils, Index vertex_count);
+  StencilTerms(const CompressedRows& stencils, Index vertex_count);
 
   /// The total number of vertices in all stencils; a vertex counts once for each of its stencils.
   std::size_t vertices_in_stencils() const { return stencils_.value.size(); }
@@ -82,8 +82,8 @@ class StencilTerms {
     }
   }
 
-  const Rows& stencils_;
-  Rows places_;                          // for each vertex, its positions in stencils_.value
+  const CompressedRows& stencils_;
+  CompressedRows places_;                // for each vertex, its positions in stencils_.value
   bool all_are_hinges_;                  // four vertices in every stencil: no table is needed
   std::vector<Index> stencil_of_place_;  // one per entry of stencils_.value; empty for hinges
 };

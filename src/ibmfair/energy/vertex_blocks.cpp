@@ -26,8 +26,8 @@ std::vector<Index> corners_of(const Topology& topology, const std::vector<std::u
 }
 
 /// Blocks of nearly equal length, without their vertices.
-Rows empty_blocks(std::size_t vertices) {
-  Rows blocks;
+CompressedRows empty_blocks(std::size_t vertices) {
+  CompressedRows blocks;
   const std::size_t count = (vertices + block_size - 1) / block_size;
   for (std::size_t b = 1; b <= count; ++b) {
     blocks.first.push_back(static_cast<std::int64_t>(vertices * b / count));
@@ -36,15 +36,15 @@ Rows empty_blocks(std::size_t vertices) {
 }
 
 /// Cuts the list into runs.
-Rows runs(std::vector<Index> vertices) {
-  Rows blocks = empty_blocks(vertices.size());
+CompressedRows runs(std::vector<Index> vertices) {
+  CompressedRows blocks = empty_blocks(vertices.size());
   blocks.value = std::move(vertices);
   return blocks;
 }
 
 /// The average number of blocks that own a corner of a triangle.
 double repetition(const Topology& topology, const std::vector<std::uint8_t>& kept,
-                  const Rows& blocks) {
+                  const CompressedRows& blocks) {
   std::vector<Index> block_of(static_cast<std::size_t>(topology.vertex_count), -1);
   for (Index b = 0; b < blocks.size(); ++b) {
     for (const Index v : blocks[b]) {
@@ -67,11 +67,11 @@ double repetition(const Topology& topology, const std::vector<std::uint8_t>& kep
 /// Each block grows from a vertex where an earlier block stopped, so that no gaps are left between
 /// blocks. Blocks list vertices in the order in which they grow: if a mesh is numbered in this
 /// order, runs of it are the same blocks.
-Rows grown(const Topology& topology, const std::vector<std::uint8_t>& kept,
-           const std::vector<Index>& vertices) {
+CompressedRows grown(const Topology& topology, const std::vector<std::uint8_t>& kept,
+                     const std::vector<Index>& vertices) {
   enum State : std::uint8_t { free, waiting, taken };
   std::vector<std::uint8_t> state(static_cast<std::size_t>(topology.vertex_count), free);
-  Rows blocks = empty_blocks(vertices.size());
+  CompressedRows blocks = empty_blocks(vertices.size());
   blocks.value.reserve(vertices.size());
   std::vector<Index> seeds = vertices;  // last resort: the first free vertex in the input order
   std::size_t next_seed = 0;
@@ -113,9 +113,9 @@ Rows grown(const Topology& topology, const std::vector<std::uint8_t>& kept,
 
 }  // namespace
 
-Rows vertex_blocks(const Topology& topology, const std::vector<std::uint8_t>& kept) {
+CompressedRows vertex_blocks(const Topology& topology, const std::vector<std::uint8_t>& kept) {
   const std::vector<Index> vertices = corners_of(topology, kept);
-  Rows blocks = runs(vertices);
+  CompressedRows blocks = runs(vertices);
   return repetition(topology, kept, blocks) <= acceptable_repetition
              ? blocks
              : grown(topology, kept, vertices);

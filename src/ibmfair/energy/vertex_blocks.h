@@ -12,6 +12,6 @@ namespace ibmfair {
 /// The corners of the triangles that are `kept` (#F), each vertex in one block. If neighbours are
 /// close together in the order of the input, the blocks are runs of this order; otherwise they grow
 /// ring by ring. Linear in the size of the mesh.
-Rows vertex_blocks(const Topology& topology, const std::vector<std::uint8_t>& kept);
+CompressedRows vertex_blocks(const Topology& topology, const std::vector<std::uint8_t>& kept);
 
 }  // namespace ibmfair

@@ -9,7 +9,7 @@
 namespace ibmfair {
 namespace {
 
-std::vector<Index> first_of(const Rows& rows) {
+std::vector<Index> first_of(const CompressedRows& rows) {
   std::vector<Index> first;
   first.reserve(static_cast<std::size_t>(rows.size()));
   for (Index i = 0; i < rows.size(); ++i) {

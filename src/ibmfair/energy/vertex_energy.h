@@ -33,7 +33,7 @@ class VertexEnergy final : public BendingEnergy {
 
   double energy(const Points& X) override;
   double energy_and_gradient(const Points& X, Points& G) override;
-  const Rows& stencils() const override { return stencils_; }
+  const CompressedRows& stencils() const override { return stencils_; }
   /// 1/2 <h_v, y_v> at every vertex of U.
   PerVertex energy_by_vertex(const Points& X) override;
   void linearise(const Points& X, StencilWeights& weights) override;
@@ -42,7 +42,7 @@ class VertexEnergy final : public BendingEnergy {
   TriangleTerms by_terms(Index t, const Points& X) const;
 
   MassMatrix::Kind mass_;
-  Rows stencils_;                           // #U rows: the vertex, then its ring in cyclic order
+  CompressedRows stencils_;                 // #U rows: the vertex, then its ring in cyclic order
   std::vector<Index> nodes_;                // U
   std::vector<std::uint8_t> own_vertices_;  // EnergyOptions
   VertexTriangles triangles_;

@@ -5,7 +5,7 @@
 #include <memory>
 #include <vector>
 
-#include "ibmfair/base/rows.h"
+#include "ibmfair/base/compressed_rows.h"
 #include "ibmfair/energy/circle_weights.h"
 #include "ibmfair/energy/intrinsic_delaunay.h"
 #include "ibmfair/energy/mass_matrices.h"
@@ -80,14 +80,14 @@ class VertexTriangles {
   Triangles corners_;
   std::vector<TriangleShape<double>> shapes_;
   std::vector<TriangleTerms> terms_;
-  Rows places_;  // #V rows of 3 t + i
+  CompressedRows places_;  // #V rows of 3 t + i
   // One per row of corners_, or empty if the formula uses no directions.
   std::vector<MaterialDirection> directions_;
   PerVertex weights_;  // #V, or empty if the formula uses no weights
   std::unique_ptr<CircleWeights> circles_;
   std::unique_ptr<IntrinsicDelaunay> delaunay_;
-  Edges edges_;     // #E x 2, only if edges flip
-  Rows edge_ends_;  // #V rows of 2 e + end
+  Edges edges_;               // #E x 2, only if edges flip
+  CompressedRows edge_ends_;  // #V rows of 2 e + end
 };
 
 }  // namespace ibmfair

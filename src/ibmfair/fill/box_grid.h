@@ -6,7 +6,7 @@
 
 #include <Eigen/Geometry>
 
-#include "ibmfair/base/rows.h"
+#include "ibmfair/base/compressed_rows.h"
 #include "ibmfair/base/types.h"
 
 namespace ibmfair {
@@ -33,7 +33,7 @@ class BoxGrid {
   Box all_;
   double size_ = 1;  // of a cell
   int hash_bits_ = 1;
-  Rows slots_;  // of boxes
+  CompressedRows slots_;  // of boxes
 };
 
 }  // namespace ibmfair

@@ -31,13 +31,13 @@ Triangles all_triangles(const Patch& patch) {
   return F;
 }
 
-std::vector<std::uint8_t> held_vertices(const Patch& patch, const Topology& topology) {
-  std::vector<std::uint8_t> held(patch.free.size());
-  for (std::size_t v = 0; v < held.size(); ++v) {
-    held[v] =
+std::vector<std::uint8_t> fixed_vertices(const Patch& patch, const Topology& topology) {
+  std::vector<std::uint8_t> fixed(patch.free.size());
+  for (std::size_t v = 0; v < fixed.size(); ++v) {
+    fixed[v] =
         patch.free[v] && topology.kind[v] == VertexKind::interior && !topology.defective[v] ? 0 : 1;
   }
-  return held;
+  return fixed;
 }
 
 double mean_edge_length(const Patch& patch) {
@@ -68,14 +68,14 @@ class Stage {
  public:
   Stage(const Patch& patch, const FlowOptions& options, double h, double h_limit, bool normal_only)
       : topology_(build_topology(patch.X, all_triangles(patch))),
-        held_(held_vertices(patch, topology_)),
-        flow_(patch.X, topology_, held_, options, h, h_limit, normal_only) {}
+        fixed_(fixed_vertices(patch, topology_)),
+        flow_(patch.X, topology_, fixed_, options, h, h_limit, normal_only) {}
 
   StationaryFlow& flow() { return flow_; }
 
  private:
   Topology topology_;
-  std::vector<std::uint8_t> held_;
+  std::vector<std::uint8_t> fixed_;
   StationaryFlow flow_;
 };
 

@@ -23,7 +23,7 @@ constexpr double least_risk = 0.06;
 }  // namespace
 
 std::optional<CreaseChoice> choose_creases(const Points& X, const Topology& topology,
-                                           const std::vector<std::uint8_t>& held,
+                                           const std::vector<std::uint8_t>& fixed,
                                            const FlowOptions& options, const CutoffChoice& without,
                                            const CutoffSearch& search) {
   const double before = without.best().risk, variance = without.noise * without.noise;
@@ -32,7 +32,7 @@ std::optional<CreaseChoice> choose_creases(const Points& X, const Topology& topo
   }
   CutoffSearch same_noise = search;
   same_noise.noise = without.noise;
-  CutoffChooser chooser(X, topology, held, options, same_noise);
+  CutoffChooser chooser(X, topology, fixed, options, same_noise);
   const auto with_angle = [&](double angle, double shortest) {
     return CreaseChoice{radians(angle), chooser.choose(radians(angle), shortest)};
   };

@@ -22,7 +22,7 @@ struct CreaseChoice {
 /// nothing. If the first angle reduces the risk, smaller angles are tried as long as they reduce it
 /// further. Throws the exceptions of choose_cutoff.
 std::optional<CreaseChoice> choose_creases(const Points& X, const Topology& topology,
-                                           const std::vector<std::uint8_t>& held,
+                                           const std::vector<std::uint8_t>& fixed,
                                            const FlowOptions& options, const CutoffChoice& without,
                                            const CutoffSearch& search);
 

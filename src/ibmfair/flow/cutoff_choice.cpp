@@ -59,36 +59,37 @@ double CutoffChoice::before_best() const {
 }
 
 CutoffChooser::CutoffChooser(const Points& X, const Topology& topology,
-                             const std::vector<std::uint8_t>& held, const FlowOptions& options,
+                             const std::vector<std::uint8_t>& fixed, const FlowOptions& options,
                              CutoffSearch search)
     : mean_edge_length_(ibmfair::mean_edge_length(X, topology.E)), search_(std::move(search)) {
   FlowOptions unbound = options;
   unbound.keep_volume = unbound.keep_area = false;
-  if (std::count(held.begin(), held.end(), 0) > many_more * search_.enough) {
-    take_sample(X, topology, held, unbound);
+  if (std::count(fixed.begin(), fixed.end(), 0) > many_more * search_.enough) {
+    take_sample(X, topology, fixed, unbound);
   }
   if (!local_ && is_scattered(topology)) {
-    local_ = local_mesh(X, topology, held, unbound);
+    local_ = local_mesh(X, topology, fixed, unbound);
   }
   if (local_) {
-    trials_.emplace(local_->X, local_->topology, local_->held, local_->options, counted_,
+    trials_.emplace(local_->X, local_->topology, local_->fixed, local_->options, counted_,
                     search_.noise);
   } else {
-    trials_.emplace(X, topology, held, unbound, counted_, search_.noise);
+    trials_.emplace(X, topology, fixed, unbound, counted_, search_.noise);
   }
 }
 
 /// Replaces the mesh by a sample, unless the mesh is in so small pieces that the sample would
 /// consist mostly of rims.
 void CutoffChooser::take_sample(const Points& X, const Topology& topology,
-                                const std::vector<std::uint8_t>& held, const FlowOptions& options) {
-  MeshSample sample = sample_of_mesh(X, topology, held, options, search_.enough);
+                                const std::vector<std::uint8_t>& fixed,
+                                const FlowOptions& options) {
+  MeshSample sample = sample_of_mesh(X, topology, fixed, options, search_.enough);
   if (4 * std::count(sample.inner.begin(), sample.inner.end(), 1) <= search_.enough) {
     return;
   }
   if (is_scattered(sample.mesh.topology)) {
     const LocalMesh& s = sample.mesh;
-    local_ = local_mesh(s.X, s.topology, s.held, s.options);
+    local_ = local_mesh(s.X, s.topology, s.fixed, s.options);
     for (const Index v : local_->vertex) {
       counted_.push_back(sample.inner[v]);
     }
@@ -128,9 +129,9 @@ CutoffChoice CutoffChooser::choose(double sharp_angle, double shortest) {
 }
 
 CutoffChoice choose_cutoff(const Points& X, const Topology& topology,
-                           const std::vector<std::uint8_t>& held, const FlowOptions& options,
+                           const std::vector<std::uint8_t>& fixed, const FlowOptions& options,
                            const CutoffSearch& search) {
-  CutoffChooser chooser(X, topology, held, options, search);
+  CutoffChooser chooser(X, topology, fixed, options, search);
   return chooser.choose(options.sharp_angle, shortest_edges * chooser.mean_edge_length());
 }
 

@@ -42,9 +42,9 @@ struct CutoffSearch {
 /// interpolated around the trial with the least risk. Volume and area are not kept. Deterministic.
 class CutoffChooser {
  public:
-  /// The mesh and `held` must outlive this object. The total time and the sharp angle of `options`
+  /// The mesh and `fixed` must outlive this object. The total time and the sharp angle of `options`
   /// are not used. Throws BadMesh if all vertices are fixed.
-  CutoffChooser(const Points& X, const Topology& topology, const std::vector<std::uint8_t>& held,
+  CutoffChooser(const Points& X, const Topology& topology, const std::vector<std::uint8_t>& fixed,
                 const FlowOptions& options, CutoffSearch search);
 
   double mean_edge_length() const { return mean_edge_length_; }
@@ -54,8 +54,8 @@ class CutoffChooser {
   CutoffChoice choose(double sharp_angle, double shortest);
 
  private:
-  void take_sample(const Points& X, const Topology& topology, const std::vector<std::uint8_t>& held,
-                   const FlowOptions& options);
+  void take_sample(const Points& X, const Topology& topology,
+                   const std::vector<std::uint8_t>& fixed, const FlowOptions& options);
   template <class Done>
   void try_cutoffs(double shortest, const Done& done);
 
@@ -69,7 +69,7 @@ class CutoffChooser {
 /// Chooses among cut-offs from two mean edge lengths upward, the shortest cut-off with a noticeable
 /// effect, with the sharp angle of the options.
 CutoffChoice choose_cutoff(const Points& X, const Topology& topology,
-                           const std::vector<std::uint8_t>& held, const FlowOptions& options,
+                           const std::vector<std::uint8_t>& fixed, const FlowOptions& options,
                            const CutoffSearch& search);
 
 }  // namespace ibmfair

@@ -44,14 +44,14 @@ Points white_noise(Index count) {
 }  // namespace
 
 CutoffTrials::CutoffTrials(const Points& X, const Topology& topology,
-                           const std::vector<std::uint8_t>& held, const FlowOptions& options,
+                           const std::vector<std::uint8_t>& fixed, const FlowOptions& options,
                            const std::vector<std::uint8_t>& counted, double noise)
     : topology_(topology),
-      held_(held),
+      fixed_(fixed),
       mean_edge_(mean_edge_length(X, topology.E)),
       options_(options),
       leg_(options),
-      unknowns_(held),
+      unknowns_(fixed),
       counted_(indices_where(
           unknowns_.size(),
           [&](Index u) { return counted.empty() || counted[unknowns_.vertex[u]] != 0; })),
@@ -79,7 +79,7 @@ void CutoffTrials::restart(double sharp_angle) {
 
 void CutoffTrials::run(double cutoff) {
   flow_to(cutoff);
-  FlowProblem problem(mesh_.start, topology_, held_, options_, MeshParts::one());
+  FlowProblem problem(mesh_.start, topology_, fixed_, options_, MeshParts::one());
   end_at(mesh_, problem);
   const Points normals = unknown_normals(problem.X, topology_, unknowns_);
   Points taken;  // of white noise
@@ -128,37 +128,37 @@ void CutoffTrials::flow_to(double cutoff) {
   time_ = options_.total_time;
 }
 
-void CutoffTrials::flow_on(Way& way, bool goes_on) const {
-  const Points& start = goes_on ? way.state : way.start;
-  require_usable(start, held_, leg_, MeshParts::one());
-  FlowProblem problem(start, topology_, held_, leg_, MeshParts::one());
+void CutoffTrials::flow_on(Trajectory& trajectory, bool goes_on) const {
+  const Points& start = goes_on ? trajectory.state : trajectory.start;
+  require_usable(start, fixed_, leg_, MeshParts::one());
+  FlowProblem problem(start, topology_, fixed_, leg_, MeshParts::one());
   if (!goes_on) {
-    begin(way, problem);
+    begin(trajectory, problem);
   }
   run_flow(problem);
-  way.state = std::move(problem.X);
+  trajectory.state = std::move(problem.X);
 }
 
 /// Runs the first stage, or reuses its result: the stage does not depend on the sharp angle, and on
 /// the cut-off only if that is short.
-void CutoffTrials::begin(Way& way, FlowProblem& problem) const {
-  const auto stage = first_stage(way.start, topology_, leg_, MeshParts::one());
+void CutoffTrials::begin(Trajectory& trajectory, FlowProblem& problem) const {
+  const auto stage = first_stage(trajectory.start, topology_, leg_, MeshParts::one());
   if (!stage) {
     return;
   }
-  if (way.first_stage_time == stage->total_time) {
-    Points state = way.after_first_stage;
+  if (trajectory.first_stage_time == stage->total_time) {
+    Points state = trajectory.after_first_stage;
     problem.move_to(state);
   } else {
-    run_first_stage(problem, held_);
-    way.after_first_stage = problem.X;
-    way.first_stage_time = stage->total_time;
+    run_first_stage(problem, fixed_);
+    trajectory.after_first_stage = problem.X;
+    trajectory.first_stage_time = stage->total_time;
   }
 }
 
 /// Makes the problem's state the end of a flow to the cut-off.
-void CutoffTrials::end_at(const Way& way, FlowProblem& problem) const {
-  Points state = way.state;
+void CutoffTrials::end_at(const Trajectory& trajectory, FlowProblem& problem) const {
+  Points state = trajectory.state;
   problem.move_to(state);
   if (options_.twicing > 0) {
     twice(problem);
@@ -185,7 +185,7 @@ Points CutoffTrials::taken_of_noise(FlowProblem& problem) {
 /// tr F / n from the difference of two flows, in heights along the normals at the end of the first
 /// flow.
 double CutoffTrials::trace_by_second_flow(const Points& end, const Points& normals) const {
-  FlowProblem second(moved_.start, topology_, held_, options_, MeshParts::one());
+  FlowProblem second(moved_.start, topology_, fixed_, options_, MeshParts::one());
   end_at(moved_, second);
   const Eigen::VectorXd put_in =
       heights_along(normals, moved_.start, mesh_.start, unknowns_)(counted_);

@@ -43,11 +43,11 @@ struct CutoffTrial {
 /// their result depends on when each hinge is sharp.
 class CutoffTrials {
  public:
-  /// `topology` and `held` must outlive this object. The options must keep neither volume nor area;
-  /// their sharp angle is not used (`restart` sets it). Only the vertices flagged in `counted` (#V,
-  /// or empty for all) enter the risk. `noise`: its standard deviation along the normals, length;
-  /// 0: estimated in the second trial. Throws BadMesh if no counted vertex moves.
-  CutoffTrials(const Points& X, const Topology& topology, const std::vector<std::uint8_t>& held,
+  /// `topology` and `fixed` must outlive this object. The options must keep neither volume nor
+  /// area; their sharp angle is not used (`restart` sets it). Only the vertices flagged in
+  /// `counted` (#V, or empty for all) enter the risk. `noise`: its standard deviation along the
+  /// normals, length; 0: estimated in the second trial. Throws BadMesh if no counted vertex moves.
+  CutoffTrials(const Points& X, const Topology& topology, const std::vector<std::uint8_t>& fixed,
                const FlowOptions& options, const std::vector<std::uint8_t>& counted,
                double noise = 0);
 
@@ -78,7 +78,7 @@ class CutoffTrials {
   };
 
   /// The states of a mesh that flows from cut-off to cut-off.
-  struct Way {
+  struct Trajectory {
     Points start, state = {};
     Points after_first_stage = {};
     double first_stage_time = 0;
@@ -86,16 +86,16 @@ class CutoffTrials {
 
   bool keeps_creases() const { return options_.sharp_angle > 0; }
   void flow_to(double cutoff);
-  void flow_on(Way& way, bool goes_on) const;
-  void begin(Way& way, FlowProblem& problem) const;
-  void end_at(const Way& way, FlowProblem& problem) const;
+  void flow_on(Trajectory& trajectory, bool goes_on) const;
+  void begin(Trajectory& trajectory, FlowProblem& problem) const;
+  void end_at(const Trajectory& trajectory, FlowProblem& problem) const;
   Points taken_of_noise(FlowProblem& problem);
   double trace_by_second_flow(const Points& end, const Points& normals) const;
   double trace_by_law(double cutoff) const;
   bool falls_by_law(double cutoff, double trace) const;
 
   const Topology& topology_;
-  const std::vector<std::uint8_t>& held_;
+  const std::vector<std::uint8_t>& fixed_;
   const double mean_edge_;
   FlowOptions options_;  // of a flow from the start to the cut-off
   FlowOptions leg_;      // of the flow from the previous cut-off to this one
@@ -103,8 +103,9 @@ class CutoffTrials {
   std::vector<Index> counted_;  // unknowns whose vertices are counted
   Points white_noise_;  // #unknowns x 3: three vectors take little longer to smooth than one
   Points smooth_;       // the white noise after the linearised flow
-  Way mesh_, moved_;    // the mesh, and with creases a copy moved by a little of the white noise
-  double time_ = 0;     // flow time of these two
+  Trajectory mesh_,
+      moved_;        // the mesh, and with creases a copy moved by a little of the white noise
+  double time_ = 0;  // flow time of these two
   std::vector<Outcome> outcomes_;
   bool trace_falls_ = false;  // tr F follows Weyl's law from here on (trace_by_law)
   double noise_;

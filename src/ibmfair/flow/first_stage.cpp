@@ -52,7 +52,7 @@ std::optional<FlowOptions> first_stage(const Points& X, const Topology& topology
   stage.steps = stage_steps;
   stage.relax = options.relax_first;
   stage.twicing = 0;
-  stage.mend = false;
+  stage.clean_up = false;
   return stage;
 }
 

@@ -58,8 +58,8 @@ struct FlowOptions {
   int twicing = 0;  ///< how often the residual is smoothed and added back: flow/twicing.h
   bool put_back_slides = false;  ///< twicing also adds back moves within the surface
   /// At the end of a guarded flow, finish the regions that were damped, and unfold triangles that
-  /// noise has folded over (flow/mending.h, and with creases flow/specks.h).
-  bool mend = true;
+  /// noise has folded over (flow/clean_up.h, and with creases flow/residual_spikes.h).
+  bool clean_up = true;
 
   /// Throws BadOption if a value cannot be used.
   void validate() const;
@@ -134,7 +134,7 @@ struct FlowReport {
   int iterations = 0;          ///< total number of conjugate gradient iterations
   int twicings = 0;            ///< completed passes of twicing
   std::int64_t caught_up = 0;  ///< vertices in damped regions that were finished at the end
-  std::int64_t unfolded = 0;   ///< vertices moved to remove foldovers (flaps) or specks
+  std::int64_t unfolded = 0;   ///< vertices moved to remove foldovers and residual spikes
   FactorForecast forecast;
   FlowSeconds seconds;
   std::vector<StepRecord> steps;

@@ -18,29 +18,29 @@ std::vector<std::uint8_t> opposite(const std::vector<std::uint8_t>& flags) {
 }
 
 std::unique_ptr<BendingEnergy> bind_energy(const Topology& topology, const FlowOptions& options,
-                                           const std::vector<std::uint8_t>& held,
+                                           const std::vector<std::uint8_t>& fixed,
                                            const MeshParts& parts) {
   EnergyOptions energy = options.energy_options();
-  energy.active = opposite(held);
+  energy.active = opposite(fixed);
   energy.own_vertices = parts.own_vertices();
   energy.own_triangles = parts.own_triangles();
-  return bending_model(options.laplacian).bind(topology, energy);
+  return bending_model(options.laplacian).create(topology, energy);
 }
 
 }  // namespace
 
 FlowProblem::FlowProblem(const Points& X_start, const Topology& mesh_topology,
-                         const std::vector<std::uint8_t>& held, const FlowOptions& flow_options,
+                         const std::vector<std::uint8_t>& fixed, const FlowOptions& flow_options,
                          const MeshParts& mesh_parts)
     : topology(mesh_topology),
       options(flow_options),
       parts(mesh_parts),
-      unknowns(held, parts.own_vertices()),
+      unknowns(fixed, parts.own_vertices()),
       X(X_start),
       start_(X_start),
       bound_(start_, flow_options.max_move),
       conserved_(X, topology, unknowns, options),
-      bending_(bind_energy(topology, options, held, parts)),
+      bending_(bind_energy(topology, options, fixed, parts)),
       jacobian_(std::make_unique<Jacobian>(start_, *bending_, topology, unknowns, options, parts,
                                            report)) {
   if (options.put_back_slides && options.twicing > 0) {
@@ -59,7 +59,7 @@ double FlowProblem::energy_at(const Points& Y) {
 }
 
 bool FlowProblem::has_no_folds(double energy, double angle) const {
-  return std::isfinite(energy) && bending_->largest_turn() < least_turn(angle);
+  return std::isfinite(energy) && bending_->max_dihedral_turn() < least_turn(angle);
 }
 
 std::vector<Index> FlowProblem::new_folds(FoldWatch& folds, const Points& Y, double energy) const {

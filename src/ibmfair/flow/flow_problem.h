@@ -21,7 +21,7 @@ namespace ibmfair {
 class FlowProblem {
  public:
   /// All arguments must outlive the problem and must not change. The flow starts at `X` (#V x 3).
-  FlowProblem(const Points& X, const Topology& topology, const std::vector<std::uint8_t>& held,
+  FlowProblem(const Points& X, const Topology& topology, const std::vector<std::uint8_t>& fixed,
               const FlowOptions& options, const MeshParts& parts);
 
   const Topology& topology;

@@ -18,7 +18,7 @@ inline constexpr double fold_angle = 0.17453292519943295;
 std::vector<std::uint8_t> folded_hinges(const Points& X, const Topology& topology,
                                         double angle = fold_angle);
 
-/// A lower bound of 1 + cos(theta) (BendingEnergy::largest_turn) for all hinges whose dihedral
+/// A lower bound of 1 + cos(theta) (BendingEnergy::max_dihedral_turn) for all hinges whose dihedral
 /// angle theta is smaller than `angle`.
 double least_turn(double angle = fold_angle);
 

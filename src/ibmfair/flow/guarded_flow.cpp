@@ -6,11 +6,11 @@
 #include "ibmfair/base/errors.h"
 #include "ibmfair/base/parallel.h"
 #include "ibmfair/base/stopwatch.h"
-#include "ibmfair/flow/bad_spots.h"
+#include "ibmfair/flow/clean_up.h"
 #include "ibmfair/flow/distortion.h"
 #include "ibmfair/flow/fold_free_move.h"
 #include "ibmfair/flow/folds.h"
-#include "ibmfair/flow/mending.h"
+#include "ibmfair/flow/local_damping.h"
 #include "ibmfair/flow/tangential_relaxation.h"
 #include "ibmfair/mesh/geometry.h"
 
@@ -25,7 +25,7 @@ constexpr double good_decrease = 0.5;       // above, a time step that was cut m
 constexpr double time_step_cut = 1.0 / 32;  // factor if a step distorts too much or fails
 constexpr double most_taken = 0.25;         // the most energy per vertex that a step should remove
 constexpr double growth = 2, fast_growth = 8;  // of the time step; fast if the distortion is < 0.5
-constexpr int slowings = 3;    // times that a move is slowed at culprits before it is halved
+constexpr int slowings = 3;    // times that a move is slowed at uphill vertices before it is halved
 constexpr int backtracks = 2;  // halvings of a step before it is given up
 constexpr int oldest_when_slowed = 4;         // most steps with one Jacobian if spots are slowed
 constexpr double first_step = 1e-4;           // least first time step, relative to the target
@@ -48,14 +48,14 @@ class GuardedFlow {
         has_limit_(problem.options.energy_is_dimensionless()),
         h_(h_target_),
         left_(problem.options.total_time),
-        bad_spots_(problem) {}
+        damping_(problem) {}
 
   void run() {
     relax_needles();
     start_short();
     take_steps();
-    if (p_.options.mend) {
-      mend();
+    if (p_.options.clean_up) {
+      clean_up();
     }
   }
 
@@ -66,7 +66,7 @@ class GuardedFlow {
     // Each attempt either advances the time or makes the next attempt easier. The bound is for
     // meshes on which this takes longer than a user would wait, or longer than a patch is worth.
     const int most_solves =
-        p_.options.mend ? 200 + 20 * p_.options.steps : 20 + 4 * p_.options.steps;
+        p_.options.clean_up ? 200 + 20 * p_.options.steps : 20 + 4 * p_.options.steps;
     while (!is_at_the_end()) {
       if (h_ < smallest_time_step * h_target_ || p_.report.solves >= most_solves) {
         end_early();
@@ -110,12 +110,12 @@ class GuardedFlow {
     if (has_limit_) {
       p_.jacobian().update_metric(p_.X);
     }
-    h_ = patient_step(first_step * h_target_, h_target_);
+    h_ = limited_step(first_step * h_target_, h_target_);
   }
 
   /// The time step that removes `most_taken` energy per vertex, between `shortest` and `longest`;
   /// `shortest` if the power is NaN.
-  double patient_step(double shortest, double longest) {
+  double limited_step(double shortest, double longest) {
     if (!has_limit_) {
       return longest;
     }
@@ -136,7 +136,7 @@ class GuardedFlow {
       return true;
     }
     p_.newton_step(step_);
-    bad_spots_.begin_step();
+    damping_.begin_step();
     take_slope();
     StepRecord record;
     record.refactored = fresh;
@@ -156,7 +156,7 @@ class GuardedFlow {
     }
     record.held_back += shorten_own_moves();
     if (!search(record)) {
-      give_up(fresh && !bad_spots_.are_to_blame());
+      give_up(fresh && !damping_.failed_locally());
       return true;
     }
     accept(record);
@@ -195,7 +195,7 @@ class GuardedFlow {
     {
       const Stopwatch watch(p_.report.seconds.guard);
       edge_length_ = local_edge_length(p_.X, rings_);
-      bad_spots_.damp();
+      damping_.damp();
     }
     try {
       p_.jacobian().refactor(p_.X, h_);
@@ -247,7 +247,7 @@ class GuardedFlow {
   /// Looks for a fraction of the step that lowers the energy enough, and leaves the result in Y_.
   bool search(StepRecord& record) {
     const Stopwatch watch(p_.report.seconds.guard);
-    bad_spots_.absolve();
+    damping_.reset();
     for (int i = 0; i <= backtracks; ++i, fraction_ /= 2) {
       move_.resize(step_.rows(), 3);
       parallel_for(step_.rows(), [&](std::int64_t u) { move_.row(u) = fraction_ * step_.row(u); });
@@ -279,7 +279,7 @@ class GuardedFlow {
         record.held_back += count(static_cast<double>(shortened));
         return true;
       }
-      if (times == slowings || !bad_spots_.slow(Y_, age_ == 0, move_, shortened)) {
+      if (times == slowings || !damping_.slow(Y_, age_ == 0, move_, shortened)) {
         return false;
       }
     }
@@ -310,7 +310,7 @@ class GuardedFlow {
     record.time_step = fraction_ * p_.jacobian().time_step();
     record.largest_move = p_.longest(move_);
     left_ = std::max(0.0, left_ - record.time_step);
-    bad_spots_.end_step(record.time_step);
+    damping_.end_step(record.time_step);
     record.time = p_.report.time_reached = p_.options.total_time - left_;
     p_.report.energy_after = trial_energy_;
     p_.move_to(Y_);
@@ -325,12 +325,12 @@ class GuardedFlow {
     sweep();
   }
 
-  /// Finishes the regions that were slowed down and unfolds flaps (flow/mending.h).
-  void mend() {
+  /// Finishes the regions that were slowed down and unfolds folded patches (flow/clean_up.h).
+  void clean_up() {
     const Stopwatch watch(p_.report.seconds.guard);
     step_ = own_ = Points();  // on large meshes, finding foldovers takes as much memory as a step
     energy_before_step_ = p_.report.energy_after;
-    if (catch_up_moves(p_, rings_, bad_spots_.missed(), move_)) {
+    if (catch_up_moves(p_, rings_, damping_.missed(), move_)) {
       p_.report.caught_up = sweep_and_count();
     }
     if (!keeps_creases_ && unfolding_moves(p_, rings_, move_)) {
@@ -373,16 +373,16 @@ class GuardedFlow {
       h_ *= record.refactored ? 0.5 : 1;
     } else if (record.decrease_ratio > good_decrease && h_ < h_target_) {
       const double longest = h_ * (distortion_ < 0.5 ? fast_growth : growth);
-      h_ = std::min(h_target_, patient_step(growth * h_, longest));
+      h_ = std::min(h_target_, limited_step(growth * h_, longest));
       stale_ = true;
     }
     // A new Jacobian lets spots that are no longer bad move at full speed again.
-    stale_ = stale_ || (bad_spots_.are_slowed() && age_ >= oldest_when_slowed);
+    stale_ = stale_ || (damping_.is_active() && age_ >= oldest_when_slowed);
   }
 
   FlowProblem& p_;
   const StepObserver& observer_;
-  const Rows rings_;
+  const CompressedRows rings_;
   FoldWatch folds_;
   const bool keeps_creases_;  // then a sharp fold may be a crease, and is not unfolded
   const RingGroups ring_groups_;
@@ -393,7 +393,7 @@ class GuardedFlow {
   double h_;              // the time step to use next
   double left_;           // the remaining time
   bool stale_ = true;     // the Jacobian has to be renewed before the next step
-  BadSpots bad_spots_;
+  LocalDamping damping_;
   int age_ = 0;  // steps made with the Jacobian
   PerVertex edge_length_;
   double fraction_ = 1;                 // the fraction of the Newton step to try

@@ -98,12 +98,12 @@ bool is_scattered(const Topology& topology) {
 }
 
 LocalMesh local_mesh(const Points& X, const Topology& topology,
-                     const std::vector<std::uint8_t>& held, const FlowOptions& options) {
+                     const std::vector<std::uint8_t>& fixed, const FlowOptions& options) {
   std::vector<Index> order = blockwise(topology);
   const std::vector<Index> place = inverse(order);
   const std::vector<Index> triangles = by_first_vertex(topology.F, place);
   LocalMesh mesh = some_of_mesh(X, topology, std::move(order), triangles, place);
-  mesh.held = picked(held, mesh.vertex);
+  mesh.fixed = picked(fixed, mesh.vertex);
   mesh.options = options;
   take_lists(options, mesh.vertex, triangles, mesh.options);
   return mesh;
@@ -119,7 +119,7 @@ LocalMesh some_of_mesh(const Points& X, const Topology& topology, std::vector<In
   mesh.X = picked(X, vertices);
   mesh.topology = build_topology(static_cast<Index>(vertices.size()), std::move(F),
                                  places_of(topology.defects.zero_area, triangles));
-  mesh.held.assign(vertices.size(), 1);
+  mesh.fixed.assign(vertices.size(), 1);
   mesh.vertex = std::move(vertices);
   return mesh;
 }

@@ -22,13 +22,13 @@ struct LocalMesh {
   std::vector<Index> vertex;  ///< #V, the number of each vertex in the original mesh
   Points X;
   Topology topology;
-  std::vector<std::uint8_t> held;
+  std::vector<std::uint8_t> fixed;
   FlowOptions options;
 };
 
 /// All of the mesh, numbered block by block (energy/vertex_blocks.h).
 LocalMesh local_mesh(const Points& X, const Topology& topology,
-                     const std::vector<std::uint8_t>& held, const FlowOptions& options);
+                     const std::vector<std::uint8_t>& fixed, const FlowOptions& options);
 
 /// A part of the mesh: the listed triangles and vertices, in the order of the lists. `place` (#V):
 /// the position of each listed vertex in `vertices`. All vertices of the result are fixed, and its

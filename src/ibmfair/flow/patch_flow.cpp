@@ -30,14 +30,15 @@ FlowOptions options_for_patches(const FlowProblem& problem) {
   if (std::ranges::any_of(jacobian_backends(), has_that_name)) {
     result.solver = taken;
   }
-  result.mend = false;
+  result.clean_up = false;
   return result;
 }
 
 }  // namespace
 
-std::vector<VertexPatch> patches_of(const std::vector<std::uint8_t>& wanted, const Rows& rings,
-                                    const Unknowns& unknowns, const MeshParts& parts) {
+std::vector<VertexPatch> patches_of(const std::vector<std::uint8_t>& wanted,
+                                    const CompressedRows& rings, const Unknowns& unknowns,
+                                    const MeshParts& parts) {
   std::vector<std::uint8_t> left(wanted.size());
   for (const Index v : unknowns.vertex) {
     const auto ring = rings[v];
@@ -65,7 +66,7 @@ std::vector<VertexPatch> patches_of(const std::vector<std::uint8_t>& wanted, con
   return patches;
 }
 
-PatchFlow::PatchFlow(const FlowProblem& problem, const Rows& rings)
+PatchFlow::PatchFlow(const FlowProblem& problem, const CompressedRows& rings)
     : problem_(problem),
       rings_(rings),
       options_(options_for_patches(problem)),
@@ -79,7 +80,7 @@ bool PatchFlow::run(const VertexPatch& patch, const Points& X, double time, Poin
   local.options.steps =
       std::max(1, static_cast<int>(std::lround(whole.steps * time / whole.total_time)));
   // FlowProblem measures the bound on moves from the positions that it is constructed with.
-  FlowProblem problem(local.X, local.topology, local.held, local.options, MeshParts::one());
+  FlowProblem problem(local.X, local.topology, local.fixed, local.options, MeshParts::one());
   Points Y = problem_.X(local.vertex, Eigen::all);
   problem.move_to(Y);
   problem.update_gradient();
@@ -140,7 +141,7 @@ LocalMesh PatchFlow::cut_out(const VertexPatch& patch) {
   LocalMesh local =
       some_of_mesh(problem_.start(), topology, std::move(vertices), triangles, place_);
   for (const Index v : patch) {
-    local.held[place_[v]] = 0;
+    local.fixed[place_[v]] = 0;
   }
   local.options = options_;
   take_lists(problem_.options, local.vertex, triangles, local.options);

@@ -6,7 +6,7 @@
 #include <mutex>
 #include <vector>
 
-#include "ibmfair/base/rows.h"
+#include "ibmfair/base/compressed_rows.h"
 #include "ibmfair/flow/flow_problem.h"
 #include "ibmfair/flow/local_mesh.h"
 
@@ -18,14 +18,15 @@ using VertexPatch = std::vector<Index>;
 /// The connected components of the unknown vertices flagged in `wanted` (#V). Fixed vertices are
 /// left out, and so are neighbours of vertices that belong to another part of the mesh, because
 /// this piece does not contain all of their surroundings.
-std::vector<VertexPatch> patches_of(const std::vector<std::uint8_t>& wanted, const Rows& rings,
-                                    const Unknowns& unknowns, const MeshParts& parts);
+std::vector<VertexPatch> patches_of(const std::vector<std::uint8_t>& wanted,
+                                    const CompressedRows& rings, const Unknowns& unknowns,
+                                    const MeshParts& parts);
 
 class PatchFlow {
  public:
   /// `problem` and `rings` (the result of vertex_rings) must outlive this object. The patches flow
   /// with the options of the problem, except that volume and area are not kept.
-  PatchFlow(const FlowProblem& problem, const Rows& rings);
+  PatchFlow(const FlowProblem& problem, const CompressedRows& rings);
 
   /// Lets a patch flow for `time`, starting at its positions in `X` (#V x 3). If the patch then has
   /// less energy than at the problem's state, writes its moves from that state to the result to
@@ -37,7 +38,7 @@ class PatchFlow {
   LocalMesh cut_out(const VertexPatch& patch);
 
   const FlowProblem& problem_;
-  const Rows& rings_;
+  const CompressedRows& rings_;
   FlowOptions options_;                // without the lists per vertex and per triangle
   std::mutex cutting_;                 // guards the scratch below
   std::vector<std::uint8_t> is_near_;  // #V, scratch

@@ -25,7 +25,8 @@ std::vector<Index> near(const Topology& topology, const Unknowns& unknowns) {
 
 }  // namespace
 
-RingGroups::RingGroups(const Topology& topology, const Rows& mesh_rings, const Unknowns& unknowns)
+RingGroups::RingGroups(const Topology& topology, const CompressedRows& mesh_rings,
+                       const Unknowns& unknowns)
     : rings(mesh_rings) {
   const std::vector<Index> vertices = near(topology, unknowns);
   const Index last = topology.vertex_count - 1;

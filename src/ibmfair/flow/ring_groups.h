@@ -27,9 +27,9 @@ struct RingGroup {
 struct RingGroups {
   /// Groups the unknown vertices and their neighbours. `rings` (the result of vertex_rings) must
   /// outlive this object.
-  RingGroups(const Topology& topology, const Rows& rings, const Unknowns& unknowns);
+  RingGroups(const Topology& topology, const CompressedRows& rings, const Unknowns& unknowns);
 
-  const Rows& rings;
+  const CompressedRows& rings;
   std::vector<RingGroup> group;
   std::vector<Index> vertex;  ///< the vertices of the groups, four per group
   /// The vertices in no group: those without a closed ring (is_ringed), those with many neighbours,

@@ -10,7 +10,7 @@
 
 namespace ibmfair {
 
-void require_usable(const Points& X, const std::vector<std::uint8_t>& held,
+void require_usable(const Points& X, const std::vector<std::uint8_t>& fixed,
                     const FlowOptions& options, const MeshParts& parts) {
   options.validate();
   if (!parts.is_whole() && (options.keep_volume || options.keep_area)) {
@@ -21,7 +21,7 @@ void require_usable(const Points& X, const std::vector<std::uint8_t>& held,
     throw BadOption("there must be a weight for every vertex");
   }
   for (Eigen::Index v = 0; v < factor.size(); ++v) {
-    if (!held[v] && !(factor[v] > 0 && std::isfinite(factor[v]))) {
+    if (!fixed[v] && !(factor[v] > 0 && std::isfinite(factor[v]))) {
       throw BadOption("the weights of moving vertices must be positive and finite");
     }
   }
@@ -30,14 +30,14 @@ void require_usable(const Points& X, const std::vector<std::uint8_t>& held,
   }
 }
 
-FlowReport run_first_stage(FlowProblem& problem, const std::vector<std::uint8_t>& held,
+FlowReport run_first_stage(FlowProblem& problem, const std::vector<std::uint8_t>& fixed,
                            const StepObserver& observer) {
   const auto options =
       first_stage(problem.start(), problem.topology, problem.options, problem.parts);
   if (!options) {
     return {};
   }
-  FlowProblem stage(problem.start(), problem.topology, held, *options, problem.parts);
+  FlowProblem stage(problem.start(), problem.topology, fixed, *options, problem.parts);
   run_guarded(stage, [&](StepRecord record) {
     record.step = 0;
     record.time = 0;

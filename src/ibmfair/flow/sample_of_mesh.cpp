@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "ibmfair/flow/held_vertices.h"
+#include "ibmfair/flow/fixed_vertices.h"
 #include "ibmfair/mesh/select.h"
 
 namespace ibmfair {
@@ -76,10 +76,10 @@ std::vector<std::uint8_t> near_rims(const Topology& whole, const LocalMesh& samp
 }  // namespace
 
 MeshSample sample_of_mesh(const Points& X, const Topology& topology,
-                          const std::vector<std::uint8_t>& held, const FlowOptions& options,
+                          const std::vector<std::uint8_t>& fixed, const FlowOptions& options,
                           Index count) {
   const std::vector<Index> free =
-      indices_where(topology.vertex_count, [&](Index v) { return held[v] == 0; });
+      indices_where(topology.vertex_count, [&](Index v) { return fixed[v] == 0; });
   const std::vector<std::uint8_t> taken =
       sampled(topology, free, std::min(free.size(), static_cast<std::size_t>(count)));
   std::vector<Index> vertices =
@@ -93,16 +93,16 @@ MeshSample sample_of_mesh(const Points& X, const Topology& topology,
     place[vertices[i]] = static_cast<Index>(i);
   }
   LocalMesh sample = some_of_mesh(X, topology, std::move(vertices), triangles, place);
-  sample.held = held_vertices(sample.topology, BoundaryCondition::fixed);
+  sample.fixed = fixed_vertices(sample.topology, BoundaryCondition::fixed);
   for (std::size_t i = 0; i < sample.vertex.size(); ++i) {
-    sample.held[i] |= held[sample.vertex[i]];
+    sample.fixed[i] |= fixed[sample.vertex[i]];
   }
   sample.options = options;
   take_lists(options, sample.vertex, triangles, sample.options);
   const std::vector<std::uint8_t> near = near_rims(topology, sample, taken);
   std::vector<std::uint8_t> inner(near.size());
   for (std::size_t i = 0; i < inner.size(); ++i) {
-    inner[i] = !near[i] && !sample.held[i];
+    inner[i] = !near[i] && !sample.fixed[i];
   }
   return {std::move(sample), std::move(inner)};
 }

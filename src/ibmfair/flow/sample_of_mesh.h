@@ -17,10 +17,10 @@ struct MeshSample {
 
 /// A few connected patches, spread over the vertices that are not fixed, with about `count` (at
 /// least 1) vertices in total, or all vertices if there are fewer. In addition to the vertices
-/// fixed by `held`, two rings of vertices are fixed along the rims of the patches, as along open
+/// fixed by `fixed`, two rings of vertices are fixed along the rims of the patches, as along open
 /// boundaries. Deterministic; the choice of the patches depends on the vertex numbering.
 MeshSample sample_of_mesh(const Points& X, const Topology& topology,
-                          const std::vector<std::uint8_t>& held, const FlowOptions& options,
+                          const std::vector<std::uint8_t>& fixed, const FlowOptions& options,
                           Index count);
 
 }  // namespace ibmfair

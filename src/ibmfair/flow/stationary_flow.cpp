@@ -21,9 +21,9 @@ constexpr int halvings = 2;  // of a step before the time step shrinks
 }  // namespace
 
 StationaryFlow::StationaryFlow(const Points& X, const Topology& topology,
-                               const std::vector<std::uint8_t>& held, const FlowOptions& options,
+                               const std::vector<std::uint8_t>& fixed, const FlowOptions& options,
                                double h, double h_limit, bool normal_only)
-    : problem_(X, topology, held, options, MeshParts::one()),
+    : problem_(X, topology, fixed, options, MeshParts::one()),
       rings_(vertex_rings(topology)),
       folds_(X, topology, problem_.unknowns),
       h_(h),

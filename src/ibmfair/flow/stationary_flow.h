@@ -31,7 +31,7 @@ class StationaryFlow {
   /// `options` chooses the energy; its steps and time are not used. The flow starts at `X` with
   /// time step `h`, which grows up to `h_limit` (both length^4). The topology and the options must
   /// outlive this object.
-  StationaryFlow(const Points& X, const Topology& topology, const std::vector<std::uint8_t>& held,
+  StationaryFlow(const Points& X, const Topology& topology, const std::vector<std::uint8_t>& fixed,
                  const FlowOptions& options, double h, double h_limit, bool normal_only);
 
   /// Takes one step that lowers the energy, in several attempts if necessary. Returns false, and
@@ -69,7 +69,7 @@ class StationaryFlow {
   void adapt(double fraction, double ratio);
 
   FlowProblem problem_;
-  const Rows rings_;
+  const CompressedRows rings_;
   FoldWatch folds_;
   CurvaturePairs pairs_;
   double h_, h_limit_;

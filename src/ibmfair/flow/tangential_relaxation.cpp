@@ -15,8 +15,8 @@ namespace ibmfair {
 namespace {
 
 // Seen along the vertex normal, tilted triangles keep only a share of their area: this share if
-// they are tilted by 45 degrees. A vertex can stick out only if its share is smaller, as at flaps
-// and spikes.
+// they are tilted by 45 degrees. A vertex can stick out only if its share is smaller, as at folded
+// patches and spikes.
 constexpr double little_left = 0.7;
 
 /// The length of the sum of the neighbours' normals over the sum of their lengths, for a vertex

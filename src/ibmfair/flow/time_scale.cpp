@@ -28,7 +28,7 @@ double time_in_flow_units(double time, const Points& X, const Topology& topology
   }
   const BendingModel& model = bending_model(options.laplacian);
   if (!mass_matrix(model, options.energy_options()).measures_area()) {
-    const auto energy = model.bind(topology, {.mass_matrix = std::string(area_mass(model).name)});
+    const auto energy = model.create(topology, {.mass_matrix = std::string(area_mass(model).name)});
     StencilWeights weights;
     energy->linearise(X, weights);
     double mass = 0, count = 0;

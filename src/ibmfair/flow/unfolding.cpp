@@ -11,13 +11,13 @@
 namespace ibmfair {
 namespace {
 
-constexpr std::size_t most_vertices = 200;  // of a flap: larger patches are noise, not flaps
+constexpr std::size_t most_vertices = 200;  // of a folded patch; larger patches are noise
 constexpr int sweeps = 40;                  // over a patch of a few rings
 
-class FlapFinder {
+class FoldedPatchFinder {
  public:
-  FlapFinder(const Points& X, const Topology& topology, const Rows& rings, const Unknowns& unknowns,
-             const MeshParts& parts, double flat)
+  FoldedPatchFinder(const Points& X, const Topology& topology, const CompressedRows& rings,
+                    const Unknowns& unknowns, const MeshParts& parts, double flat)
       : X_(X),
         topology_(topology),
         rings_(rings),
@@ -26,7 +26,7 @@ class FlapFinder {
         flat_(flat),
         wanted_(static_cast<std::size_t>(topology.vertex_count), 0) {}
 
-  std::vector<VertexPatch> flaps() {
+  std::vector<VertexPatch> patches() {
     want_vertices_at_folds();
     std::vector<VertexPatch> found = patches_of(wanted_, rings_, unknowns_, parts_);
     std::erase_if(found, [&](const VertexPatch& patch) {
@@ -62,7 +62,7 @@ class FlapFinder {
 
   const Points& X_;
   const Topology& topology_;
-  const Rows& rings_;
+  const CompressedRows& rings_;
   const Unknowns& unknowns_;
   const MeshParts& parts_;
   const double flat_;
@@ -71,13 +71,14 @@ class FlapFinder {
 
 }  // namespace
 
-std::vector<VertexPatch> find_flaps(const Points& X, const Topology& topology, const Rows& rings,
-                                    const Unknowns& unknowns, const MeshParts& parts, double flat) {
-  return FlapFinder(X, topology, rings, unknowns, parts, flat).flaps();
+std::vector<VertexPatch> find_folded_patches(const Points& X, const Topology& topology,
+                                             const CompressedRows& rings, const Unknowns& unknowns,
+                                             const MeshParts& parts, double flat) {
+  return FoldedPatchFinder(X, topology, rings, unknowns, parts, flat).patches();
 }
 
 bool is_flat_around(const VertexPatch& patch, const Points& X, const Topology& topology,
-                    const Rows& rings, double flat) {
+                    const CompressedRows& rings, double flat) {
   const auto inside = [&](Index v) { return std::binary_search(patch.begin(), patch.end(), v); };
   std::vector<Index> around;
   for (const Index v : patch) {
@@ -103,7 +104,7 @@ bool is_flat_around(const VertexPatch& patch, const Points& X, const Topology& t
   return sum.norm() > flat * length;
 }
 
-void even_out(const VertexPatch& patch, const Rows& rings, Points& X) {
+void even_out(const VertexPatch& patch, const CompressedRows& rings, Points& X) {
   for (int i = 0; i < sweeps; ++i) {
     for (const Index v : patch) {
       Vec3 mean = Vec3::Zero();

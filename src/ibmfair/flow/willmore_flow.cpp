@@ -5,18 +5,19 @@
 #include "ibmfair/flow/fold_free_move.h"
 #include "ibmfair/flow/folds.h"
 #include "ibmfair/flow/local_mesh.h"
+#include "ibmfair/flow/residual_spikes.h"
 #include "ibmfair/flow/run_flow.h"
-#include "ibmfair/flow/specks.h"
 #include "ibmfair/flow/twicing.h"
 
 namespace ibmfair {
 namespace {
 
-/// Flattens specks and applies twicing after the flow. `took_noise`: a first stage removed noise.
+/// Flattens residual spikes and applies twicing after the flow. `took_noise`: a first stage removed
+/// noise.
 void finish(FlowProblem& problem, bool took_noise) {
   const FlowOptions& options = problem.options;
-  if (took_noise && options.mend) {
-    flatten_specks(problem);
+  if (took_noise && options.clean_up) {
+    flatten_residual_spikes(problem);
   }
   if (options.twicing > 0) {
     twice(problem);
@@ -43,11 +44,11 @@ void restore_quantities(FlowProblem& problem) {
 }
 
 FlowReport flow_as_numbered(Points& X, const Topology& topology,
-                            const std::vector<std::uint8_t>& held, const FlowOptions& options,
+                            const std::vector<std::uint8_t>& fixed, const FlowOptions& options,
                             const StepObserver& observer, const MeshParts& parts) {
-  FlowProblem problem(X, topology, held, options, parts);
+  FlowProblem problem(X, topology, fixed, options, parts);
   if (problem.report.unknowns > 0) {
-    const FlowReport first = run_first_stage(problem, held, observer);
+    const FlowReport first = run_first_stage(problem, fixed, observer);
     if (problem.report.status != FlowStatus::interrupted) {
       run_flow(problem, observer);
     }
@@ -65,22 +66,22 @@ FlowReport flow_as_numbered(Points& X, const Topology& topology,
 
 /// Renumbers the mesh for the flow if neighbours are far apart in memory.
 FlowReport flow_by_places(Points& X, const Topology& topology,
-                          const std::vector<std::uint8_t>& held, const FlowOptions& options,
+                          const std::vector<std::uint8_t>& fixed, const FlowOptions& options,
                           const StepObserver& observer, const MeshParts& parts) {
   if (!parts.is_whole() || !is_scattered(topology)) {
-    return flow_as_numbered(X, topology, held, options, observer, parts);
+    return flow_as_numbered(X, topology, fixed, options, observer, parts);
   }
-  LocalMesh local = local_mesh(X, topology, held, options);
+  LocalMesh local = local_mesh(X, topology, fixed, options);
   FlowReport report =
-      flow_as_numbered(local.X, local.topology, local.held, local.options, observer, parts);
+      flow_as_numbered(local.X, local.topology, local.fixed, local.options, observer, parts);
   X(local.vertex, Eigen::all) = local.X;
   return report;
 }
 
 FlowForecast forecast_as_numbered(const Points& X, const Topology& topology,
-                                  const std::vector<std::uint8_t>& held,
+                                  const std::vector<std::uint8_t>& fixed,
                                   const FlowOptions& options) {
-  FlowProblem problem(X, topology, held, options, MeshParts::one());
+  FlowProblem problem(X, topology, fixed, options, MeshParts::one());
   FlowForecast forecast;
   forecast.unknowns = problem.unknowns.size();
   if (forecast.unknowns > 0) {
@@ -92,28 +93,28 @@ FlowForecast forecast_as_numbered(const Points& X, const Topology& topology,
 
 }  // namespace
 
-FlowReport willmore_flow(Points& X, const Topology& topology, const std::vector<std::uint8_t>& held,
-                         const FlowOptions& options, const StepObserver& observer,
-                         const MeshParts& parts) {
+FlowReport willmore_flow(Points& X, const Topology& topology,
+                         const std::vector<std::uint8_t>& fixed, const FlowOptions& options,
+                         const StepObserver& observer, const MeshParts& parts) {
   FlowReport report;
   double seconds = 0;
   {
     const Stopwatch watch(seconds);
-    require_usable(X, held, options, parts);
-    report = flow_by_places(X, topology, held, options, observer, parts);
+    require_usable(X, fixed, options, parts);
+    report = flow_by_places(X, topology, fixed, options, observer, parts);
   }
   report.seconds.other = seconds - report.seconds.named();
   return report;
 }
 
 FlowForecast forecast_flow(const Points& X, const Topology& topology,
-                           const std::vector<std::uint8_t>& held, const FlowOptions& options) {
-  require_usable(X, held, options, MeshParts::one());
+                           const std::vector<std::uint8_t>& fixed, const FlowOptions& options) {
+  require_usable(X, fixed, options, MeshParts::one());
   if (!is_scattered(topology)) {
-    return forecast_as_numbered(X, topology, held, options);
+    return forecast_as_numbered(X, topology, fixed, options);
   }
-  const LocalMesh local = local_mesh(X, topology, held, options);
-  return forecast_as_numbered(local.X, local.topology, local.held, local.options);
+  const LocalMesh local = local_mesh(X, topology, fixed, options);
+  return forecast_as_numbered(local.X, local.topology, local.fixed, local.options);
 }
 
 }  // namespace ibmfair

@@ -23,14 +23,15 @@
 
 namespace ibmfair {
 
-/// Lets `X` (#V x 3) flow for `options.total_time`. Vertices with `held[v]` set (#V) are fixed:
+/// Lets `X` (#V x 3) flow for `options.total_time`. Vertices with `fixed[v]` set (#V) are fixed:
 /// their coordinates do not change in any bit. Throws BadOption, FactorizationFailed, OutOfMemory;
 /// BadMesh if a coordinate or the energy at the start is not finite.
 ///
-/// If the mesh is spread over several `parts` (flow/mesh_parts.h), X, topology and held belong to
+/// If the mesh is spread over several `parts` (flow/mesh_parts.h), X, topology and fixed belong to
 /// one piece, and the report is about the whole mesh. Keeping volume or area then throws BadOption.
-FlowReport willmore_flow(Points& X, const Topology& topology, const std::vector<std::uint8_t>& held,
-                         const FlowOptions& options, const StepObserver& observer = {},
+FlowReport willmore_flow(Points& X, const Topology& topology,
+                         const std::vector<std::uint8_t>& fixed, const FlowOptions& options,
+                         const StepObserver& observer = {},
                          const MeshParts& parts = MeshParts::one());
 
 /// The predicted cost of a flow.
@@ -43,6 +44,6 @@ struct FlowForecast {
 /// Predicts the cost of `willmore_flow` with these arguments. Throws the exceptions that the flow
 /// would throw before its first step.
 FlowForecast forecast_flow(const Points& X, const Topology& topology,
-                           const std::vector<std::uint8_t>& held, const FlowOptions& options);
+                           const std::vector<std::uint8_t>& fixed, const FlowOptions& options);
 
 }  // namespace ibmfair

@@ -7,7 +7,7 @@ namespace ibmfair {
 
 PerVertex energy_density(const Points& X, const Topology& topology, std::string_view model) {
   return bending_model(model)
-      .bind(topology, {})
+      .create(topology, {})
       ->energy_by_vertex(X)
       .cwiseQuotient(lumped_vertex_mass(X, topology));
 }

@@ -105,7 +105,7 @@ std::vector<Index> number_edges(const HalfEdges& half_edges, Index vertex_count)
 
 }  // namespace
 
-Rows vertex_stars(Index vertex_count, const Triangles& F) {
+CompressedRows vertex_stars(Index vertex_count, const Triangles& F) {
   RowPlaces places(vertex_count);
   const auto each = [&](auto&& act) {
     for (Index t = 0; t < F.rows(); ++t) {
@@ -118,7 +118,7 @@ Rows vertex_stars(Index vertex_count, const Triangles& F) {
   };
   each([&](Index v, Index) { places.count(v); });
   places.begin();
-  Rows stars;
+  CompressedRows stars;
   stars.value.resize(static_cast<std::size_t>(places.total()));
   each([&](Index v, Index t) { stars.value[places.take(v)] = t; });
   stars.first = std::move(places).first();
@@ -129,7 +129,7 @@ EdgeSides find_edges(Topology& topology) {
   const HalfEdges half_edges = find_half_edges(topology);
   const std::vector<Index> first_edge = number_edges(half_edges, topology.vertex_count);
   const auto sides = static_cast<std::size_t>(half_edges.first.back());
-  Rows& triangles = topology.edge_triangles;
+  CompressedRows& triangles = topology.edge_triangles;
   topology.E.resize(first_edge.back(), 2);
   triangles.first.resize(static_cast<std::size_t>(first_edge.back()) + 1);
   triangles.first.back() = half_edges.first.back();

@@ -32,7 +32,7 @@ class EdgeSides {
 };
 
 /// The triangles at each vertex in increasing order; triangles with a repeated corner are left out.
-Rows vertex_stars(Index vertex_count, const Triangles& F);
+CompressedRows vertex_stars(Index vertex_count, const Triangles& F);
 
 /// Sets E, sorted by vertices, and edge_triangles, with each row in increasing order. Needs
 /// vertex_count, F and stars.

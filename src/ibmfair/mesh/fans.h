@@ -35,7 +35,7 @@ class Fans {
  private:
   Index bound_;
   std::vector<Index> irregular_;  // the irregular vertices, in increasing order
-  Rows fan_;                      // for each irregular vertex, the fan of each triangle in its star
+  CompressedRows fan_;            // for each irregular vertex, the fan of each triangle in its star
 };
 
 }  // namespace ibmfair

@@ -123,7 +123,7 @@ PerVertex lumped_vertex_mass(const Points& X, const Topology& topology) {
   return mass;
 }
 
-PerVertex local_edge_length(const Points& X, const Rows& rings) {
+PerVertex local_edge_length(const Points& X, const CompressedRows& rings) {
   PerVertex length(rings.size());
   parallel_for(rings.size(), [&](std::int64_t v) {
     const auto ring = rings[static_cast<Index>(v)];

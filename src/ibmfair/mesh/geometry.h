@@ -48,7 +48,7 @@ PerVertex lumped_vertex_mass(const Points& X, const Topology& topology);
 
 /// The mean length of the edges at each vertex, #V; 0 for an isolated vertex. `rings` is the result
 /// of vertex_rings (mesh/topology.h).
-PerVertex local_edge_length(const Points& X, const Rows& rings);
+PerVertex local_edge_length(const Points& X, const CompressedRows& rings);
 
 /// Largest minus smallest coordinate, per axis.
 Vec3 bounding_box_size(const Points& X);

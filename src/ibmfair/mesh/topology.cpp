@@ -24,7 +24,7 @@ namespace {
 /// Two triangles with the same three vertices share all their edges, and their vertices opposite
 /// each edge are the same.
 std::vector<Index> find_duplicates(const Topology& topology, const EdgeSides& sides) {
-  const Rows& triangles = topology.edge_triangles;
+  const CompressedRows& triangles = topology.edge_triangles;
   const auto suspicious = [&](Index e) {
     const std::int64_t i = triangles.first[e], count = triangles.first[e + 1] - i;
     return count > 2 || (count == 2 && sides.opposite(i) == sides.opposite(i + 1));
@@ -211,9 +211,9 @@ bool is_ringed(const Topology& topology, Index v) {
   return is_oriented_interior(topology, v) && topology.stars[v].size() <= most_in_short_star;
 }
 
-Rows vertex_rings(const Topology& topology) {
+CompressedRows vertex_rings(const Topology& topology) {
   const std::span<const Index> ends(topology.E.data(), static_cast<std::size_t>(topology.E.size()));
-  Rows rings = positions_by_value(ends, topology.vertex_count);
+  CompressedRows rings = positions_by_value(ends, topology.vertex_count);
   parallel_for(topology.vertex_count, [&](std::int64_t i) {
     const auto v = static_cast<Index>(i);
     Index* const ring = rings.value.data() + rings.first[v];

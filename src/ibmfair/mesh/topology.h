@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "ibmfair/base/rows.h"
+#include "ibmfair/base/compressed_rows.h"
 #include "ibmfair/base/types.h"
 
 namespace ibmfair {
@@ -58,11 +58,11 @@ struct Topology {
   Triangles F;
   std::vector<std::uint8_t> usable;  ///< #F, whether the triangle may carry a stencil
 
-  Edges E;              ///< #E x 2, sorted
-  Rows edge_triangles;  ///< #E, the triangles at each edge
-  Hinges H;             ///< #H x 4, one for every interior edge between two usable triangles
+  Edges E;                        ///< #E x 2, sorted
+  CompressedRows edge_triangles;  ///< #E, the triangles at each edge
+  Hinges H;  ///< #H x 4, one for every interior edge between two usable triangles
   HingeTriangles hinge_triangles;  ///< #H x 2
-  Rows stars;                      ///< #V, the triangles at each vertex (repeated corners left out)
+  CompressedRows stars;            ///< #V, the triangles at each vertex (repeated corners left out)
 
   std::vector<VertexKind> kind;         ///< #V
   std::vector<std::uint8_t> defective;  ///< #V, belongs to an element of `defects`
@@ -94,7 +94,7 @@ Topology build_topology(const Points& X, Triangles F);
 /// The neighbours of each vertex: the vertices that an edge connects to it. If is_ringed(v), they
 /// are in cyclic order, so that each triangle around v runs from one neighbour to the next;
 /// otherwise they are in increasing order.
-Rows vertex_rings(const Topology& topology);
+CompressedRows vertex_rings(const Topology& topology);
 
 /// Whether v is an interior vertex at which all triangles agree in orientation.
 inline bool is_oriented_interior(const Topology& topology, Index v) {

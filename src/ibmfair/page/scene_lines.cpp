@@ -104,15 +104,15 @@ std::vector<SceneLine> defect_outlines(const Points& X, const Topology& topology
 }
 
 std::vector<SceneLine> held_lines(const Points& X, const Topology& topology,
-                                  const std::vector<std::uint8_t>& held) {
+                                  const std::vector<std::uint8_t>& fixed) {
   std::vector<std::array<Index, 2>> edges;
   for (Index e = 0; e < topology.E.rows(); ++e) {
     const Index a = topology.E(e, 0), b = topology.E(e, 1);
     const auto triangles = topology.edge_triangles[e];
     const bool borders = std::any_of(triangles.begin(), triangles.end(), [&](Index t) {
-      return held[opposite_vertex(topology.F, t, a, b)] == 0;
+      return fixed[opposite_vertex(topology.F, t, a, b)] == 0;
     });
-    if (held[a] != 0 && held[b] != 0 && borders) {
+    if (fixed[a] != 0 && fixed[b] != 0 && borders) {
       edges.push_back({a, b});
     }
   }

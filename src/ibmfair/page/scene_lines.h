@@ -19,9 +19,9 @@ SceneLine seam_line(const Points& X, const Hole& hole);
 /// Of each kind of defect only the first thousand are returned.
 std::vector<SceneLine> defect_outlines(const Points& X, const Topology& topology);
 
-/// The edges between two fixed vertices (flags `held`, #V) that bound a triangle with a free
+/// The edges between two fixed vertices (flags `fixed`, #V) that bound a triangle with a free
 /// vertex, joined to strips.
 std::vector<SceneLine> held_lines(const Points& X, const Topology& topology,
-                                  const std::vector<std::uint8_t>& held);
+                                  const std::vector<std::uint8_t>& fixed);
 
 }  // namespace ibmfair

@@ -44,7 +44,7 @@ class Ancestors {
 
 }  // namespace
 
-EliminationGraph::EliminationGraph(const Rows& graph, const std::vector<Index>& order)
+EliminationGraph::EliminationGraph(const CompressedRows& graph, const std::vector<Index>& order)
     : first_(order.size() + 1, 0), split_(order.size()), neighbour_(graph.value.size()) {
   std::vector<Index> turn(order.size());
   for (std::size_t j = 0; j < order.size(); ++j) {
@@ -83,7 +83,7 @@ std::vector<Index> elimination_tree(const EliminationGraph& graph) {
 
 std::vector<Index> postorder(const std::vector<Index>& parent, const std::vector<Index>& weight) {
   const auto n = static_cast<Index>(parent.size());
-  Rows children = positions_by_value(parent, n);
+  CompressedRows children = positions_by_value(parent, n);
   if (!weight.empty()) {
     for (Index j = 0; j < n; ++j) {
       std::stable_sort(children.value.begin() + children.first[j],

@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "ibmfair/base/rows.h"
+#include "ibmfair/base/compressed_rows.h"
 #include "ibmfair/base/types.h"
 
 namespace ibmfair {
@@ -16,7 +16,7 @@ namespace ibmfair {
 class EliminationGraph {
  public:
   /// `graph` lists each edge at both ends; column j is its node order[j].
-  EliminationGraph(const Rows& graph, const std::vector<Index>& order);
+  EliminationGraph(const CompressedRows& graph, const std::vector<Index>& order);
 
   Index size() const { return static_cast<Index>(split_.size()); }
   /// The neighbours of column j that are eliminated before it, in no particular order.

@@ -80,8 +80,8 @@ struct NamedRows {
 };
 
 /// Loads the rows first, first + 1, ... into one pack.
-template <class Rows>
-IBMFAIR_INLINE Pack3<float> to_packs(const Rows& rows, Index first, float /*tag*/) {
+template <class CompressedRows>
+IBMFAIR_INLINE Pack3<float> to_packs(const CompressedRows& rows, Index first, float /*tag*/) {
   const Pack<float> a = both_halves(rows[first], rows[first + 4]);
   const Pack<float> b = both_halves(rows[first + 1], rows[first + 5]);
   const Pack<float> c = both_halves(rows[first + 2], rows[first + 6]);
@@ -90,8 +90,8 @@ IBMFAIR_INLINE Pack3<float> to_packs(const Rows& rows, Index first, float /*tag*
   const Pack<float> z01 = zip_high(a, b), z23 = zip_high(c, d);
   return {zip_low_pairs(xy01, xy23), zip_high_pairs(xy01, xy23), zip_low_pairs(z01, z23)};
 }
-template <class Rows>
-IBMFAIR_INLINE Pack3<double> to_packs(const Rows& rows, Index first, double /*tag*/) {
+template <class CompressedRows>
+IBMFAIR_INLINE Pack3<double> to_packs(const CompressedRows& rows, Index first, double /*tag*/) {
   const Pack<double> a = rows[first], b = rows[first + 1];
   const Pack<double> c = rows[first + 2], d = rows[first + 3];
   const Pack<double> xz01 = zip_low(a, b), xz23 = zip_low(c, d);

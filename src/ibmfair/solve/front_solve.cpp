@@ -176,12 +176,12 @@ template <class Real>
 using Widths = std::make_integer_sequence<int, pack_rows<Real>>;
 
 /// Fills the workspace with `rows` rows.
-template <class Real, class Rows>
-IBMFAIR_INLINE void gather(const Rows& source, Index rows, Real* W) {
+template <class Real, class CompressedRows>
+IBMFAIR_INLINE void gather(const CompressedRows& source, Index rows, Real* W) {
   constexpr Index pack = pack_rows<Real>;
   Index first = 0;
   for (; first + pack <= rows; first += pack, W += 3 * pack) {
-    Rows whole = source;
+    CompressedRows whole = source;
     whole.count = first + pack;
     store_three(W, to_packs(whole, first, Real()));
   }

@@ -202,7 +202,7 @@ FrontalSolver<Real>::FrontalSolver(const FrontalFactor<Real>& factor)
 template <class Real>
 template <class List>
 void FrontalSolver<Real>::forward(const List& list, Real* memory, Scratch& scratch) {
-  using Four = Eigen::Array<Real, 4, 1>;
+  using Vec4 = Eigen::Array<Real, 4, 1>;
   const Supernodes& nodes = factor_.nodes();
   UpdateStack<Real> stack(nodes, update_, memory);
   Real* const front = scratch.front.data();
@@ -216,7 +216,7 @@ void FrontalSolver<Real>::forward(const List& list, Real* memory, Scratch& scrat
           nodes.place_in_parent.data() + nodes.first_row[child] + nodes.columns(child);
       const Real* const update = update_[child];
       for (Index i = 0; i < nodes.rows_below(child); ++i) {
-        Eigen::Map<Four>(front + 4 * place[i]) += Eigen::Map<const Four>(update + 4 * i);
+        Eigen::Map<Vec4>(front + 4 * place[i]) += Eigen::Map<const Vec4>(update + 4 * i);
       }
     }
     substitute_forward(factor_.front(s), rows, nodes.columns(s), front, x,

@@ -65,11 +65,11 @@ void JacobianRows::update(const StencilWeights& weights, const Eigen::VectorXd& 
 
 void JacobianRows::fill(const StencilWeights& weights, const Eigen::VectorXd& D, double h) {
   const double scale = h / unit_;
-  sums_.for_rows(weights, [&](Index u, std::span<const double> entries, double held) {
+  sums_.for_rows(weights, [&](Index u, std::span<const double> entries, double fixed) {
     diagonal_[u] = D[u] + h * entries[0];
     const RowBlock& block = sums_.blocks()[u / RowSums::block_size];
     float* b = &b_[u / RowSums::block_size][block.first[u % RowSums::block_size]];
-    b[0] = static_cast<float>(D[u] / unit_ - scale * held);
+    b[0] = static_cast<float>(D[u] / unit_ - scale * fixed);
     for (std::size_t k = 1; k < entries.size(); ++k) {
       b[k] = static_cast<float>(scale * entries[k]);
     }

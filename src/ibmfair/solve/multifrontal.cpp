@@ -15,12 +15,12 @@ struct MultifrontalAnalysis::State {
 };
 
 MultifrontalAnalysis::MultifrontalAnalysis(const SymmetricMatrix& J) {
-  const Rows graph = graph_of(J);
+  const CompressedRows graph = graph_of(J);
   take(J, symbolic_factor(graph, minimum_degree(graph)), "minimum degree");
 }
 
 MultifrontalAnalysis::MultifrontalAnalysis(const SymmetricMatrix& J, const Points& X) {
-  const Rows graph = graph_of(J);
+  const CompressedRows graph = graph_of(J);
   const EliminationOrder order = elimination_order(graph, X);
   take(J, symbolic_factor(graph, order.unknown), order.method);
 }

@@ -35,14 +35,14 @@ struct Nodes {
 /// Some of the nodes with the edges between them, numbered from 0.
 struct Part {
   Nodes nodes;
-  Rows graph;
+  CompressedRows graph;
 };
 
 /// The subgraph on `nodes`. `number` is the index of each node in `nodes`, and -1 for all other
 /// nodes that share an edge with one of them.
-Rows subgraph(const Rows& graph, const std::vector<Index>& nodes,
-              const std::vector<Index>& number) {
-  Rows sub;
+CompressedRows subgraph(const CompressedRows& graph, const std::vector<Index>& nodes,
+                        const std::vector<Index>& number) {
+  CompressedRows sub;
   sub.first.reserve(nodes.size() + 1);
   for (const Index v : nodes) {
     for (const Index w : graph[v]) {
@@ -56,7 +56,7 @@ Rows subgraph(const Rows& graph, const std::vector<Index>& nodes,
 /// Finds a separator of the subgraph `graph` on the given nodes and writes it to `order`. Returns
 /// the two sides; or nothing if there is no separator, after all nodes have been written to
 /// `order`.
-std::vector<Part> dissect(const Rows& graph, const Nodes& nodes, const Points& X,
+std::vector<Part> dissect(const CompressedRows& graph, const Nodes& nodes, const Points& X,
                           std::vector<Index>& order) {
   const auto node = [&](Index i) { return nodes.node[i]; };
   std::optional<Separation> cut;
@@ -90,7 +90,7 @@ std::vector<Part> dissect(const Rows& graph, const Nodes& nodes, const Points& X
 
 }  // namespace
 
-Rows graph_of(const SymmetricMatrix& J) {
+CompressedRows graph_of(const SymmetricMatrix& J) {
   return sort_into_rows(static_cast<Index>(J.size()), std::ssize(J.row), [&](const auto& put) {
     for (std::int64_t j = 0; j < J.size(); ++j) {
       for (std::int64_t k = J.column_first[j] + 1; k < J.column_first[j + 1]; ++k) {
@@ -101,7 +101,7 @@ Rows graph_of(const SymmetricMatrix& J) {
   });
 }
 
-std::vector<Index> minimum_degree(const Rows& graph) {
+std::vector<Index> minimum_degree(const CompressedRows& graph) {
   std::vector<Index> order(static_cast<std::size_t>(graph.size()));
   std::iota(order.begin(), order.end(), 0);
   if (graph.value.empty()) return order;  // AMD takes no null pointer
@@ -117,7 +117,7 @@ std::vector<Index> minimum_degree(const Rows& graph) {
   return order;
 }
 
-std::vector<Index> nested_dissection(const Rows& graph, const Points& X) {
+std::vector<Index> nested_dissection(const CompressedRows& graph, const Points& X) {
   std::vector<Index> order(static_cast<std::size_t>(graph.size()));
   std::vector<Index> all = order;
   std::iota(all.begin(), all.end(), 0);
@@ -136,7 +136,7 @@ std::vector<Index> nested_dissection(const Rows& graph, const Points& X) {
   return order;
 }
 
-EliminationOrder elimination_order(const Rows& graph, const Points& X) {
+EliminationOrder elimination_order(const CompressedRows& graph, const Points& X) {
   return graph.size() < worth_dissecting
              ? EliminationOrder{"minimum degree", minimum_degree(graph)}
              : EliminationOrder{"nested dissection", nested_dissection(graph, X)};

@@ -80,7 +80,7 @@ std::vector<Heights> heights_of(const Places& places) {
 }
 
 /// The lowest heights of a node and its neighbours in the graph.
-Heights lowest_around(const Rows& graph, const std::vector<Heights>& heights, Index v) {
+Heights lowest_around(const CompressedRows& graph, const std::vector<Heights>& heights, Index v) {
   Heights lowest = heights[v];
   for (const Index w : graph[v]) {
     lowest = heights[w] < lowest ? heights[w] : lowest;
@@ -95,7 +95,7 @@ struct Plane {
 };
 
 /// The best plane, for separators above the plane.
-Plane best_plane(const Rows& graph, const std::vector<Heights>& heights) {
+Plane best_plane(const CompressedRows& graph, const std::vector<Heights>& heights) {
   constexpr double smallest_share = 0.2;
   // The increase in the number of nodes from the plane one step lower to this one.
   using Increases = Index[directions][steps + 1];
@@ -132,7 +132,7 @@ Plane best_plane(const Rows& graph, const std::vector<Heights>& heights) {
 
 }  // namespace
 
-std::optional<Separation> separate(const Rows& graph, const Points& X) {
+std::optional<Separation> separate(const CompressedRows& graph, const Points& X) {
   if (X.rows() == 0) return std::nullopt;
   const Places places = ((X.rowwise() - X.row(0)) / bounding_box_size(X).maxCoeff()).cast<float>();
   if (!places.allFinite()) return std::nullopt;

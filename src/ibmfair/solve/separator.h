@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "ibmfair/base/rows.h"
+#include "ibmfair/base/compressed_rows.h"
 #include "ibmfair/base/types.h"
 
 namespace ibmfair {
@@ -22,6 +22,6 @@ struct Separation {
 /// root of the size of the smaller side is chosen. The separator consists of the nodes on one side
 /// that have an edge through the plane. Returns nothing if there is no such plane or if a
 /// coordinate is not finite.
-std::optional<Separation> separate(const Rows& graph, const Points& X);
+std::optional<Separation> separate(const CompressedRows& graph, const Points& X);
 
 }  // namespace ibmfair

@@ -39,7 +39,7 @@ struct Supernodes {
   std::vector<std::int64_t> first_row;  ///< #S + 1, indices into `row`
   std::vector<Index> row;               ///< rows of the fronts, increasing within each supernode
   std::int64_t entries = 0;             ///< entries of L on and below the diagonal
-  Rows children;                        ///< #S
+  CompressedRows children;              ///< #S
   std::vector<Index> place_in_parent;   ///< as `row`: the row's index in the parent's front
 
   /// The tree is split so that threads can share it: each of the `branches` consists of subtrees

@@ -134,7 +134,7 @@ Supernodes with_rows(const std::vector<Group>& groups, const EliminationGraph& g
 
 }  // namespace
 
-SymbolicFactor symbolic_factor(const Rows& graph, const std::vector<Index>& order) {
+SymbolicFactor symbolic_factor(const CompressedRows& graph, const std::vector<Index>& order) {
   Columns columns;
   {
     const EliminationGraph given(graph, order);

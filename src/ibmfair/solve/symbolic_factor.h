@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "ibmfair/base/rows.h"
+#include "ibmfair/base/compressed_rows.h"
 #include "ibmfair/base/types.h"
 #include "ibmfair/solve/supernodes.h"
 
@@ -20,6 +20,6 @@ struct SymbolicFactor {
 /// ends. The order is first replaced by a postorder of the elimination tree, an equivalent order
 /// with the same fill-in that puts the children of a supernode next to it. Throws
 /// FactorizationFailed or OutOfMemory.
-SymbolicFactor symbolic_factor(const Rows& graph, const std::vector<Index>& order);
+SymbolicFactor symbolic_factor(const CompressedRows& graph, const std::vector<Index>& order);
 
 }  // namespace ibmfair

@@ -1,6 +1,6 @@
-// At its end, a flow of the whole mesh mends the regions that it had slowed down: these regions
+// At its end, a flow of the whole mesh finishes the regions that it had slowed down: these regions
 // catch up, and folds are undone.
-#include "ibmfair/flow/mending.h"
+#include "ibmfair/flow/clean_up.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -43,7 +43,7 @@ class LaggingSpot : public testing::Test {
   }
 
   const State sphere_ = sphere();
-  const Rows rings_ = vertex_rings(sphere_.topology);
+  const CompressedRows rings_ = vertex_rings(sphere_.topology);
   const std::vector<std::uint8_t> near_ = around(sphere_.topology, {middle}, 2);
   Points X_ = sphere_.X;
   const FlowOptions options_{
@@ -54,11 +54,11 @@ TEST_F(LaggingSpot, CatchesUpAndMovesNothingElse) {
   FlowProblem problem(X_, sphere_.topology, std::vector<std::uint8_t>(near_.size(), 0), options_,
                       MeshParts::one());
   problem.report.time_reached = options_.total_time;
-  Eigen::VectorXd lag = Eigen::VectorXd::Zero(X_.rows());
+  Eigen::VectorXd deficit = Eigen::VectorXd::Zero(X_.rows());
   Points move;
-  EXPECT_FALSE(catch_up_moves(problem, rings_, lag, move)) << "nothing lags behind";
-  lag[middle] = options_.total_time;
-  ASSERT_TRUE(catch_up_moves(problem, rings_, lag, move));
+  EXPECT_FALSE(catch_up_moves(problem, rings_, deficit, move)) << "nothing lags behind";
+  deficit[middle] = options_.total_time;
+  ASSERT_TRUE(catch_up_moves(problem, rings_, deficit, move));
   for (Index v = 0; v < move.rows(); ++v) {
     EXPECT_TRUE(near_[v] || move.row(v).isZero(0)) << v;
   }
@@ -68,9 +68,9 @@ TEST_F(LaggingSpot, CatchesUpAndMovesNothingElse) {
 }
 
 /// The spheres are crumpled so much that nearly all steps slow some vertices down.
-TEST(Mending, LeavesMuchLessEnergyAndNoMoreFolds) {
+TEST(CleanUp, LeavesMuchLessEnergyAndNoMoreFolds) {
   std::int64_t caught_up = 0;
-  double mended_energy = 0, left_energy = 0;
+  double cleaned_energy = 0, left_energy = 0;
   for (const char* laplacian : {"crouzeix-raviart", "lagrange"}) {
     for (const int seed : {1, 2, 3, 4}) {
       SCOPED_TRACE(std::string(laplacian) + ", noise " + std::to_string(seed));
@@ -78,24 +78,24 @@ TEST(Mending, LeavesMuchLessEnergyAndNoMoreFolds) {
       add_noise(state.X, 0.8 * mean_edge_length(state.X, state.topology.E), seed);
       FlowOptions options;
       options.laplacian = laplacian;
-      const FlowRun mended = run_flow(state, 6, options);
-      options.mend = false;
+      const FlowRun cleaned = run_flow(state, 6, options);
+      options.clean_up = false;
       const FlowRun left = run_flow(state, 6, options);
-      EXPECT_LE(mended.report.energy_after, left.report.energy_after);
-      EXPECT_EQ(mended.report.steps.back().energy, mended.report.energy_after);
+      EXPECT_LE(cleaned.report.energy_after, left.report.energy_after);
+      EXPECT_EQ(cleaned.report.steps.back().energy, cleaned.report.energy_after);
       EXPECT_EQ(left.report.caught_up + left.report.unfolded, 0);
-      EXPECT_LE(folds_in(mended.X, state.topology), folds_in(left.X, state.topology));
-      caught_up += mended.report.caught_up;
-      mended_energy += mended.report.energy_after;
+      EXPECT_LE(folds_in(cleaned.X, state.topology), folds_in(left.X, state.topology));
+      caught_up += cleaned.report.caught_up;
+      cleaned_energy += cleaned.report.energy_after;
       left_energy += left.report.energy_after;
     }
   }
   EXPECT_GT(caught_up, 0);
-  EXPECT_LT(mended_energy, 0.6 * left_energy);
+  EXPECT_LT(cleaned_energy, 0.6 * left_energy);
 }
 
 /// Long after the last step that slowed vertices down, the flow has nothing to catch up with.
-TEST(Mending, HasNothingToDoAfterManySteps) {
+TEST(CleanUp, HasNothingToDoAfterManySteps) {
   State state(make_shape("torus", {.ratio = 2.5, .rows = 20, .columns = 50}));
   add_noise(state.X, 0.5 * mean_edge_length(state.X, state.topology.E), 1);
   const FlowRun run = run_flow(state, 5, {.steps = 400});

@@ -1,5 +1,5 @@
 // Lists of rows are the same for any number of threads.
-#include "ibmfair/base/rows.h"
+#include "ibmfair/base/compressed_rows.h"
 
 #include <algorithm>
 #include <random>
@@ -23,7 +23,7 @@ std::vector<Index> some_values(Index rows) {
   return values;
 }
 
-TEST(Rows, ListThePositionsOfEachValueInOrderForAnyNumberOfThreads) {
+TEST(CompressedRows, ListThePositionsOfEachValueInOrderForAnyNumberOfThreads) {
   for (const Index count : {1, 2, 7, 1000, 100'000}) {
     const std::vector<Index> values = some_values(count);
     std::vector<std::vector<Index>> expected(static_cast<std::size_t>(count));
@@ -32,7 +32,7 @@ TEST(Rows, ListThePositionsOfEachValueInOrderForAnyNumberOfThreads) {
     }
     for (const int threads : {1, 2, 3, 16}) {
       set_thread_count(threads);
-      const Rows rows = positions_by_value(values, count);
+      const CompressedRows rows = positions_by_value(values, count);
       ASSERT_EQ(rows.size(), count);
       for (Index v = 0; v < count; ++v) {
         ASSERT_TRUE(std::ranges::equal(rows[v], expected[v])) << v << " of " << count;
@@ -42,7 +42,7 @@ TEST(Rows, ListThePositionsOfEachValueInOrderForAnyNumberOfThreads) {
   }
 }
 
-TEST(Rows, RangesMakeUpTheWhole) {
+TEST(CompressedRows, RangesMakeUpTheWhole) {
   for (const int threads : {1, 3, 16}) {
     set_thread_count(threads);
     for (const std::int64_t count : {0, 1, 5, 1000}) {

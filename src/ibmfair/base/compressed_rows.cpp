@@ -1,4 +1,4 @@
-#include "ibmfair/base/rows.h"
+#include "ibmfair/base/compressed_rows.h"
 
 #include <algorithm>
 #include <iterator>
@@ -11,7 +11,7 @@
 
 namespace ibmfair {
 
-Rows positions_by_value(std::span<const Index> values, Index count) {
+CompressedRows positions_by_value(std::span<const Index> values, Index count) {
   if (values.size() > std::numeric_limits<Index>::max()) {
     throw BadMesh("the mesh is too large: " + std::to_string(values.size()) +
                   " entries, more than can be numbered");
@@ -23,7 +23,7 @@ Rows positions_by_value(std::span<const Index> values, Index count) {
   });
 }
 
-std::vector<Index> row_of_position(const Rows& rows) {
+std::vector<Index> row_of_position(const CompressedRows& rows) {
   std::vector<Index> row(rows.value.size());
   parallel_for(rows.size(), [&](std::int64_t i) {
     std::fill(row.begin() + rows.first[i], row.begin() + rows.first[i + 1], static_cast<Index>(i));

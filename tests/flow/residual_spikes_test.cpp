@@ -1,6 +1,6 @@
-// Specks are the remains of noise in a flow that keeps creases. The tests check which patches count
-// as specks, and that the flow removes them.
-#include "ibmfair/flow/specks.h"
+// Residual spikes are the remains of noise in a flow that keeps creases. The tests check which
+// patches count as residual spikes, and that the flow removes them.
+#include "ibmfair/flow/residual_spikes.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -30,8 +30,9 @@ class Spike : public testing::Test {
     X_.row(middle_) += edge_ * Vec3(0, 0, 0.5).transpose();
   }
 
-  std::vector<VertexPatch> specks(const Points& X, const std::vector<std::uint8_t>& held) const {
-    return find_specks(X, cube_.topology, rings_, Unknowns(held), MeshParts::one(), sharp_angle);
+  std::vector<VertexPatch> spikes(const Points& X, const std::vector<std::uint8_t>& fixed) const {
+    return find_residual_spikes(X, cube_.topology, rings_, Unknowns(fixed), MeshParts::one(),
+                                sharp_angle);
   }
 
   FlowOptions keeping_creases(double cutoff_edges) const {
@@ -44,7 +45,7 @@ class Spike : public testing::Test {
   }
 
   const State cube_{make_shape("cube", {.subdivide = 4})};
-  const Rows rings_ = vertex_rings(cube_.topology);
+  const CompressedRows rings_ = vertex_rings(cube_.topology);
   const double edge_ = mean_edge_length(cube_.X, cube_.topology.E);
   const std::vector<std::uint8_t> free_ =
       std::vector<std::uint8_t>(static_cast<std::size_t>(cube_.topology.vertex_count), 0);
@@ -53,31 +54,31 @@ class Spike : public testing::Test {
 };
 
 TEST_F(Spike, IsASpeckAndEdgesAndCornersAreNot) {
-  EXPECT_TRUE(specks(cube_.X, free_).empty());
-  const std::vector<VertexPatch> found = specks(X_, free_);
+  EXPECT_TRUE(spikes(cube_.X, free_).empty());
+  const std::vector<VertexPatch> found = spikes(X_, free_);
   ASSERT_EQ(found.size(), 1U);
   EXPECT_EQ(found[0].size(), rings_[middle_].size() + 1);
   EXPECT_TRUE(std::ranges::binary_search(found[0], middle_));
 }
 
 TEST_F(Spike, IsLeftWhereItIsHeldInPart) {
-  std::vector<std::uint8_t> held = free_;
-  held[rings_[middle_][0]] = 1;
-  EXPECT_TRUE(specks(X_, held).empty());
+  std::vector<std::uint8_t> fixed = free_;
+  fixed[rings_[middle_][0]] = 1;
+  EXPECT_TRUE(spikes(X_, fixed).empty());
 }
 
 TEST_F(Spike, IsLeftAtABoundary) {
   const State plane(make_shape("plane", {}));
-  const Rows rings = vertex_rings(plane.topology);
+  const CompressedRows rings = vertex_rings(plane.topology);
   const double height = 0.5 * mean_edge_length(plane.X, plane.topology.E);
   int inside = 0, at_boundary = 0;
   for (Index v = 0; v < plane.topology.vertex_count; ++v) {
     Points X = plane.X;
     X.row(v) += height * Vec3(0, 0, 1).transpose();
     const auto found =
-        find_specks(X, plane.topology, rings,
-                    Unknowns(std::vector<std::uint8_t>(plane.topology.vertex_count, 0)),
-                    MeshParts::one(), sharp_angle);
+        find_residual_spikes(X, plane.topology, rings,
+                             Unknowns(std::vector<std::uint8_t>(plane.topology.vertex_count, 0)),
+                             MeshParts::one(), sharp_angle);
     const bool is_inside = plane.topology.kind[v] == VertexKind::interior &&
                            std::ranges::all_of(rings[v], [&](Index q) {
                              return plane.topology.kind[q] == VertexKind::interior;
@@ -94,13 +95,13 @@ TEST_F(Spike, OnAnEdgeIsPartOfIt) {
   Index on_edge = 0;
   (cube_.X.rowwise() - Vec3(0, 1, 1).transpose()).rowwise().norm().minCoeff(&on_edge);
   X.row(on_edge) += edge_ * Vec3(0, 0, 0.5).transpose();
-  EXPECT_TRUE(specks(X, free_).empty());
+  EXPECT_TRUE(spikes(X, free_).empty());
 }
 
 TEST_F(Spike, IsEvenedOutWithNothingElse) {
   const FlowOptions options = keeping_creases(6);
   FlowProblem problem(X_, cube_.topology, free_, options, MeshParts::one());
-  flatten_specks(problem);
+  flatten_residual_spikes(problem);
   EXPECT_GT(problem.report.unfolded, 0);
   EXPECT_LT(problem.report.energy_after, problem.report.energy_before);
   EXPECT_NEAR(problem.X(middle_, 2), 1, 0.02 * edge_);
@@ -121,7 +122,7 @@ TEST_F(Spike, IsADetailWithoutNoise) {
     noisy.row(middle_) += edge_ * Vec3(0, 0, 1.5).transpose();
     add_noise(noisy, 0.3 * edge_, seed);
     unfolded += willmore_flow(noisy, cube_.topology, free_, options).unfolded;
-    EXPECT_TRUE(specks(noisy, free_).empty()) << seed;
+    EXPECT_TRUE(spikes(noisy, free_).empty()) << seed;
   }
   EXPECT_GT(unfolded, 0);
 }

@@ -1,4 +1,4 @@
-// Measures by how much flow time the spots that a flow slows down lag behind the rest of the mesh.
+// The flow time by which regions that a flow slows down lag behind the rest of the mesh.
 #pragma once
 
 #include <vector>
@@ -7,12 +7,12 @@
 
 namespace ibmfair {
 
-class Lag {
+class TimeDeficit {
  public:
-  /// Starts with no unknown lagging behind. `memory`: the flow time in which a spot that was slowed
-  /// down, and then flows at full speed, makes up for most of its lag. Spots are small, and catch
-  /// up long before the flow has smoothed everything up to the cut-off.
-  Lag(Index unknowns, double memory) : unknowns_(unknowns), memory_(memory) {}
+  /// Starts with no unknown lagging behind. `memory`: the flow time in which a region that was
+  /// slowed down, and then flows at full speed, makes up for most of its deficit. Such regions are
+  /// small, and catch up long before the flow has smoothed everything up to the cut-off.
+  TimeDeficit(Index unknowns, double memory) : unknowns_(unknowns), memory_(memory) {}
 
   /// Scales the progress of this unknown in the current step by `part`; calls accumulate.
   void slow(Index unknown, double part);

@@ -1,13 +1,13 @@
-#include "ibmfair/flow/specks.h"
+#include "ibmfair/flow/residual_spikes.h"
 
 #include <algorithm>
 #include <cstdint>
 #include <numbers>
 
 #include "ibmfair/base/stopwatch.h"
+#include "ibmfair/flow/clean_up.h"
 #include "ibmfair/flow/fold_free_move.h"
 #include "ibmfair/flow/folds.h"
-#include "ibmfair/flow/mending.h"
 #include "ibmfair/flow/unfolding.h"
 #include "ibmfair/mesh/geometry.h"
 #include "ibmfair/mesh/select.h"
@@ -34,7 +34,8 @@ bool is_a_line(const VertexPatch& patch, const std::vector<Index>& sharp_at) {
 
 /// Whether sharp hinges continue from a patch to vertices outside of it, which are fixed, at a
 /// boundary or belong to another part.
-bool leads_on(const VertexPatch& patch, const Rows& rings, const std::vector<Index>& sharp_at) {
+bool leads_on(const VertexPatch& patch, const CompressedRows& rings,
+              const std::vector<Index>& sharp_at) {
   return std::ranges::any_of(patch, [&](Index v) {
     return std::ranges::any_of(rings[v], [&](Index q) {
       return sharp_at[q] > 0 && !std::ranges::binary_search(patch, q);
@@ -44,9 +45,9 @@ bool leads_on(const VertexPatch& patch, const Rows& rings, const std::vector<Ind
 
 }  // namespace
 
-std::vector<VertexPatch> find_specks(const Points& X, const Topology& topology, const Rows& rings,
-                                     const Unknowns& unknowns, const MeshParts& parts,
-                                     double sharp_angle) {
+std::vector<VertexPatch> find_residual_spikes(const Points& X, const Topology& topology,
+                                              const CompressedRows& rings, const Unknowns& unknowns,
+                                              const MeshParts& parts, double sharp_angle) {
   const Eigen::VectorXd angles = dihedral_angles(X, topology.H);
   const std::vector<Index> sharp = indices_where(topology.H.rows(), [&](Index h) {
     return std::numbers::pi - angles[h] > half_held * sharp_angle;
@@ -68,14 +69,14 @@ std::vector<VertexPatch> find_specks(const Points& X, const Topology& topology, 
   return found;
 }
 
-void flatten_specks(FlowProblem& problem) {
+void flatten_residual_spikes(FlowProblem& problem) {
   const Stopwatch watch(problem.report.seconds.guard);
-  const Rows rings = vertex_rings(problem.topology);
-  const std::vector<VertexPatch> specks =
-      find_specks(problem.X, problem.topology, rings, problem.unknowns, problem.parts,
-                  problem.options.sharp_angle);
+  const CompressedRows rings = vertex_rings(problem.topology);
+  const std::vector<VertexPatch> spikes =
+      find_residual_spikes(problem.X, problem.topology, rings, problem.unknowns, problem.parts,
+                           problem.options.sharp_angle);
   Points move, Y;
-  if (!even_out_and_flow(problem, rings, specks, move)) {
+  if (!even_out_and_flow(problem, rings, spikes, move)) {
     return;
   }
   FoldWatch folds(problem.X, problem.topology, problem.unknowns);

@@ -1,4 +1,4 @@
-#include "ibmfair/flow/mending.h"
+#include "ibmfair/flow/clean_up.h"
 
 #include <algorithm>
 #include <atomic>
@@ -10,12 +10,12 @@ namespace ibmfair {
 namespace {
 
 // Chosen on scans with needles and folds, in the same way as the settings of the guard.
-constexpr double little_lag = 0.1;  // relative to the time reached: a smaller lag is ignored
-constexpr int rings_around = 2;     // of vertices, which lagging vertices have slowed down as well
+constexpr double little_deficit = 0.1;  // relative to the time reached: smaller ones are ignored
+constexpr int rings_around = 2;  // of vertices, which these vertices have slowed down as well
 
-// The least value of `flat` (flow/unfolding.h) around a flap. The value is 0.9 to 1 around flaps
-// made by noise, 0.6 around claws of a scan that are inside out, and 0.5 around folds of 60
-// degrees.
+// The least value of `flat` (flow/unfolding.h) around a folded patch. The value is 0.9 to 1 around
+// folded patches made by noise, 0.6 around claws of a scan that are inside out, and 0.5 around
+// folds of 60 degrees.
 constexpr double flat_enough = 0.6;
 // For energies that do not measure curvature, a lower energy does not prove a better surface.
 constexpr double flat_enough_without_curvature = 0.88;
@@ -25,7 +25,7 @@ using Flags = std::vector<std::uint8_t>;  // #V
 /// Lets the patches of `wanted` vertices flow from their positions at X, each for the time
 /// time_of(patch). Writes the moves, and returns whether any vertex moves in any part of the mesh.
 template <class TimeOf>
-bool flow_in_patches(const FlowProblem& problem, const Rows& rings, const Flags& wanted,
+bool flow_in_patches(const FlowProblem& problem, const CompressedRows& rings, const Flags& wanted,
                      const Points& X, const TimeOf& time_of, Points& move) {
   PatchFlow flow(problem, rings);
   move = Points::Zero(problem.unknowns.size(), 3);
@@ -42,40 +42,41 @@ bool flow_in_patches(const FlowProblem& problem, const Rows& rings, const Flags&
 
 }  // namespace
 
-bool catch_up_moves(const FlowProblem& problem, const Rows& rings, const Eigen::VectorXd& lag,
-                    Points& move) {
-  const double little = little_lag * problem.report.time_reached;
-  if (!problem.parts.any((lag.array() > little).any())) {
+bool catch_up_moves(const FlowProblem& problem, const CompressedRows& rings,
+                    const Eigen::VectorXd& deficit, Points& move) {
+  const double little = little_deficit * problem.report.time_reached;
+  if (!problem.parts.any((deficit.array() > little).any())) {
     return false;
   }
   Flags wanted(static_cast<std::size_t>(problem.topology.vertex_count), 0);
   for (Index u = 0; u < problem.unknowns.size(); ++u) {
-    wanted[problem.unknowns.vertex[u]] = lag[u] > little ? 1 : 0;
+    wanted[problem.unknowns.vertex[u]] = deficit[u] > little ? 1 : 0;
   }
   for (int i = 0; i < rings_around; ++i) {
     wanted = grow_one_ring(problem.topology, wanted);
   }
-  const auto longest_lag = [&](const VertexPatch& patch) {
+  const auto longest_deficit = [&](const VertexPatch& patch) {
     double longest = little;  // for a patch whose middle is in another part of the mesh
     for (const Index v : patch) {
-      longest = std::max(longest, lag[problem.unknowns.unknown[v]]);
+      longest = std::max(longest, deficit[problem.unknowns.unknown[v]]);
     }
     return longest;
   };
-  return flow_in_patches(problem, rings, wanted, problem.X, longest_lag, move);
+  return flow_in_patches(problem, rings, wanted, problem.X, longest_deficit, move);
 }
 
-bool unfolding_moves(FlowProblem& problem, const Rows& rings, Points& move) {
+bool unfolding_moves(FlowProblem& problem, const CompressedRows& rings, Points& move) {
   const bool bends = !bending_model(problem.options.laplacian).evens_edges;
-  std::vector<VertexPatch> flaps;
+  std::vector<VertexPatch> patches;
   if (!problem.has_no_folds(problem.energy_at(problem.X), fold_to_undo)) {
-    flaps = find_flaps(problem.X, problem.topology, rings, problem.unknowns, problem.parts,
-                       bends ? flat_enough : flat_enough_without_curvature);
+    patches =
+        find_folded_patches(problem.X, problem.topology, rings, problem.unknowns, problem.parts,
+                            bends ? flat_enough : flat_enough_without_curvature);
   }
-  return even_out_and_flow(problem, rings, flaps, move);
+  return even_out_and_flow(problem, rings, patches, move);
 }
 
-bool even_out_and_flow(const FlowProblem& problem, const Rows& rings,
+bool even_out_and_flow(const FlowProblem& problem, const CompressedRows& rings,
                        const std::vector<VertexPatch>& patches, Points& move) {
   if (!problem.parts.any(!patches.empty())) {
     return false;

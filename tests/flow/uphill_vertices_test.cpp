@@ -1,6 +1,6 @@
 // If a step of the whole mesh goes wrong at some vertices, only these vertices are slowed down; the
 // rest of the mesh does not wait for them.
-#include "ibmfair/flow/culprits.h"
+#include "ibmfair/flow/uphill_vertices.h"
 
 #include <algorithm>
 #include <limits>
@@ -22,7 +22,7 @@ State torus() {
   return State(make_shape("torus", {.ratio = 2.5, .rows = 40, .columns = 100}));
 }
 
-class UphillVertices : public testing::Test {
+class TheUphillVertices : public testing::Test {
  protected:
   const State state_ = torus();
   const FlowOptions options_{.total_time = 1};
@@ -33,7 +33,7 @@ class UphillVertices : public testing::Test {
   Points gradient_ = -move_;  // downhill everywhere
 };
 
-TEST_F(UphillVertices, AreFoundBesideThoseOfUnknownSlope) {
+TEST_F(TheUphillVertices, AreFoundBesideThoseOfUnknownSlope) {
   for (const Index u : {3, 500, 1701}) {
     gradient_.row(u) = move_.row(u);
   }
@@ -43,22 +43,22 @@ TEST_F(UphillVertices, AreFoundBesideThoseOfUnknownSlope) {
   for (const Index u : {3, 60, 500, 1701}) {
     expected.push_back(problem_.unknowns.vertex[u]);
   }
-  const Culprits found = find_culprits(problem_, gradient_, move_);
+  const UphillVertices found = find_uphill_vertices(problem_, gradient_, move_);
   EXPECT_TRUE(found.are_local);
   EXPECT_EQ(found.vertices, expected);
 }
 
-TEST_F(UphillVertices, AreNotLocalWhereThereAreNone) {
-  const Culprits found = find_culprits(problem_, gradient_, move_);
+TEST_F(TheUphillVertices, AreNotLocalWhereThereAreNone) {
+  const UphillVertices found = find_uphill_vertices(problem_, gradient_, move_);
   EXPECT_FALSE(found.are_local);
   EXPECT_TRUE(found.vertices.empty());
 }
 
-TEST_F(UphillVertices, AreNoLocalTroubleWhereThereAreMany) {
+TEST_F(TheUphillVertices, AreNoLocalTroubleWhereThereAreMany) {
   for (Index u = 0; u < gradient_.rows() / 10; ++u) {
     gradient_.row(u) = move_.row(u) / move_.row(u).squaredNorm();
   }
-  const Culprits found = find_culprits(problem_, gradient_, move_);
+  const UphillVertices found = find_uphill_vertices(problem_, gradient_, move_);
   EXPECT_FALSE(found.are_local);
   EXPECT_EQ(found.vertices.size(), static_cast<std::size_t>(gradient_.rows() / 10));
 }
@@ -67,11 +67,11 @@ TEST_F(UphillVertices, AreNoLocalTroubleWhereThereAreMany) {
 /// length of the edge between them.
 Points with_tangles(const State& state) {
   Points X = state.X;
-  const Rows rings = vertex_rings(state.topology);
-  const auto held = held_vertices(state.topology, BoundaryCondition::fixed);
+  const CompressedRows rings = vertex_rings(state.topology);
+  const auto fixed = fixed_vertices(state.topology, BoundaryCondition::fixed);
   const Index stride = state.topology.vertex_count / 10;
   for (Index v = stride / 2; v < state.topology.vertex_count; v += stride) {
-    if (!held[v]) {
+    if (!fixed[v]) {
       X.row(v) += 1.5 * (state.X.row(rings[v].front()) - state.X.row(v));
     }
   }

@@ -1,4 +1,4 @@
-#include "ibmfair/flow/lag.h"
+#include "ibmfair/flow/time_deficit.h"
 
 #include <cmath>
 
@@ -6,7 +6,8 @@
 
 namespace ibmfair {
 
-void Lag::end_step(double time, const Eigen::VectorXd& damping, const std::vector<Index>& stopped) {
+void TimeDeficit::end_step(double time, const Eigen::VectorXd& damping,
+                           const std::vector<Index>& stopped) {
   make_room();
   for (const Index u : stopped) {
     part_[u] = damping[u];
@@ -20,12 +21,12 @@ void Lag::end_step(double time, const Eigen::VectorXd& damping, const std::vecto
   });
 }
 
-void Lag::slow(Index unknown, double part) {
+void TimeDeficit::slow(Index unknown, double part) {
   make_room();
   part_[unknown] *= part;
 }
 
-void Lag::make_room() {
+void TimeDeficit::make_room() {
   if (part_.size() != unknowns_) {
     part_.setOnes(unknowns_);
     missed_.setZero(unknowns_);

@@ -10,11 +10,11 @@
 namespace ibmfair {
 
 /// A flat list of short lists: item i holds value[first[i]] .. value[first[i + 1] - 1].
-struct Rows {
-  /// This constructor keeps Rows from being an aggregate. If Rows were one and the allocation of
-  /// `first` failed while a `{}` initialises an enclosing object, GCC 12 would destroy the object's
-  /// preceding members twice.
-  Rows() = default;
+struct CompressedRows {
+  /// This constructor keeps CompressedRows from being an aggregate. If CompressedRows were one and
+  /// the allocation of `first` failed while a `{}` initialises an enclosing object, GCC 12 would
+  /// destroy the object's preceding members twice.
+  CompressedRows() = default;
 
   std::vector<std::int64_t> first{0};
   std::vector<Index> value;
@@ -28,9 +28,9 @@ struct Rows {
 /// Sorts the positions in `values` by value: row v, 0 <= v < count, lists the positions at which v
 /// stands in `values`, in increasing order. Negative values belong to no row. Throws BadMesh if
 /// there are more values than Index can number.
-Rows positions_by_value(std::span<const Index> values, Index count);
+CompressedRows positions_by_value(std::span<const Index> values, Index count);
 
 /// For each position in `rows.value`, the number of the row that contains the position.
-std::vector<Index> row_of_position(const Rows& rows);
+std::vector<Index> row_of_position(const CompressedRows& rows);
 
 }  // namespace ibmfair

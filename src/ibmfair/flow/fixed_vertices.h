@@ -1,4 +1,4 @@
-// The fixed ("held") vertices, which the flow does not move.
+// The fixed vertices, which the flow does not move.
 #pragma once
 
 #include <cstdint>
@@ -14,6 +14,6 @@ enum class BoundaryCondition : std::uint8_t { fixed, position, free };
 
 /// Flags (#V) of the fixed vertices: along the boundary as `condition` says, at every defect (its
 /// stencils carry no energy, so that no force would keep it in the surface), and isolated vertices.
-std::vector<std::uint8_t> held_vertices(const Topology& topology, BoundaryCondition condition);
+std::vector<std::uint8_t> fixed_vertices(const Topology& topology, BoundaryCondition condition);
 
 }  // namespace ibmfair
