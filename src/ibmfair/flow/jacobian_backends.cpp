@@ -1,6 +1,5 @@
-#include <string>
-
 #include "ibmfair/base/errors.h"
+#include "ibmfair/base/named_row.h"
 #include "ibmfair/base/stopwatch.h"
 #ifdef IBMFAIR_CHOLMOD_LIBRARY
 #include "ibmfair/flow/cholmod_jacobian.h"
@@ -47,14 +46,7 @@ std::span<const JacobianBackend> jacobian_backends() {
 }
 
 const JacobianBackend& jacobian_backend(std::string_view name) {
-  std::string names;
-  for (const JacobianBackend& backend : backends) {
-    if (backend.name == name) {
-      return backend;
-    }
-    names += std::string(names.empty() ? "" : ", ") + std::string(backend.name);
-  }
-  throw BadOption("there is no solver '" + std::string(name) + "'; there are auto, " + names);
+  return row_named(jacobian_backends(), "solver", name);
 }
 
 const JacobianBackend& backend_as_published() {
