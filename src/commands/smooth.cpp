@@ -182,7 +182,7 @@ ExitCode run_smooth(SmoothArguments arguments, const CLI::App& app, Console& con
     return forecast(arguments, s, report, console);
   }
   if (options.steps > 0) {
-    run_flow(arguments, s.X, s.topology, s.fixed, MeshParts::one(), s.figures, progress);
+    run_smoothing(arguments, s.X, s.topology, s.fixed, MeshParts::one(), s.figures, progress);
   }
   progress.begin("measure");
   measure(s, options);

@@ -225,9 +225,9 @@ std::vector<std::uint8_t> held_by(const SmoothArguments& arguments, const Topolo
   return fixed;
 }
 
-void run_flow(const SmoothArguments& arguments, Points& X, const Topology& topology,
-              const std::vector<std::uint8_t>& fixed, const MeshParts& parts,
-              SmoothFigures& figures, Progress& progress) {
+void run_smoothing(const SmoothArguments& arguments, Points& X, const Topology& topology,
+                   const std::vector<std::uint8_t>& fixed, const MeshParts& parts,
+                   SmoothFigures& figures, Progress& progress) {
   FlowOptions options = arguments.flow;
   set_scale(arguments, X, topology, parts, options, figures);
   std::optional<PostponedEnd> postponed;

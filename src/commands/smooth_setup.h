@@ -61,9 +61,9 @@ std::vector<std::uint8_t> held_by(const SmoothArguments& arguments, const Topolo
 /// Moves X by the flow with the options `arguments.flow`, and stores the flow's report in the
 /// figures. With --checkpoint, a request to end stops the flow between two steps. Throws like
 /// set_scale and willmore_flow.
-void run_flow(const SmoothArguments& arguments, Points& X, const Topology& topology,
-              const std::vector<std::uint8_t>& fixed, const MeshParts& parts,
-              SmoothFigures& figures, Progress& progress);
+void run_smoothing(const SmoothArguments& arguments, Points& X, const Topology& topology,
+                   const std::vector<std::uint8_t>& fixed, const MeshParts& parts,
+                   SmoothFigures& figures, Progress& progress);
 
 /// Stores the largest and the root-mean-square move of the vertices in the figures.
 void measure_moves(const Points& before, const Points& after, SmoothFigures& figures);

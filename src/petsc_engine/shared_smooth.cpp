@@ -223,8 +223,8 @@ class SharedSmooth {
     progress.begin("measure");
     figures_.before = measured(mesh);
     if (arguments_.flow.steps > 0) {
-      commands::run_flow(arguments_, mesh.X, mesh.topology, fixed_vertices, *mesh.parts, figures_,
-                         progress);
+      commands::run_smoothing(arguments_, mesh.X, mesh.topology, fixed_vertices, *mesh.parts,
+                              figures_, progress);
     }
     progress.begin("measure");
     figures_.after = measured(mesh);

@@ -4,6 +4,8 @@
 #include <atomic>
 
 #include "ibmfair/base/parallel.h"
+#include "ibmfair/base/stopwatch.h"
+#include "ibmfair/flow/guarded_move.h"
 #include "ibmfair/flow/unfolding.h"
 
 namespace ibmfair {
@@ -41,6 +43,26 @@ bool flow_in_patches(const FlowProblem& problem, const CompressedRows& rings, co
 }
 
 }  // namespace
+
+void clean_up(FlowProblem& problem, FoldWatch& folds, const Eigen::VectorXd& missed) {
+  FlowReport& report = problem.report;
+  const Stopwatch watch(report.seconds.guard);
+  const CompressedRows rings = vertex_rings(problem.topology);
+  GuardedMove guarded_move(problem, folds);
+  Points move;
+  const auto make = [&] {
+    return guarded_move.make(move, report.energy_after) ? problem.moved(move) : 0;
+  };
+  if (catch_up_moves(problem, rings, missed, move)) {
+    report.caught_up = make();
+  }
+  if (!(problem.options.sharp_angle > 0) && unfolding_moves(problem, rings, move)) {
+    report.unfolded = make();
+  }
+  if (!report.steps.empty()) {
+    report.steps.back().energy = report.energy_after;
+  }
+}
 
 bool catch_up_moves(const FlowProblem& problem, const CompressedRows& rings,
                     const Eigen::VectorXd& deficit, Points& move) {

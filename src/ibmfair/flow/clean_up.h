@@ -1,11 +1,19 @@
-// Repairs at the end of a flow, patch by patch: regions that had to be slowed down are flowed on,
-// and folded patches (small groups of triangles that noise has folded over for good) are unfolded.
-// These functions only compute moves; the caller checks energy and foldovers when applying them.
+// Repairs at the end of a guarded flow, patch by patch: regions that had to be slowed down are
+// flowed on, and folded patches (small groups of triangles that noise has folded over for good) are
+// unfolded.
 #pragma once
 
 #include "ibmfair/flow/patch_flow.h"
 
 namespace ibmfair {
+
+/// Makes both repairs at the state of a flow whose steps have ended, and adds them to the report.
+/// The promises of the guarded flow hold: the energy does not rise, and no hinge folds over. Where
+/// creases are kept, a sharp fold may be a crease, and nothing is unfolded. `missed`: the result of
+/// run_guarded.
+void clean_up(FlowProblem& problem, FoldWatch& folds, const Eigen::VectorXd& missed);
+
+// The following functions only compute moves.
 
 /// Lets the unknowns that lag behind by more than a small share of the flow's time flow on,
 /// together with some vertices around them. `deficit`: the time that each unknown has missed, one

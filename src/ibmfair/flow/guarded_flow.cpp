@@ -6,10 +6,9 @@
 #include "ibmfair/base/errors.h"
 #include "ibmfair/base/parallel.h"
 #include "ibmfair/base/stopwatch.h"
-#include "ibmfair/flow/clean_up.h"
 #include "ibmfair/flow/distortion.h"
 #include "ibmfair/flow/fold_free_move.h"
-#include "ibmfair/flow/folds.h"
+#include "ibmfair/flow/guarded_move.h"
 #include "ibmfair/flow/local_damping.h"
 #include "ibmfair/flow/tangential_relaxation.h"
 #include "ibmfair/mesh/geometry.h"
@@ -34,15 +33,15 @@ constexpr double rounding = 1e-14;  // relative to the energy: smaller decreases
 
 class GuardedFlow {
  public:
-  GuardedFlow(FlowProblem& problem, const StepObserver& observer)
+  GuardedFlow(FlowProblem& problem, FoldWatch& folds, const StepObserver& observer)
       : p_(problem),
         observer_(observer),
         rings_(vertex_rings(problem.topology)),
-        folds_(problem.X, problem.topology, problem.unknowns),
-        keeps_creases_(problem.options.sharp_angle > 0),
+        folds_(folds),
+        guarded_move_(problem, folds),
         ring_groups_(problem.topology, rings_, problem.unknowns),
         relaxation_(problem.topology, ring_groups_, problem.unknowns, problem.parts,
-                    keeps_creases_),
+                    problem.options.sharp_angle > 0),
         measure_(ring_groups_, problem.unknowns, problem.parts),
         h_target_(problem.options.total_time / problem.options.steps),
         has_limit_(problem.options.energy_is_dimensionless()),
@@ -50,13 +49,11 @@ class GuardedFlow {
         left_(problem.options.total_time),
         damping_(problem) {}
 
-  void run() {
+  Eigen::VectorXd run() {
     relax_needles();
     start_short();
     take_steps();
-    if (p_.options.clean_up) {
-      clean_up();
-    }
+    return damping_.missed();
   }
 
  private:
@@ -98,8 +95,7 @@ class GuardedFlow {
     }
     const Stopwatch watch(p_.report.seconds.relax);
     if (relaxation_.moves_at_needles(p_.X, move_)) {
-      energy_before_step_ = p_.energy();
-      sweep();
+      guarded_move_.make(move_, p_.energy());
     }
   }
 
@@ -322,46 +318,7 @@ class GuardedFlow {
     }
     const Stopwatch watch(p_.report.seconds.relax);
     relaxation_.moves(p_.X, move_);
-    sweep();
-  }
-
-  /// Finishes the regions that were slowed down and unfolds folded patches (flow/clean_up.h).
-  void clean_up() {
-    const Stopwatch watch(p_.report.seconds.guard);
-    step_ = own_ = Points();  // on large meshes, finding foldovers takes as much memory as a step
-    energy_before_step_ = p_.report.energy_after;
-    if (catch_up_moves(p_, rings_, damping_.missed(), move_)) {
-      p_.report.caught_up = sweep_and_count();
-    }
-    if (!keeps_creases_ && unfolding_moves(p_, rings_, move_)) {
-      p_.report.unfolded = sweep_and_count();
-    }
-    if (!p_.report.steps.empty()) {
-      p_.report.steps.back().energy = p_.report.energy_after;
-    }
-  }
-
-  /// Makes a sweep with `move_` and returns the number of vertices that moved.
-  std::int64_t sweep_and_count() {
-    const std::int64_t moved = sweep() ? p_.moved(move_) : 0;
-    energy_before_step_ = p_.report.energy_after;
-    return moved;
-  }
-
-  /// Moves the state by `move_`, halved until the energy is at most that before the step; false,
-  /// without a move, if even the shortest move raises the energy.
-  bool sweep() {
-    for (int i = 0; i <= backtracks; ++i, move_ /= 2) {
-      const FoldFreeLanding trial = displace_without_folds(
-          p_, folds_, move_, Y_, [this](const Points& Y) { return p_.try_state(Y); });
-      if (trial.leads_somewhere() && trial.energy <= energy_before_step_) {
-        p_.report.energy_after = trial.energy;
-        p_.move_to_tried(Y_);
-        return true;
-      }
-      ++p_.report.shortened_relaxations;
-    }
-    return false;
+    guarded_move_.make(move_, energy_before_step_);
   }
 
   /// Chooses the next time step, and whether the Jacobian has to be renewed.
@@ -383,8 +340,8 @@ class GuardedFlow {
   FlowProblem& p_;
   const StepObserver& observer_;
   const CompressedRows rings_;
-  FoldWatch folds_;
-  const bool keeps_creases_;  // then a sharp fold may be a crease, and is not unfolded
+  FoldWatch& folds_;
+  GuardedMove guarded_move_;
   const RingGroups ring_groups_;
   TangentialRelaxation relaxation_;
   Distortion measure_;
@@ -408,8 +365,8 @@ class GuardedFlow {
 
 }  // namespace
 
-void run_guarded(FlowProblem& problem, const StepObserver& observer) {
-  GuardedFlow(problem, observer).run();
+Eigen::VectorXd run_guarded(FlowProblem& problem, FoldWatch& folds, const StepObserver& observer) {
+  return GuardedFlow(problem, folds, observer).run();
 }
 
 }  // namespace ibmfair

@@ -1,11 +1,14 @@
-// The flow with the guard: every step is checked before it is taken.
+// The time steps of the guarded flow (flow/willmore_flow.h).
 #pragma once
 
 #include "ibmfair/flow/flow_problem.h"
+#include "ibmfair/flow/folds.h"
 
 namespace ibmfair {
 
-/// Runs `problem` for `options.total_time`. willmore_flow.h lists the promises of the guarded flow.
-void run_guarded(FlowProblem& problem, const StepObserver& observer);
+/// Takes the problem's state through `options.total_time`. `folds` must have been made at the
+/// state. Returns the flow time that each unknown has missed where steps were shortened
+/// (flow/time_deficit.h).
+Eigen::VectorXd run_guarded(FlowProblem& problem, FoldWatch& folds, const StepObserver& observer);
 
 }  // namespace ibmfair

@@ -88,7 +88,8 @@ bool PatchFlow::run(const VertexPatch& patch, const Points& X, double time, Poin
   Y = X(local.vertex, Eigen::all);
   problem.move_to(Y);
   try {
-    run_guarded(problem, {});
+    FoldWatch folds(problem.X, problem.topology, problem.unknowns);
+    run_guarded(problem, folds, {});
   } catch (const FactorizationFailed&) {
     return false;
   }

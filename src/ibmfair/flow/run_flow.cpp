@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "ibmfair/base/errors.h"
+#include "ibmfair/flow/clean_up.h"
 #include "ibmfair/flow/first_stage.h"
 #include "ibmfair/flow/guarded_flow.h"
 #include "ibmfair/flow/plain_flow.h"
@@ -38,7 +39,8 @@ FlowReport run_first_stage(FlowProblem& problem, const std::vector<std::uint8_t>
     return {};
   }
   FlowProblem stage(problem.start(), problem.topology, fixed, *options, problem.parts);
-  run_guarded(stage, [&](StepRecord record) {
+  FoldWatch folds(stage.X, stage.topology, stage.unknowns);
+  run_guarded(stage, folds, [&](StepRecord record) {
     record.step = 0;
     record.time = 0;
     return !observer || observer(record);
@@ -57,7 +59,15 @@ FlowReport run_first_stage(FlowProblem& problem, const std::vector<std::uint8_t>
 }
 
 void run_flow(FlowProblem& problem, const StepObserver& observer) {
-  (problem.options.guarded ? run_guarded : run_plain)(problem, observer);
+  if (!problem.options.guarded) {
+    run_plain(problem, observer);
+    return;
+  }
+  FoldWatch folds(problem.X, problem.topology, problem.unknowns);
+  const Eigen::VectorXd missed = run_guarded(problem, folds, observer);
+  if (problem.options.clean_up) {
+    clean_up(problem, folds, missed);
+  }
 }
 
 }  // namespace ibmfair

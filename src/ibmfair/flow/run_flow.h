@@ -18,7 +18,8 @@ void require_usable(const Points& X, const std::vector<std::uint8_t>& fixed,
 FlowReport run_first_stage(FlowProblem& problem, const std::vector<std::uint8_t>& fixed,
                            const StepObserver& observer = {});
 
-/// Lets the problem's state flow for `options.total_time`, guarded or as published.
+/// Lets the problem's state flow for `options.total_time`, guarded (and then cleaned up) or as
+/// published.
 void run_flow(FlowProblem& problem, const StepObserver& observer = {});
 
 }  // namespace ibmfair
