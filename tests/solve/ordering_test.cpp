@@ -19,19 +19,19 @@ namespace ibmfair::test {
 namespace {
 
 /// The vertices of a mesh and its edges.
-struct Example {
+struct GraphInSpace {
   Points X;
   CompressedRows graph;
 };
 
-Example example(const Mesh& mesh) {
+GraphInSpace example(const Mesh& mesh) {
   const State state(mesh);
   return {state.X, vertex_rings(state.topology)};
 }
 
 /// Two copies of an example, with no edge between the copies.
-Example twice(const Example& one, const Vec3& apart) {
-  Example two = one;
+GraphInSpace twice(const GraphInSpace& one, const Vec3& apart) {
+  GraphInSpace two = one;
   const Index n = one.graph.size();
   two.X.conservativeResize(2 * one.X.rows(), 3);
   two.X.bottomRows(one.X.rows()) = one.X.rowwise() + apart.transpose();
@@ -44,7 +44,7 @@ Example twice(const Example& one, const Vec3& apart) {
   return two;
 }
 
-Example sphere(int subdivide) {
+GraphInSpace sphere(int subdivide) {
   return example(make_shape("icosphere", {.subdivide = subdivide}));
 }
 
@@ -56,7 +56,7 @@ bool is_permutation(std::vector<Index> order, Index size) {
 }
 
 TEST(Orderings, ArePermutations) {
-  std::vector<Example> examples{
+  std::vector<GraphInSpace> examples{
       {Points(0, 3), CompressedRows()}, sphere(5), twice(sphere(4), {3, 0, 0})};
   for (const auto& [name, mesh] : all_meshes()) {
     examples.push_back(example(mesh));

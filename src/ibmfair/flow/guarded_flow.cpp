@@ -10,6 +10,8 @@
 #include "ibmfair/flow/fold_free_move.h"
 #include "ibmfair/flow/guarded_move.h"
 #include "ibmfair/flow/local_damping.h"
+#include "ibmfair/flow/step_control.h"
+#include "ibmfair/flow/step_model.h"
 #include "ibmfair/flow/tangential_relaxation.h"
 #include "ibmfair/mesh/geometry.h"
 
@@ -18,17 +20,11 @@ namespace {
 
 // The settings of the guard, chosen in the same way as the limits of Distortion. A "decrease" is
 // the actual decrease of the energy over the predicted one.
-constexpr double least_decrease = 0.1;      // a step with a smaller decrease is rejected
-constexpr double stale_decrease = 0.1;      // at or below, the Jacobian is renewed
-constexpr double good_decrease = 0.5;       // above, a time step that was cut may grow again
-constexpr double time_step_cut = 1.0 / 32;  // factor if a step distorts too much or fails
-constexpr double most_taken = 0.25;         // the most energy per vertex that a step should remove
-constexpr double growth = 2, fast_growth = 8;  // of the time step; fast if the distortion is < 0.5
+constexpr double least_decrease = 0.1;  // a step with a smaller decrease is rejected
+constexpr double most_taken = 0.25;     // the most energy per vertex that a step should remove
 constexpr int slowings = 3;    // times that a move is slowed at uphill vertices before it is halved
 constexpr int backtracks = 2;  // halvings of a step before it is given up
-constexpr int oldest_when_slowed = 4;         // most steps with one Jacobian if spots are slowed
-constexpr double first_step = 1e-4;           // least first time step, relative to the target
-constexpr double smallest_time_step = 1e-12;  // relative to the target; below, the flow gives up
+constexpr double first_step = 1e-4;  // least first time step, relative to the target
 constexpr double rounding = 1e-14;  // relative to the energy: smaller decreases are rounding errors
 
 class GuardedFlow {
@@ -43,10 +39,8 @@ class GuardedFlow {
         relaxation_(problem.topology, ring_groups_, problem.unknowns, problem.parts,
                     problem.options.sharp_angle > 0),
         measure_(ring_groups_, problem.unknowns, problem.parts),
-        h_target_(problem.options.total_time / problem.options.steps),
         has_limit_(problem.options.energy_is_dimensionless()),
-        h_(h_target_),
-        left_(problem.options.total_time),
+        control_(problem.options),
         damping_(problem) {}
 
   Eigen::VectorXd run() {
@@ -57,15 +51,13 @@ class GuardedFlow {
   }
 
  private:
-  bool is_at_the_end() const { return left_ <= 1e-9 * p_.options.total_time; }
-
   void take_steps() {
     // Each attempt either advances the time or makes the next attempt easier. The bound is for
     // meshes on which this takes longer than a user would wait, or longer than a patch is worth.
     const int most_solves =
         p_.options.clean_up ? 200 + 20 * p_.options.steps : 20 + 4 * p_.options.steps;
-    while (!is_at_the_end()) {
-      if (h_ < smallest_time_step * h_target_ || p_.report.solves >= most_solves) {
+    while (!control_.has_ended()) {
+      if (control_.has_failed() || p_.report.solves >= most_solves) {
         end_early();
         return;
       }
@@ -106,7 +98,7 @@ class GuardedFlow {
     if (has_limit_) {
       p_.jacobian().update_metric(p_.X);
     }
-    h_ = limited_step(first_step * h_target_, h_target_);
+    control_.begin(limited_step(first_step * control_.target(), control_.target()));
   }
 
   /// The time step that removes `most_taken` energy per vertex, between `shortest` and `longest`;
@@ -127,37 +119,39 @@ class GuardedFlow {
       stay_to_the_end();
       return true;
     }
-    const bool fresh = stale_;
+    const bool fresh = control_.is_stale();
     if (fresh && !renew_jacobian()) {
       return true;
     }
     p_.newton_step(step_);
     damping_.begin_step();
-    take_slope();
+    model_ = StepModel(p_, step_);
     StepRecord record;
     record.refactored = fresh;
     record.gradient_norm = p_.gradient_norm();
     record.held_back = count((p_.jacobian().damping().array() > 1).count());
-    fraction_ = std::min(1.0, left_ / p_.jacobian().time_step());
+    fraction_ = std::min(1.0, control_.left() / p_.jacobian().time_step());
     // g^T (D/h + S)^-1 g grows at most linearly with h.
-    const double longer = h_target_ / p_.jacobian().time_step();
-    if (longer * predicted_decrease() <= rounding * p_.energy()) {
+    const double longer = control_.target() / p_.jacobian().time_step();
+    if (longer * model_.decrease(fraction_) <= rounding * p_.energy()) {
       stay_to_the_end();
       return true;
     }
     if (distorts()) {
       ++p_.report.rejected;
-      give_up(fresh);
+      control_.give_up(fresh);
       return true;
     }
     record.held_back += shorten_own_moves();
     if (!search(record)) {
-      give_up(fresh && !damping_.failed_locally());
+      control_.give_up(fresh && !damping_.failed_locally());
       return true;
     }
     accept(record);
     relax();
-    adapt(record);
+    control_.adapt(
+        record, p_.jacobian().time_step(), distortion_, damping_.is_active(),
+        [this](double shortest, double longest) { return limited_step(shortest, longest); });
     record.energy = p_.report.energy_after;
     p_.report.steps.push_back(record);
     const bool go_on = !observer_ || observer_(record);
@@ -167,21 +161,9 @@ class GuardedFlow {
     return go_on;
   }
 
-  void take_slope() {
-    const Points& g = p_.gradient();
-    const Eigen::VectorXd& D = p_.jacobian().metric();
-    const auto share = [&](std::int64_t u) -> Eigen::Array2d {
-      return {-g.row(u).dot(step_.row(u)), D[u] * step_.row(u).squaredNorm()};
-    };
-    const Eigen::Array2d sums =
-        parallel_sum(step_.rows(), Eigen::Array2d(Eigen::Array2d::Zero()), share);
-    slope_ = p_.parts.sum(sums[0]);
-    metric_part_ = p_.parts.sum(sums[1]) / p_.jacobian().time_step();
-  }
-
   /// Ends the flow at a stationary state: no vertex would move in the remaining time.
   void stay_to_the_end() {
-    left_ = 0;
+    control_.end();
     p_.report.time_reached = p_.options.total_time;
   }
 
@@ -194,25 +176,17 @@ class GuardedFlow {
       damping_.damp();
     }
     try {
-      p_.jacobian().refactor(p_.X, h_);
+      p_.jacobian().refactor(p_.X, control_.time_step());
     } catch (const FactorizationFailed&) {
-      if (p_.report.steps.empty() && h_ * time_step_cut < smallest_time_step * h_target_) {
+      if (p_.report.steps.empty() && control_.is_at_last_cut()) {
         throw;
       }
       ++p_.report.rejected;
-      give_up(true);
+      control_.give_up(true);
       return false;
     }
-    stale_ = false;
-    age_ = 0;
+    control_.jacobian_was_renewed();
     return true;
-  }
-
-  /// No vertex was moved: the next attempt renews the Jacobian. `cut`: it also cuts the time step,
-  /// because a new Jacobian alone would lead to the same result.
-  void give_up(bool cut) {
-    stale_ = true;
-    h_ *= cut ? time_step_cut : 1;
   }
 
   bool distorts() {
@@ -268,25 +242,17 @@ class GuardedFlow {
       shortened += trial.withheld;
       const bool whole =
           trial.landing == FlowProblem::Landing::as_asked && !p_.parts.any(shortened > 0);
-      const double promised = whole ? predicted_decrease() : promised_on_the_way();
+      const double promised = whole ? model_.decrease(fraction_) : promised_on_the_way();
       trial_energy_ = trial.energy;
       record.decrease_ratio = (p_.energy() - trial_energy_) / promised;
       if (record.decrease_ratio >= least_decrease) {
         record.held_back += count(static_cast<double>(shortened));
         return true;
       }
-      if (times == slowings || !damping_.slow(Y_, age_ == 0, move_, shortened)) {
+      if (times == slowings || !damping_.slow(Y_, control_.is_fresh(), move_, shortened)) {
         return false;
       }
     }
-  }
-
-  /// The decrease that the Gauss-Newton model predicts for the fraction a of the step d with
-  /// J d = -h g: -a <g,d> - a^2/2 d^T S d = (a - a^2/2) <-g,d> + a^2/2 <d,Dd>/h > 0. A few bad
-  /// triangles can make the model predict more than the whole energy; hence the minimum.
-  double predicted_decrease() const {
-    const double a = fraction_;
-    return std::min((a - a * a / 2) * slope_ + a * a / 2 * metric_part_, p_.energy());
   }
 
   /// The predicted decrease for a trial in Y_ whose move was shortened at some vertices: half of
@@ -297,7 +263,7 @@ class GuardedFlow {
       const Index v = p_.unknowns.vertex[u];
       return -p_.gradient().row(u).dot(Y_.row(v) - p_.X.row(v));
     }));
-    return slope > 0 ? std::min(slope / 2, p_.energy()) : predicted_decrease();
+    return slope > 0 ? std::min(slope / 2, p_.energy()) : model_.decrease(fraction_);
   }
 
   void accept(StepRecord& record) {
@@ -305,9 +271,9 @@ class GuardedFlow {
     record.step = static_cast<int>(p_.report.steps.size()) + 1;
     record.time_step = fraction_ * p_.jacobian().time_step();
     record.largest_move = p_.longest(move_);
-    left_ = std::max(0.0, left_ - record.time_step);
+    control_.advance(record.time_step);
     damping_.end_step(record.time_step);
-    record.time = p_.report.time_reached = p_.options.total_time - left_;
+    record.time = p_.report.time_reached = control_.reached();
     p_.report.energy_after = trial_energy_;
     p_.move_to(Y_);
   }
@@ -321,22 +287,6 @@ class GuardedFlow {
     guarded_move_.make(move_, energy_before_step_);
   }
 
-  /// Chooses the next time step, and whether the Jacobian has to be renewed.
-  void adapt(const StepRecord& record) {
-    const bool shortened = record.time_step < p_.jacobian().time_step() && left_ > 0;
-    ++age_;
-    if (record.decrease_ratio <= stale_decrease || shortened) {
-      stale_ = true;
-      h_ *= record.refactored ? 0.5 : 1;
-    } else if (record.decrease_ratio > good_decrease && h_ < h_target_) {
-      const double longest = h_ * (distortion_ < 0.5 ? fast_growth : growth);
-      h_ = std::min(h_target_, limited_step(growth * h_, longest));
-      stale_ = true;
-    }
-    // A new Jacobian lets spots that are no longer bad move at full speed again.
-    stale_ = stale_ || (damping_.is_active() && age_ >= oldest_when_slowed);
-  }
-
   FlowProblem& p_;
   const StepObserver& observer_;
   const CompressedRows rings_;
@@ -345,16 +295,12 @@ class GuardedFlow {
   const RingGroups ring_groups_;
   TangentialRelaxation relaxation_;
   Distortion measure_;
-  const double h_target_;
   const bool has_limit_;  // most_taken limits the time step
-  double h_;              // the time step to use next
-  double left_;           // the remaining time
-  bool stale_ = true;     // the Jacobian has to be renewed before the next step
+  StepControl control_;
   LocalDamping damping_;
-  int age_ = 0;  // steps made with the Jacobian
   PerVertex edge_length_;
-  double fraction_ = 1;                 // the fraction of the Newton step to try
-  double slope_ = 0, metric_part_ = 0;  // <-g,d> and <d,Dd>/h for the whole step d
+  double fraction_ = 1;  // the fraction of the Newton step to try
+  StepModel model_;      // along the Newton step
   double distortion_ = 0;
   double trial_energy_ = 0, energy_before_step_ = 0;
   Points step_;  // the Newton step, one row per unknown
