@@ -20,7 +20,7 @@
 #include "ibmfair/base/errors.h"
 #include "ibmfair/base/threads.h"
 #include "ibmfair/base/version.h"
-#include "ibmfair/flow/jacobian_solver.h"
+#include "ibmfair/flow/linear_system/jacobian_solver.h"
 
 namespace ibmfair::commands {
 

@@ -11,7 +11,7 @@
 #include "commands/documentation.h"
 #include "commands/engine.h"
 #include "commands/numeric_options.h"
-#include "ibmfair/flow/jacobian_solver.h"
+#include "ibmfair/flow/linear_system/jacobian_solver.h"
 
 namespace ibmfair::commands {
 namespace {

@@ -13,8 +13,8 @@
 #include "ibmfair/base/process_memory.h"
 #include "ibmfair/energy/bending_energy.h"
 #include "ibmfair/energy/mass_matrices.h"
-#include "ibmfair/flow/folds.h"
-#include "ibmfair/flow/jacobian_solver.h"
+#include "ibmfair/flow/linear_system/jacobian_solver.h"
+#include "ibmfair/flow/steps/folds.h"
 #include "ibmfair/mesh/geometry.h"
 
 namespace ibmfair::commands {

@@ -9,7 +9,7 @@
 #include "commands/exit_code.h"
 #include "commands/report/report.h"
 #include "commands/smooth_arguments.h"
-#include "ibmfair/flow/cutoff_choice.h"
+#include "ibmfair/flow/settings/cutoff_choice.h"
 #include "ibmfair/flow/willmore_flow.h"
 #include "ibmfair/mesh/topology.h"
 

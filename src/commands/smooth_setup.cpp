@@ -13,9 +13,9 @@
 #include "ibmfair/base/angle.h"
 #include "ibmfair/base/errors.h"
 #include "ibmfair/base/stopwatch.h"
-#include "ibmfair/flow/crease_choice.h"
 #include "ibmfair/flow/fixed_vertices.h"
 #include "ibmfair/flow/part_measures.h"
+#include "ibmfair/flow/settings/crease_choice.h"
 #include "ibmfair/flow/time_scale.h"
 #include "ibmfair/flow/willmore_flow.h"
 

@@ -7,7 +7,7 @@
 
 #include "ibmfair/base/errors.h"
 #include "ibmfair/base/stopwatch.h"
-#include "ibmfair/flow/iterative_jacobian.h"
+#include "ibmfair/flow/linear_system/iterative_jacobian.h"
 #include "petsc_engine/check.h"
 
 namespace ibmfair::petsc {

@@ -6,7 +6,7 @@
 
 #include <petscksp.h>
 
-#include "ibmfair/flow/jacobian_solver.h"
+#include "ibmfair/flow/linear_system/jacobian_solver.h"
 #include "petsc_engine/petsc_parts.h"
 
 namespace ibmfair::petsc {

@@ -6,8 +6,8 @@
 #include <numbers>
 
 #include "ibmfair/base/angle.h"
-#include "ibmfair/flow/folds.h"
 #include "ibmfair/flow/part_measures.h"
+#include "ibmfair/flow/steps/folds.h"
 #include "ibmfair/mesh/geometry.h"
 
 namespace ibmfair::petsc {

@@ -1,6 +1,6 @@
 // At its end, a flow of the whole mesh finishes the regions that it had slowed down: these regions
 // catch up, and folds are undone.
-#include "ibmfair/flow/clean_up.h"
+#include "ibmfair/flow/passes/clean_up.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -9,7 +9,7 @@
 
 #include <gtest/gtest.h>
 
-#include "ibmfair/flow/folds.h"
+#include "ibmfair/flow/steps/folds.h"
 #include "ibmfair/flow/time_scale.h"
 #include "ibmfair/shapes/noise.h"
 #include "ibmfair/shapes/shapes.h"

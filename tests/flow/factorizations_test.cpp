@@ -8,8 +8,8 @@
 
 #include "ibmfair/base/errors.h"
 #include "ibmfair/energy/mass_matrices.h"
-#include "ibmfair/flow/assembled_jacobian.h"
-#include "ibmfair/flow/jacobian_solver.h"
+#include "ibmfair/flow/linear_system/assembled_jacobian.h"
+#include "ibmfair/flow/linear_system/jacobian_solver.h"
 #include "ibmfair/mesh/geometry.h"
 #include "ibmfair/shapes/shapes.h"
 #include "support/family.h"

@@ -10,7 +10,7 @@
 #include "ibmfair/base/errors.h"
 #include "ibmfair/base/threads.h"
 #include "ibmfair/flow/fixed_vertices.h"
-#include "ibmfair/flow/folds.h"
+#include "ibmfair/flow/steps/folds.h"
 #include "ibmfair/flow/time_scale.h"
 #include "ibmfair/flow/willmore_flow.h"
 #include "ibmfair/shapes/shapes.h"

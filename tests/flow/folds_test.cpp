@@ -1,5 +1,5 @@
 // The checks for folds find every fold.
-#include "ibmfair/flow/folds.h"
+#include "ibmfair/flow/steps/folds.h"
 
 #include <algorithm>
 #include <random>
@@ -8,7 +8,7 @@
 
 #include "ibmfair/energy/bending_energy.h"
 #include "ibmfair/energy/unknowns.h"
-#include "ibmfair/flow/unfolding.h"
+#include "ibmfair/flow/passes/unfolding.h"
 #include "ibmfair/mesh/geometry.h"
 #include "ibmfair/shapes/shapes.h"
 #include "support/meshes.h"

@@ -1,6 +1,6 @@
 // A flow renumbers meshes whose vertices are in a scattered order; the results must not show the
 // renumbering.
-#include "ibmfair/flow/local_mesh.h"
+#include "ibmfair/flow/passes/local_mesh.h"
 
 #include <algorithm>
 #include <array>

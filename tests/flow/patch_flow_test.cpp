@@ -1,5 +1,5 @@
 // A patch of a mesh that flows by itself moves as it would move in a flow of the whole mesh.
-#include "ibmfair/flow/patch_flow.h"
+#include "ibmfair/flow/passes/patch_flow.h"
 
 #include <algorithm>
 #include <string>
@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "ibmfair/flow/fixed_vertices.h"
-#include "ibmfair/flow/guarded_flow.h"
+#include "ibmfair/flow/steps/guarded_flow.h"
 #include "ibmfair/flow/time_scale.h"
 #include "ibmfair/shapes/shapes.h"
 #include "support/flow_run.h"

@@ -1,6 +1,6 @@
 // Residual spikes are the remains of noise in a flow that keeps creases. The tests check which
 // patches count as residual spikes, and that the flow removes them.
-#include "ibmfair/flow/residual_spikes.h"
+#include "ibmfair/flow/passes/residual_spikes.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -9,7 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "ibmfair/base/angle.h"
-#include "ibmfair/flow/flow_problem.h"
+#include "ibmfair/flow/steps/flow_problem.h"
 #include "ibmfair/flow/time_scale.h"
 #include "ibmfair/flow/willmore_flow.h"
 #include "ibmfair/mesh/geometry.h"

@@ -1,6 +1,6 @@
 // The kernels process the rings of several vertices at a time. Their results agree with those of
 // each vertex by itself.
-#include "ibmfair/flow/ring_kernels.h"
+#include "ibmfair/flow/steps/ring_kernels.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,8 +9,8 @@
 
 #include <gtest/gtest.h>
 
-#include "ibmfair/flow/distortion.h"
 #include "ibmfair/flow/mesh_parts.h"
+#include "ibmfair/flow/steps/distortion.h"
 #include "ibmfair/mesh/geometry.h"
 #include "support/kernel_sets.h"
 #include "support/meshes.h"

@@ -1,5 +1,5 @@
 // The control of time steps: they end at the total time, are cut where a step fails, and grow back.
-#include "ibmfair/flow/step_control.h"
+#include "ibmfair/flow/steps/step_control.h"
 
 #include <limits>
 

@@ -1,5 +1,5 @@
 // The Gauss-Newton model of a step: exact for quadratic energies, and right to first order for all.
-#include "ibmfair/flow/step_model.h"
+#include "ibmfair/flow/steps/step_model.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // A sweep of tangential relaxation moves vertices within the surface. It moves vertices off the
 // surface only if noise left spikes and foldovers, which the energy does not turn back.
-#include "ibmfair/flow/tangential_relaxation.h"
+#include "ibmfair/flow/steps/tangential_relaxation.h"
 
 #include <cmath>
 #include <string>

@@ -1,6 +1,6 @@
 // The time deficit of an unknown is the flow time that it misses when a flow slows it down. It adds
 // up over the steps and is forgotten as time goes by.
-#include "ibmfair/flow/time_deficit.h"
+#include "ibmfair/flow/steps/time_deficit.h"
 
 #include <cmath>
 #include <numbers>

@@ -9,7 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "ibmfair/flow/fixed_vertices.h"
-#include "ibmfair/flow/folds.h"
+#include "ibmfair/flow/steps/folds.h"
 #include "ibmfair/flow/time_scale.h"
 #include "ibmfair/flow/willmore_flow.h"
 #include "ibmfair/measure/exact_surface.h"

@@ -1,6 +1,6 @@
 // If a step of the whole mesh goes wrong at some vertices, only these vertices are slowed down; the
 // rest of the mesh does not wait for them.
-#include "ibmfair/flow/uphill_vertices.h"
+#include "ibmfair/flow/steps/uphill_vertices.h"
 
 #include <algorithm>
 #include <limits>

@@ -1,5 +1,5 @@
 // Foldovers that noise left upside down are unfolded, and no other vertices are moved.
-#include "ibmfair/flow/unfolding.h"
+#include "ibmfair/flow/passes/unfolding.h"
 
 #include <algorithm>
 #include <numbers>
@@ -9,7 +9,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "ibmfair/flow/folds.h"
+#include "ibmfair/flow/steps/folds.h"
 #include "ibmfair/shapes/shapes.h"
 #include "support/program_figures.h"
 #include "support/run_program.h"

@@ -1,6 +1,6 @@
 // The choice of a cut-off from the noise: its estimates are compared with the known noise and
 // errors of noisy shapes.
-#include "ibmfair/flow/cutoff_choice.h"
+#include "ibmfair/flow/settings/cutoff_choice.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,7 +13,7 @@
 
 #include "ibmfair/base/errors.h"
 #include "ibmfair/base/threads.h"
-#include "ibmfair/flow/crease_choice.h"
+#include "ibmfair/flow/settings/crease_choice.h"
 #include "ibmfair/measure/exact_surface.h"
 #include "ibmfair/mesh/geometry.h"
 #include "ibmfair/shapes/noise.h"

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "ibmfair/flow/jacobian_solver.h"
+#include "ibmfair/flow/linear_system/jacobian_solver.h"
 
 namespace ibmfair::test {
 

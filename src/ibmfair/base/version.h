@@ -17,7 +17,7 @@ struct Component {
 
 /// What every run of the program computes with: Eigen, AMD of SuiteSparse, and the instruction set
 /// of the kernels. What single solvers load in addition is in the table of
-/// flow/jacobian_backends.cpp.
+/// flow/linear_system/jacobian_backends.cpp.
 std::vector<Component> component_versions();
 
 }  // namespace ibmfair

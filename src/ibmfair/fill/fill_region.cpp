@@ -1,7 +1,7 @@
 #include "ibmfair/fill/fill_region.h"
 
 #include "ibmfair/base/errors.h"
-#include "ibmfair/flow/folds.h"
+#include "ibmfair/flow/steps/folds.h"
 #include "ibmfair/mesh/geometry.h"
 
 namespace ibmfair {

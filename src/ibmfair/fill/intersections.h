@@ -10,8 +10,8 @@ namespace ibmfair {
 
 /// The pairs of triangles of `F` that intersect outside of shared corners, sorted. The second
 /// triangle of each pair belongs to a patch: its number is at least `patch_from`. Triangles that
-/// share an edge are not compared, because their overlap is a foldover (flow/folds.h). Exact, by
-/// CGAL's predicates.
+/// share an edge are not compared, because their overlap is a foldover (flow/steps/folds.h). Exact,
+/// by CGAL's predicates.
 std::vector<std::array<Index, 2>> patch_intersections(const Points& X, const Triangles& F,
                                                       Index patch_from);
 

@@ -5,7 +5,7 @@
 #include <numbers>
 #include <unordered_map>
 
-#include "ibmfair/flow/folds.h"
+#include "ibmfair/flow/steps/folds.h"
 #include "ibmfair/mesh/geometry.h"
 
 namespace ibmfair {

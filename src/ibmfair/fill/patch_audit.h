@@ -17,7 +17,7 @@ struct Bends {
 struct SeamAudit {
   Bends seam;          ///< at the edges between patch and mesh
   Bends surroundings;  ///< at the edges of the mesh at rim vertices, for comparison
-  Index folds = 0;     ///< foldovers in the patch and at the seam (flow/folds.h)
+  Index folds = 0;     ///< foldovers in the patch and at the seam (flow/steps/folds.h)
 };
 
 /// For each triangle of the patch, the number of the nearest rim edge; distances are counted in

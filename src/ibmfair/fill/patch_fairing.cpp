@@ -8,7 +8,7 @@
 #include "ibmfair/energy/bending_energy.h"
 #include "ibmfair/energy/mass_matrices.h"
 #include "ibmfair/fill/refine.h"
-#include "ibmfair/flow/stationary_flow.h"
+#include "ibmfair/flow/steps/stationary_flow.h"
 #include "ibmfair/flow/time_scale.h"
 #include "ibmfair/mesh/topology.h"
 

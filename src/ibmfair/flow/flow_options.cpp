@@ -6,7 +6,7 @@
 #include "ibmfair/base/errors.h"
 #include "ibmfair/energy/bending_energy.h"
 #include "ibmfair/energy/mass_matrices.h"
-#include "ibmfair/flow/jacobian_solver.h"
+#include "ibmfair/flow/linear_system/jacobian_solver.h"
 
 namespace ibmfair {
 namespace {

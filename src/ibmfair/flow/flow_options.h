@@ -55,10 +55,11 @@ struct FlowOptions {
   double solver_tolerance = 0.05;
   double memory_limit = std::numeric_limits<double>::infinity();  ///< of the whole process, bytes
   StageObserver on_stage = {};  ///< called when a stage begins that may take long
-  int twicing = 0;  ///< how often the residual is smoothed and added back: flow/twicing.h
+  int twicing = 0;  ///< how often the residual is smoothed and added back: flow/passes/twicing.h
   bool put_back_slides = false;  ///< twicing also adds back moves within the surface
   /// At the end of a guarded flow, finish the regions that were damped, and unfold triangles that
-  /// noise has folded over (flow/clean_up.h, and with creases flow/residual_spikes.h).
+  /// noise has folded over (flow/passes/clean_up.h, and with creases
+  /// flow/passes/residual_spikes.h).
   bool clean_up = true;
 
   /// Throws BadOption if a value cannot be used.

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "ibmfair/flow/jacobian_solver.h"
+#include "ibmfair/flow/linear_system/jacobian_solver.h"
 
 namespace ibmfair {
 

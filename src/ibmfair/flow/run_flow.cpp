@@ -4,10 +4,10 @@
 #include <utility>
 
 #include "ibmfair/base/errors.h"
-#include "ibmfair/flow/clean_up.h"
 #include "ibmfair/flow/first_stage.h"
-#include "ibmfair/flow/guarded_flow.h"
-#include "ibmfair/flow/plain_flow.h"
+#include "ibmfair/flow/passes/clean_up.h"
+#include "ibmfair/flow/steps/guarded_flow.h"
+#include "ibmfair/flow/steps/plain_flow.h"
 
 namespace ibmfair {
 

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "ibmfair/flow/flow_problem.h"
+#include "ibmfair/flow/steps/flow_problem.h"
 
 namespace ibmfair {
 

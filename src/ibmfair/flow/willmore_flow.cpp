@@ -1,13 +1,13 @@
 #include "ibmfair/flow/willmore_flow.h"
 
 #include "ibmfair/base/stopwatch.h"
-#include "ibmfair/flow/flow_problem.h"
-#include "ibmfair/flow/fold_free_move.h"
-#include "ibmfair/flow/folds.h"
-#include "ibmfair/flow/local_mesh.h"
-#include "ibmfair/flow/residual_spikes.h"
+#include "ibmfair/flow/passes/local_mesh.h"
+#include "ibmfair/flow/passes/residual_spikes.h"
+#include "ibmfair/flow/passes/twicing.h"
 #include "ibmfair/flow/run_flow.h"
-#include "ibmfair/flow/twicing.h"
+#include "ibmfair/flow/steps/flow_problem.h"
+#include "ibmfair/flow/steps/fold_free_move.h"
+#include "ibmfair/flow/steps/folds.h"
 
 namespace ibmfair {
 namespace {

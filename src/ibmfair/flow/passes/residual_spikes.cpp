@@ -1,0 +1,95 @@
+#include "ibmfair/flow/passes/residual_spikes.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <numbers>
+
+#include "ibmfair/base/stopwatch.h"
+#include "ibmfair/flow/passes/clean_up.h"
+#include "ibmfair/flow/passes/unfolding.h"
+#include "ibmfair/flow/steps/fold_free_move.h"
+#include "ibmfair/flow/steps/folds.h"
+#include "ibmfair/mesh/geometry.h"
+#include "ibmfair/mesh/select.h"
+
+namespace ibmfair {
+namespace {
+
+constexpr std::size_t most_of_a_speck = 19;  // a vertex and two rings
+constexpr double half_held = 0.5;    // above this share of the sharp angle, hinges are partly kept
+constexpr double flat_around = 0.9;  // `flat` of is_flat_around
+
+/// Whether the sharp hinges of a patch form open lines without branches, as a crease does.
+/// `sharp_at`: #V, the number of sharp hinges at each vertex.
+bool is_a_line(const VertexPatch& patch, const std::vector<Index>& sharp_at) {
+  Index ends = 0;
+  for (const Index v : patch) {
+    if (sharp_at[v] > 2) {
+      return false;
+    }
+    ends += sharp_at[v] == 1;
+  }
+  return ends > 0;
+}
+
+/// Whether sharp hinges continue from a patch to vertices outside of it, which are fixed, at a
+/// boundary or belong to another part.
+bool leads_on(const VertexPatch& patch, const CompressedRows& rings,
+              const std::vector<Index>& sharp_at) {
+  return std::ranges::any_of(patch, [&](Index v) {
+    return std::ranges::any_of(rings[v], [&](Index q) {
+      return sharp_at[q] > 0 && !std::ranges::binary_search(patch, q);
+    });
+  });
+}
+
+}  // namespace
+
+std::vector<VertexPatch> find_residual_spikes(const Points& X, const Topology& topology,
+                                              const CompressedRows& rings, const Unknowns& unknowns,
+                                              const MeshParts& parts, double sharp_angle) {
+  const Eigen::VectorXd angles = dihedral_angles(X, topology.H);
+  const std::vector<Index> sharp = indices_where(topology.H.rows(), [&](Index h) {
+    return std::numbers::pi - angles[h] > half_held * sharp_angle;
+  });
+  std::vector<Index> sharp_at(static_cast<std::size_t>(topology.vertex_count), 0);
+  std::vector<std::uint8_t> wanted(sharp_at.size(), 0);
+  for (const Index h : sharp) {
+    for (const Index v : {topology.H(h, 0), topology.H(h, 1)}) {
+      ++sharp_at[v];
+      wanted[v] = is_oriented_interior(topology, v) ? 1 : 0;
+    }
+  }
+  std::vector<VertexPatch> found = patches_of(wanted, rings, unknowns, parts);
+  std::erase_if(found, [&](const VertexPatch& patch) {
+    return patch.size() > most_of_a_speck || is_a_line(patch, sharp_at) ||
+           leads_on(patch, rings, sharp_at) ||
+           !is_flat_around(patch, X, topology, rings, flat_around);
+  });
+  return found;
+}
+
+void flatten_residual_spikes(FlowProblem& problem) {
+  const Stopwatch watch(problem.report.seconds.guard);
+  const CompressedRows rings = vertex_rings(problem.topology);
+  const std::vector<VertexPatch> spikes =
+      find_residual_spikes(problem.X, problem.topology, rings, problem.unknowns, problem.parts,
+                           problem.options.sharp_angle);
+  Points move, Y;
+  if (!even_out_and_flow(problem, rings, spikes, move)) {
+    return;
+  }
+  FoldWatch folds(problem.X, problem.topology, problem.unknowns);
+  const FoldFreeLanding landing = displace_without_folds(
+      problem, folds, move, Y, [&](const Points& X) { return problem.energy_at(X); });
+  if (landing.leads_somewhere() && landing.energy <= problem.report.energy_after) {
+    problem.move_to(Y);
+    problem.report.energy_after = landing.energy;
+    problem.report.unfolded += problem.moved(move);
+    if (!problem.report.steps.empty()) {
+      problem.report.steps.back().energy = landing.energy;
+    }
+  }
+}
+
+}  // namespace ibmfair

@@ -1,0 +1,99 @@
+#include "ibmfair/flow/passes/twicing.h"
+
+#include "ibmfair/base/errors.h"
+#include "ibmfair/base/stopwatch.h"
+#include "ibmfair/flow/passes/linear_flow.h"
+#include "ibmfair/flow/steps/fold_free_move.h"
+#include "ibmfair/flow/steps/folds.h"
+#include "ibmfair/flow/steps/unknown_normals.h"
+
+namespace ibmfair {
+namespace {
+
+constexpr int most_halvings = 2;  // of the added move, until the energy is low enough
+
+class Twicing {
+ public:
+  explicit Twicing(FlowProblem& problem)
+      : p_(problem), folds_(problem.X, problem.topology, problem.unknowns) {
+    p_.jacobian().damping().setOnes();
+  }
+
+  /// Makes one pass; false if nothing could be added back.
+  bool pass() {
+    try {
+      linearise();
+    } catch (const FactorizationFailed&) {
+      return false;
+    }
+    return put_back(p_.options.put_back_slides ? smooth_move() : smooth_height());
+  }
+
+ private:
+  /// Heights are smoothed over the present surface, so that each pass linearises anew; moves are
+  /// smoothed by the same linearised flow in all passes.
+  void linearise() {
+    if (p_.report.twicings == 0 || !p_.options.put_back_slides) {
+      linearise_flow(p_, p_.options.total_time, p_.options.twicing_steps());
+    }
+  }
+
+  void find_normals() {
+    normals_ = unknown_normals(p_.X, p_.topology, p_.unknowns);
+    for (Index u = 0; u < p_.unknowns.size(); ++u) {
+      if (p_.topology.twisted[p_.unknowns.vertex[u]]) {
+        normals_.row(u).setZero();
+      }
+    }
+  }
+
+  /// The move from the state to the start, smoothed by the linearised flow.
+  Points smooth_move() {
+    Points move(p_.unknowns.size(), 3);
+    for (Index u = 0; u < p_.unknowns.size(); ++u) {
+      const Index v = p_.unknowns.vertex[u];
+      move.row(u) = p_.start().row(v) - p_.X.row(v);
+    }
+    flow_linearly(p_, p_.options.twicing_steps(), move);
+    return move;
+  }
+
+  /// The height of the start over the state, smoothed by the linearised flow, along the normals.
+  Points smooth_height() {
+    find_normals();
+    Points heights = Points::Zero(p_.unknowns.size(), 3);
+    heights.col(0) = heights_along(normals_, p_.start(), p_.X, p_.unknowns);
+    flow_linearly(p_, p_.options.twicing_steps(), heights);
+    return heights.col(0).asDiagonal() * normals_;
+  }
+
+  bool put_back(Points move) {
+    const Stopwatch watch(p_.report.seconds.guard);
+    for (int i = 0; i <= most_halvings; ++i, move /= 2) {
+      const FoldFreeLanding trial = displace_without_folds(
+          p_, folds_, move, Y_, [this](const Points& Y) { return p_.energy_at(Y); });
+      if (trial.leads_somewhere() && trial.energy <= p_.report.energy_before) {
+        p_.report.energy_after = trial.energy;
+        p_.move_to(Y_);
+        return true;
+      }
+    }
+    return false;
+  }
+
+  FlowProblem& p_;
+  FoldWatch folds_;
+  Points normals_;  // one row per unknown
+  Points Y_;        // the state after the move
+};
+
+}  // namespace
+
+void twice(FlowProblem& problem) {
+  Twicing twicing(problem);
+  while (problem.report.twicings < problem.options.twicing && twicing.pass()) {
+    ++problem.report.twicings;
+  }
+}
+
+}  // namespace ibmfair

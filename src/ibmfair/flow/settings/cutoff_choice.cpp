@@ -1,0 +1,138 @@
+#include "ibmfair/flow/settings/cutoff_choice.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "ibmfair/flow/settings/sample_of_mesh.h"
+#include "ibmfair/mesh/geometry.h"
+
+namespace ibmfair {
+namespace {
+
+constexpr double shortest_edges = 2;  // first cut-off, in mean edge lengths
+// Differences of risks, in variances of the noise.
+constexpr double clear_rise = 0.03;  // trials end at a risk that far above the least risk
+constexpr double clear_rise_with_creases = 0.015;
+constexpr double small_gain = 0.002;  // trials end if doubling the cut-off changes the risk by less
+constexpr double many_more = 1.5;     // a mesh with this times `enough` moving vertices is sampled
+
+std::size_t least(const std::vector<CutoffTrial>& trials) {
+  const auto less = [](const CutoffTrial& a, const CutoffTrial& b) { return a.risk < b.risk; };
+  return static_cast<std::size_t>(std::min_element(trials.begin(), trials.end(), less) -
+                                  trials.begin());
+}
+
+/// The cut-off at the minimum of the parabola through the least risk and its two neighbours, over
+/// the logarithm of the cut-off. If creases are kept, the risk rises more steeply when creases
+/// disappear than it fell before; so the cut-off is shortened by only half of that shift.
+double between(const std::vector<CutoffTrial>& trials, std::size_t i, bool keeps_creases) {
+  if (i == 0 || i + 1 == trials.size()) {
+    return trials[i].cutoff;
+  }
+  const double left = trials[i - 1].risk - trials[i].risk;
+  const double right = trials[i + 1].risk - trials[i].risk;
+  double shift = left + right > 0 ? (left - right) / (2 * (left + right)) : 0;
+  if (keeps_creases && shift < 0) {
+    shift /= 2;
+  }
+  return trials[i].cutoff * std::pow(trials[i + 1].cutoff / trials[i].cutoff, shift);
+}
+
+/// Whether longer cut-offs are not expected to reduce the risk.
+bool is_enough(const std::vector<CutoffTrial>& trials, double noise, bool keeps_creases) {
+  const double variance = noise * noise, last = trials.back().risk;
+  const double rise = keeps_creases ? clear_rise_with_creases : clear_rise;
+  return last - trials[least(trials)].risk > rise * variance ||
+         (trials.size() > 2 &&
+          std::abs(trials[trials.size() - 3].risk - last) <= small_gain * variance);
+}
+
+}  // namespace
+
+const CutoffTrial& CutoffChoice::best() const {
+  return trials[least(trials)];
+}
+
+double CutoffChoice::before_best() const {
+  return trials[std::max<std::size_t>(least(trials), 1) - 1].cutoff;
+}
+
+CutoffChooser::CutoffChooser(const Points& X, const Topology& topology,
+                             const std::vector<std::uint8_t>& fixed, const FlowOptions& options,
+                             CutoffSearch search)
+    : mean_edge_length_(ibmfair::mean_edge_length(X, topology.E)), search_(std::move(search)) {
+  FlowOptions unbound = options;
+  unbound.keep_volume = unbound.keep_area = false;
+  if (std::count(fixed.begin(), fixed.end(), 0) > many_more * search_.enough) {
+    take_sample(X, topology, fixed, unbound);
+  }
+  if (!local_ && is_scattered(topology)) {
+    local_ = local_mesh(X, topology, fixed, unbound);
+  }
+  if (local_) {
+    trials_.emplace(local_->X, local_->topology, local_->fixed, local_->options, counted_,
+                    search_.noise);
+  } else {
+    trials_.emplace(X, topology, fixed, unbound, counted_, search_.noise);
+  }
+}
+
+/// Replaces the mesh by a sample, unless the mesh is in so small pieces that the sample would
+/// consist mostly of rims.
+void CutoffChooser::take_sample(const Points& X, const Topology& topology,
+                                const std::vector<std::uint8_t>& fixed,
+                                const FlowOptions& options) {
+  MeshSample sample = sample_of_mesh(X, topology, fixed, options, search_.enough);
+  if (4 * std::count(sample.inner.begin(), sample.inner.end(), 1) <= search_.enough) {
+    return;
+  }
+  if (is_scattered(sample.mesh.topology)) {
+    const LocalMesh& s = sample.mesh;
+    local_ = local_mesh(s.X, s.topology, s.fixed, s.options);
+    for (const Index v : local_->vertex) {
+      counted_.push_back(sample.inner[v]);
+    }
+  } else {
+    local_ = std::move(sample.mesh);
+    counted_ = std::move(sample.inner);
+  }
+}
+
+template <class Done>
+void CutoffChooser::try_cutoffs(double shortest, const Done& done) {
+  for (double cutoff = shortest;; cutoff *= std::sqrt(2.0)) {
+    if (search_.observer) {
+      search_.observer(cutoff);
+    }
+    trials_->run(cutoff);
+    if (trials_->know_noise() && done(std::sqrt(2.0) * cutoff)) {
+      return;
+    }
+  }
+}
+
+CutoffChoice CutoffChooser::choose(double sharp_angle, double shortest) {
+  const bool keeps_creases = sharp_angle > 0;
+  if (keeps_creases && !trials_->know_noise()) {
+    try_cutoffs(shortest_edges * mean_edge_length_, [](double) { return true; });
+  }
+  trials_->restart(sharp_angle);
+  CutoffChoice choice;
+  try_cutoffs(shortest, [&](double next) {
+    choice.noise = trials_->noise();
+    choice.trials = trials_->risks();
+    return is_enough(choice.trials, choice.noise, keeps_creases) || next > search_.largest;
+  });
+  choice.cutoff = between(choice.trials, least(choice.trials), keeps_creases);
+  return choice;
+}
+
+CutoffChoice choose_cutoff(const Points& X, const Topology& topology,
+                           const std::vector<std::uint8_t>& fixed, const FlowOptions& options,
+                           const CutoffSearch& search) {
+  CutoffChooser chooser(X, topology, fixed, options, search);
+  return chooser.choose(options.sharp_angle, shortest_edges * chooser.mean_edge_length());
+}
+
+}  // namespace ibmfair

@@ -1,0 +1,209 @@
+#include "ibmfair/flow/settings/cutoff_trials.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "ibmfair/base/errors.h"
+#include "ibmfair/base/random_numbers.h"
+#include "ibmfair/flow/first_stage.h"
+#include "ibmfair/flow/passes/linear_flow.h"
+#include "ibmfair/flow/passes/twicing.h"
+#include "ibmfair/flow/run_flow.h"
+#include "ibmfair/flow/steps/flow_problem.h"
+#include "ibmfair/flow/steps/unknown_normals.h"
+#include "ibmfair/flow/time_scale.h"
+#include "ibmfair/mesh/geometry.h"
+#include "ibmfair/mesh/select.h"
+
+namespace ibmfair {
+namespace {
+
+constexpr int leg_steps = 4;     // of backward Euler from one cut-off to the next
+constexpr double law_edges = 8;  // cut-off in mean edge lengths, for Weyl's law
+
+/// The distance by which the mesh of the second flow is moved: relative to the noise, and at least
+/// relative to the mean edge length.
+constexpr double little_noise = 0.1, little_edge = 1e-5;
+
+double median(Eigen::VectorXd values) {
+  double* const middle = values.data() + values.size() / 2;
+  std::nth_element(values.data(), middle, values.data() + values.size());
+  return *middle;
+}
+
+Points white_noise(Index count) {
+  RandomNumbers random(1);
+  Points z(count, 3);
+  for (double& number : z.reshaped()) {
+    number = random.normal();
+  }
+  return z;
+}
+
+}  // namespace
+
+CutoffTrials::CutoffTrials(const Points& X, const Topology& topology,
+                           const std::vector<std::uint8_t>& fixed, const FlowOptions& options,
+                           const std::vector<std::uint8_t>& counted, double noise)
+    : topology_(topology),
+      fixed_(fixed),
+      mean_edge_(mean_edge_length(X, topology.E)),
+      options_(options),
+      leg_(options),
+      unknowns_(fixed),
+      counted_(indices_where(
+          unknowns_.size(),
+          [&](Index u) { return counted.empty() || counted[unknowns_.vertex[u]] != 0; })),
+      white_noise_(white_noise(unknowns_.size())),
+      mesh_{.start = X},
+      noise_(noise),
+      knows_noise_(noise > 0) {
+  if (counted_.empty()) {
+    throw BadMesh("no vertex moves, so that no cut-off can be chosen");
+  }
+  leg_.twicing = 0;
+  options_.sharp_angle = leg_.sharp_angle = 0;
+}
+
+void CutoffTrials::restart(double sharp_angle) {
+  outcomes_.clear();
+  trace_falls_ = false;
+  options_.sharp_angle = leg_.sharp_angle = sharp_angle;
+  if (keeps_creases() && moved_.start.size() == 0) {
+    const double little = std::max(little_noise * noise_, little_edge * mean_edge_);
+    moved_.start = mesh_.start;
+    moved_.start(unknowns_.vertex, Eigen::all) += little * white_noise_;
+  }
+}
+
+void CutoffTrials::run(double cutoff) {
+  flow_to(cutoff);
+  FlowProblem problem(mesh_.start, topology_, fixed_, options_, MeshParts::one());
+  end_at(mesh_, problem);
+  const Points normals = unknown_normals(problem.X, topology_, unknowns_);
+  Points taken;  // of white noise
+  double trace = 0;
+  if (keeps_creases()) {
+    trace = trace_by_second_flow(problem.X, normals);
+  } else if (trace_falls_) {
+    trace = trace_by_law(cutoff);
+  } else {
+    taken = taken_of_noise(problem)(counted_, Eigen::all);
+    const Points noise = white_noise_(counted_, Eigen::all);
+    trace = 1 - noise.cwiseProduct(taken).sum() / noise.squaredNorm();
+    trace_falls_ = falls_by_law(cutoff, trace);
+  }
+  const Eigen::VectorXd height =
+      heights_along(normals, problem.X, mesh_.start, unknowns_)(counted_);
+  if (!knows_noise_ && outcomes_.size() == noise_trial) {
+    noise_ = median(height.cwiseAbs()) / median(taken.reshaped().cwiseAbs());
+    knows_noise_ = true;
+  }
+  outcomes_.push_back({cutoff, height.squaredNorm() / static_cast<double>(height.size()), trace});
+}
+
+std::vector<CutoffTrial> CutoffTrials::risks() const {
+  const double variance = noise_ * noise_;
+  std::vector<CutoffTrial> risks;
+  for (const Outcome& o : outcomes_) {
+    risks.push_back({o.cutoff, o.squared_move + variance * (2 * o.trace - 1)});
+  }
+  return risks;
+}
+
+void CutoffTrials::flow_to(double cutoff) {
+  options_.total_time =
+      time_in_flow_units(time_for_cutoff(cutoff), mesh_.start, topology_, options_);
+  const bool goes_on = !outcomes_.empty() && options_.steps > leg_steps && !keeps_creases();
+  leg_.total_time = options_.total_time - (goes_on ? time_ : 0);
+  leg_.steps = goes_on ? leg_steps : options_.steps;
+  if (!goes_on) {
+    smooth_ = white_noise_;
+  }
+  flow_on(mesh_, goes_on);
+  if (keeps_creases()) {
+    flow_on(moved_, goes_on);
+  }
+  time_ = options_.total_time;
+}
+
+void CutoffTrials::flow_on(Trajectory& trajectory, bool goes_on) const {
+  const Points& start = goes_on ? trajectory.state : trajectory.start;
+  require_usable(start, fixed_, leg_, MeshParts::one());
+  FlowProblem problem(start, topology_, fixed_, leg_, MeshParts::one());
+  if (!goes_on) {
+    begin(trajectory, problem);
+  }
+  run_flow(problem);
+  trajectory.state = std::move(problem.X);
+}
+
+/// Runs the first stage, or reuses its result: the stage does not depend on the sharp angle, and on
+/// the cut-off only if that is short.
+void CutoffTrials::begin(Trajectory& trajectory, FlowProblem& problem) const {
+  const auto stage = first_stage(trajectory.start, topology_, leg_, MeshParts::one());
+  if (!stage) {
+    return;
+  }
+  if (trajectory.first_stage_time == stage->total_time) {
+    Points state = trajectory.after_first_stage;
+    problem.move_to(state);
+  } else {
+    run_first_stage(problem, fixed_);
+    trajectory.after_first_stage = problem.X;
+    trajectory.first_stage_time = stage->total_time;
+  }
+}
+
+/// Makes the problem's state the end of a flow to the cut-off.
+void CutoffTrials::end_at(const Trajectory& trajectory, FlowProblem& problem) const {
+  Points state = trajectory.state;
+  problem.move_to(state);
+  if (options_.twicing > 0) {
+    twice(problem);
+  }
+}
+
+/// The part of the white noise that the flow linearised at the problem's state removes, with
+/// twicing.
+Points CutoffTrials::taken_of_noise(FlowProblem& problem) {
+  linearise_flow(problem, leg_.total_time, leg_.steps);
+  flow_linearly(problem, leg_.steps, smooth_);
+  Points taken = white_noise_ - smooth_, rest;
+  if (options_.twicing > 0) {
+    linearise_flow(problem, options_.total_time, options_.twicing_steps());
+  }
+  for (int pass = 0; pass < options_.twicing; ++pass) {
+    rest = taken;
+    flow_linearly(problem, options_.twicing_steps(), rest);
+    taken -= rest;
+  }
+  return taken;
+}
+
+/// tr F / n from the difference of two flows, in heights along the normals at the end of the first
+/// flow.
+double CutoffTrials::trace_by_second_flow(const Points& end, const Points& normals) const {
+  FlowProblem second(moved_.start, topology_, fixed_, options_, MeshParts::one());
+  end_at(moved_, second);
+  const Eigen::VectorXd put_in =
+      heights_along(normals, moved_.start, mesh_.start, unknowns_)(counted_);
+  const Eigen::VectorXd left = heights_along(normals, second.X, end, unknowns_)(counted_);
+  return put_in.dot(left) / put_in.squaredNorm();
+}
+
+/// tr F / n extrapolated from the last outcome by H. Weyl's law for the number of modes on a
+/// surface, which holds if the edges are short compared with the cut-off.
+double CutoffTrials::trace_by_law(double cutoff) const {
+  const Outcome& last = outcomes_.back();
+  return last.trace * std::pow(last.cutoff / cutoff, 2);
+}
+
+bool CutoffTrials::falls_by_law(double cutoff, double trace) const {
+  constexpr double near = 0.15;
+  return !outcomes_.empty() && cutoff >= law_edges * mean_edge_ &&
+         std::abs(trace - trace_by_law(cutoff)) < near * trace;
+}
+
+}  // namespace ibmfair

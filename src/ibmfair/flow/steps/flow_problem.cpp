@@ -1,0 +1,221 @@
+#include "ibmfair/flow/steps/flow_problem.h"
+
+#include <cmath>
+
+#include "ibmfair/base/errors.h"
+#include "ibmfair/base/parallel.h"
+#include "ibmfair/base/stopwatch.h"
+
+namespace ibmfair {
+namespace {
+
+std::vector<std::uint8_t> opposite(const std::vector<std::uint8_t>& flags) {
+  std::vector<std::uint8_t> result(flags.size());
+  for (std::size_t i = 0; i < flags.size(); ++i) {
+    result[i] = flags[i] ? 0 : 1;
+  }
+  return result;
+}
+
+std::unique_ptr<BendingEnergy> bind_energy(const Topology& topology, const FlowOptions& options,
+                                           const std::vector<std::uint8_t>& fixed,
+                                           const MeshParts& parts) {
+  EnergyOptions energy = options.energy_options();
+  energy.active = opposite(fixed);
+  energy.own_vertices = parts.own_vertices();
+  energy.own_triangles = parts.own_triangles();
+  return bending_model(options.laplacian).create(topology, energy);
+}
+
+}  // namespace
+
+FlowProblem::FlowProblem(const Points& X_start, const Topology& mesh_topology,
+                         const std::vector<std::uint8_t>& fixed, const FlowOptions& flow_options,
+                         const MeshParts& mesh_parts)
+    : topology(mesh_topology),
+      options(flow_options),
+      parts(mesh_parts),
+      unknowns(fixed, parts.own_vertices()),
+      X(X_start),
+      start_(X_start),
+      bound_(start_, flow_options.max_move),
+      conserved_(X, topology, unknowns, options),
+      bending_(bind_energy(topology, options, fixed, parts)),
+      jacobian_(std::make_unique<Jacobian>(start_, *bending_, topology, unknowns, options, parts,
+                                           report)) {
+  if (options.put_back_slides && options.twicing > 0) {
+    conserved_.suspend();
+  }
+  update_gradient();
+  if (!std::isfinite(energy_)) {
+    throw BadMesh("the bending energy of the mesh is not finite: coordinates are too large");
+  }
+  report.energy_before = report.energy_after = energy_;
+  report.unknowns = static_cast<std::int64_t>(parts.sum(unknowns.size()));
+}
+
+double FlowProblem::energy_at(const Points& Y) {
+  return parts.sum(bending_->energy(Y));
+}
+
+bool FlowProblem::has_no_folds(double energy, double angle) const {
+  return std::isfinite(energy) && bending_->max_dihedral_turn() < least_turn(angle);
+}
+
+std::vector<Index> FlowProblem::new_folds(FoldWatch& folds, const Points& Y, double energy) const {
+  if (has_no_folds(energy)) {
+    return {};
+  }
+  return std::isfinite(energy) ? folds.new_folds(Y, bending_->near_turns(least_turn()))
+                               : folds.new_folds(Y);
+}
+
+void FlowProblem::update_gradient() {
+  if (!gradient_is_known_) {
+    energy_ = energy_and_gradient_at(X, g_);
+  }
+  gradient_is_known_ = true;
+}
+
+double FlowProblem::try_state(const Points& Y) {
+  next_energy_ = evaluate(Y, next_g_);
+  return next_energy_;
+}
+
+void FlowProblem::move_to(Points& Y) {
+  X.swap(Y);
+  gradient_is_known_ = false;
+}
+
+void FlowProblem::move_to_tried(Points& Y) {
+  X.swap(Y);
+  g_.swap(next_g_);
+  energy_ = next_energy_;
+  gradient_is_known_ = true;
+}
+
+Points FlowProblem::gradient_at(const Points& Y) {
+  Points gradient;
+  energy_and_gradient_at(Y, gradient);
+  return gradient;
+}
+
+double FlowProblem::energy_and_gradient_at(const Points& Y, Points& gradient) {
+  const Stopwatch watch(report.seconds.gradient);
+  return evaluate(Y, gradient);
+}
+
+double FlowProblem::evaluate(const Points& Y, Points& gradient) {
+  const double energy = bending_->energy_and_gradient(Y, G_);
+  gradient.resize(unknowns.size(), 3);
+  parallel_for(unknowns.size(),
+               [&](std::int64_t u) { gradient.row(u) = G_.row(unknowns.vertex[u]); });
+  return parts.sum(energy);
+}
+
+void FlowProblem::newton_step(Points& step) {
+  const double h = jacobian_->time_step();
+  const auto solve = [&](const Points& B, Points& Y) { jacobian_->solve(B, Y); };
+  scratch_.resize(g_.rows(), 3);
+  parallel_for(g_.rows(), [&](std::int64_t u) { scratch_.row(u) = -h * g_.row(u); });
+  solve(scratch_, step);  // [W07] (12) at X_k, where the residual is h grad E_b
+  conserved_.linearise(X, solve);
+  conserved_.constrain(step);
+  Points Y, correction;
+  for (int i = 1; i < options.newton_iterations; ++i) {
+    displace(step, Y);
+    const Points residual = jacobian_->metric().asDiagonal() * step + h * gradient_at(Y);
+    solve(-residual, correction);
+    conserved_.constrain(correction);
+    step += correction;
+  }
+}
+
+Points FlowProblem::resume_quantities() {
+  return conserved_.resume(X, [&](const Points& B, Points& Y) { jacobian_->solve(B, Y); });
+}
+
+const Points& FlowProblem::with_others(const Points& move) {
+  if (parts.is_whole()) {
+    return move;
+  }
+  by_vertex_.resize(X.rows(), 3);
+  for (Index u = 0; u < unknowns.size(); ++u) {
+    by_vertex_.row(unknowns.vertex[u]) = move.row(u);
+  }
+  parts.refresh(by_vertex_);
+  with_others_.resize(X.rows(), 3);
+  for (Eigen::Index v = 0; v < X.rows(); ++v) {
+    if (const Index u = unknowns.unknown[v]; u >= 0) {
+      with_others_.row(u) = by_vertex_.row(v);
+    }
+  }
+  return with_others_;
+}
+
+FlowProblem::Landing FlowProblem::displace(const Points& move, Points& Y) const {
+  Y.resize(X.rows(), 3);
+  const bool bounded = bound_.bounds();
+  const double stopped = parallel_sum(X.rows(), [&](std::int64_t v) {
+    const Index u = unknowns.unknown[v];
+    const Vec3 from = X.row(v);
+    if (u < 0 || u >= unknowns.size()) {
+      Y.row(v) = from;
+      return 0;
+    }
+    const Vec3 to = from + move.row(u).transpose();
+    if (!bounded) {
+      Y.row(v) = to;
+      return 0;
+    }
+    const Vec3 reached = bound_.within(static_cast<Index>(v), to);
+    Y.row(v) = reached;
+    return reached != to ? 1 : 0;
+  });
+  parts.refresh(Y);
+  if (!conserved_.empty() && !conserved_.restore(move, Y)) {
+    return Landing::infeasible;
+  }
+  return parts.sum(stopped) > 0 ? Landing::short_of_it : Landing::as_asked;
+}
+
+std::vector<Index> FlowProblem::stopped() const {
+  std::vector<Index> result;
+  for (Index u = 0; bound_.bounds() && u < unknowns.size(); ++u) {
+    const Index v = unknowns.vertex[u];
+    if (bound_.stops(v, X.row(v), -g_.row(u))) {
+      result.push_back(u);
+    }
+  }
+  return result;
+}
+
+double FlowProblem::longest(const Points& move) const {
+  return parts.max(move.rows() > 0 ? std::sqrt(move.rowwise().squaredNorm().maxCoeff()) : 0);
+}
+
+std::int64_t FlowProblem::moved(const Points& move) const {
+  const auto here = (move.array() != 0).rowwise().any().count();
+  return static_cast<std::int64_t>(parts.sum(static_cast<double>(here)));
+}
+
+double FlowProblem::gradient_norm() {
+  const Eigen::VectorXd& D = jacobian_->metric();
+  conserved_.speed(g_, D, scratch_);
+  return std::sqrt(parts.sum(parallel_sum(
+      unknowns.size(), [&](std::int64_t u) { return D[u] * scratch_.row(u).squaredNorm(); })));
+}
+
+double FlowProblem::power() {
+  const Eigen::VectorXd &D = jacobian_->metric(), &damping = jacobian_->damping();
+  conserved_.speed(g_, D, scratch_);
+  const auto share = [&](std::int64_t u) -> Eigen::Array2d {
+    return D[u] / damping[u] * Eigen::Array2d(1, std::sqrt(scratch_.row(u).norm()));
+  };
+  const Eigen::Array2d sums =
+      parallel_sum(unknowns.size(), Eigen::Array2d(Eigen::Array2d::Zero()), share);
+  const double weight = parts.sum(sums[0]), root = parts.sum(sums[1]) / weight;
+  return weight * std::pow(root, 4) / static_cast<double>(report.unknowns);
+}
+
+}  // namespace ibmfair

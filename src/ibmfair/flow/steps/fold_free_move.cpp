@@ -1,0 +1,31 @@
+#include "ibmfair/flow/steps/fold_free_move.h"
+
+namespace ibmfair {
+
+FoldFreeLanding displace_without_folds(const FlowProblem& problem, FoldWatch& folds, Points& move,
+                                       Points& Y,
+                                       const std::function<double(const Points&)>& energy_at) {
+  constexpr int passes = 6;
+  FoldFreeLanding result;
+  for (int pass = 0; pass < passes; ++pass) {
+    result.landing = problem.displace(move, Y);
+    if (!result.leads_somewhere()) {
+      return result;
+    }
+    result.energy = energy_at(Y);
+    const std::vector<Index> folding = problem.new_folds(folds, Y, result.energy);
+    if (!problem.parts.any(!folding.empty())) {
+      return result;
+    }
+    for (const Index v : folding) {
+      if (const Index u = problem.unknowns.unknown[v]; u >= 0 && u < problem.unknowns.size()) {
+        move.row(u).setZero();
+        ++result.withheld;
+      }
+    }
+  }
+  result.landing = FlowProblem::Landing::infeasible;
+  return result;
+}
+
+}  // namespace ibmfair

@@ -1,0 +1,26 @@
+// Moves of the flow's state besides its time steps, such as those of relaxation: they raise no
+// energy and fold no hinge over.
+#pragma once
+
+#include "ibmfair/flow/steps/flow_problem.h"
+#include "ibmfair/flow/steps/folds.h"
+
+namespace ibmfair {
+
+class GuardedMove {
+ public:
+  /// Both must outlive this object. The state of `folds` is that of the problem.
+  GuardedMove(FlowProblem& problem, FoldWatch& folds) : problem_(problem), folds_(folds) {}
+
+  /// Moves the state by `move` (one row per unknown), halved until the energy is at most `bound`.
+  /// Leaves the move that was made in `move`. Returns false, without a move, if even the shortest
+  /// move raises the energy further.
+  bool make(Points& move, double bound);
+
+ private:
+  FlowProblem& problem_;
+  FoldWatch& folds_;
+  Points Y_;  // the state after `move`; reused
+};
+
+}  // namespace ibmfair

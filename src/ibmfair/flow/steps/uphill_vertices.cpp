@@ -1,0 +1,34 @@
+#include "ibmfair/flow/steps/uphill_vertices.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ibmfair {
+namespace {
+
+constexpr double uphill_share = 0.05;  // of the largest increase of the energy at an unknown
+constexpr double local_share = 0.02;   // of the unknowns: with more, trouble is global
+
+}  // namespace
+
+UphillVertices find_uphill_vertices(const FlowProblem& problem, const Points& gradient,
+                                    const Points& move) {
+  const Eigen::VectorXd slope = gradient.cwiseProduct(move).rowwise().sum();
+  double steepest = 0;
+  for (const double s : slope) {
+    steepest = std::isfinite(s) ? std::max(steepest, s) : steepest;
+  }
+  steepest = problem.parts.max(steepest);
+  UphillVertices uphill;
+  for (Index u = 0; u < problem.unknowns.size(); ++u) {
+    if (!(slope[u] <= uphill_share * steepest)) {
+      uphill.vertices.push_back(problem.unknowns.vertex[u]);
+    }
+  }
+  const double found = problem.parts.sum(static_cast<double>(uphill.vertices.size()));
+  uphill.are_local =
+      found > 0 && found <= local_share * static_cast<double>(problem.report.unknowns);
+  return uphill;
+}
+
+}  // namespace ibmfair
