@@ -50,13 +50,12 @@ output is complete or absent.
 )";
 
 constexpr const char* cluster_text =
-    R"(Machines that see the same files can share a list of jobs. For Slurm, write
-this script to the file fair.sbatch:
+    R"(Machines that see the same files can each run a part of a list of jobs. For
+Slurm, write this script to the file fair.sbatch:
 
     #!/bin/bash
     #SBATCH --array=1-8 --requeue
-    srun ibmfair batch jobs.json --shard "$SLURM_ARRAY_TASK_ID/8" \
-      --shared --resume
+    srun ibmfair batch jobs.json --shard "$SLURM_ARRAY_TASK_ID/8" --resume
 
 and submit it, followed by a job that writes the summary:
 
@@ -72,22 +71,12 @@ With GNU parallel, on this machine:
 or on several, and then the summary:
 
     parallel --sshlogin node1,node2 --workdir . \
-      ibmfair batch jobs.json --shard {}/8 --shared ::: {1..8}
+      ibmfair batch jobs.json --shard {}/8 --resume ::: {1..8}
     ibmfair batch jobs.json --merge --summary summary.csv
 
---shard divides the list beforehand. --shared makes it safe to start the same
-part, or the whole list, several times at once, for example when Slurm starts
-a task again that still runs on a lost node. Each file is run once. A process
-ends when all files of its part are done or have failed, whoever ran them.
-Other processes do not retry a failed file; --resume does.
-
-A process claims a file in the folder JOBS.journal.shared, renews the claim
-while it works, and records the end in a journal of its own there. If the
-process dies, or does not renew the claim for --claim-expiry seconds by the
-clock of the file server, another process takes the file over, and one that
-was only slow gives way. The file system must support hard links, and show
-what others wrote to whoever opens a file, as NFS does; sshfs needs
--o dir_cache=no,attr_timeout=0,entry_timeout=0.
+--shard divides the list beforehand, and each part keeps a record of its own.
+A part that was killed is started again with the same command: --resume runs
+only what is still to be done.
 
 --merge runs nothing. It writes the summary that a single run of the whole
 list would have written, with `not run` for what is still to be done. The exit
@@ -120,8 +109,8 @@ Runner declare_batch(CLI::App& app) {
        "runs four jobs at a time, and writes the result of each to a table"},
       {"ibmfair batch jobs.json --resume",
        "runs only the jobs that are not done, or whose files have changed"},
-      {"ibmfair batch jobs.json --shared",
-       "shares the list with all processes that were started with the same command"},
+      {"ibmfair batch jobs.json --shard 3/8 --resume",
+       "runs the third of eight parts of the list, of which other machines run the others"},
   };
   return [arguments, &app](Console& console) {
     BatchOptions options = arguments->options;

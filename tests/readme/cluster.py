@@ -110,8 +110,8 @@ def main():
     check("items that are done", sum(row["status"] == "ok" for row in summary), 20)
 
     make_executable(os.path.join(work, "fair.sbatch"), script)
-    # In the second run, nodes die or become unreachable, and their tasks are restarted.
-    for mishaps in ("", "killed", "lost"):
+    # In the second run, tasks are killed and restarted.
+    for mishaps in ("", "killed"):
         start_anew(work)
         run(submission, [0, 1], MISHAPS=mishaps)
         check("the summary of Slurm's tasks", lasting(work, "summary.csv"), summary)

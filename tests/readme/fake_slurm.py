@@ -3,9 +3,8 @@
 `ibmfair help batch` uses them. A job is one command or an array of tasks that all run at once on
 this machine. sbatch returns when the job has ended, so that dependent jobs may run.
 
-The environment variable MISHAPS says what happens to every second task of an array once the task
-has produced output: `killed`: its processes are killed and the task is restarted; `lost`: the task
-is restarted while its first run continues.
+If the environment variable MISHAPS is set, every second task of an array is killed once the task
+has produced output, and is restarted.
 """
 
 import argparse
@@ -41,25 +40,23 @@ def begin(script, task, restarts):
                             stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
 
 
-def begin_anew(script, task, process, mishap):
-    """Waits until the list has begun, lets the mishap happen, and returns running processes."""
+def kill_and_restart(script, task, process):
+    """Waits until the list has begun, kills the process, and returns the process of the restart."""
     while process.poll() is None and not os.path.exists("fair"):
         time.sleep(0.002)
-    if mishap == "killed" and process.poll() is None:
+    if process.poll() is None:
         os.killpg(process.pid, signal.SIGKILL)
         process.wait()
-        return [begin(script, task, 1)]
-    return [process, begin(script, task, 1)]
+    return begin(script, task, 1)
 
 
 def run_array(array, script):
     first, last = map(int, array.split("-"))
-    mishap = os.environ.get("MISHAPS")
-    running = {task: [begin(script, task, 0)] for task in range(first, last + 1)}
-    if mishap:
+    running = {task: begin(script, task, 0) for task in range(first, last + 1)}
+    if os.environ.get("MISHAPS"):
         for task in list(running)[::2]:
-            running[task] = begin_anew(script, task, running[task][0], mishap)
-    return max(process.wait() for processes in running.values() for process in processes)
+            running[task] = kill_and_restart(script, task, running[task])
+    return max(process.wait() for process in running.values())
 
 
 def sbatch(words):

@@ -49,16 +49,6 @@ std::vector<CLI::Option*> add_batch_options(CLI::App& app, BatchOptions& options
       [&options](const std::string& text) { options.shard = parse_shard(text); }));
   note_of(app, *added.back()).default_text = "1/1";
   CLI::Option* shard = added.back();
-  CLI::Option* shared = app.add_flag(
-      "--shared", options.shared,
-      "share the list with all processes that run it with --shared, on this machine or on others: "
-      "each file is run once, and another process takes over the file of one that dies");
-  added.push_back(shared);
-  added.push_back(
-      add_real(app, "--claim-expiry", options.claim_expiry, positive,
-               "take over the file of a process that has shown no sign of life for this time")
-          ->needs(shared));
-  note_of(app, *added.back()).unit = "seconds";
   if (app.get_option_no_throw("--dry-run") == nullptr) {
     added.push_back(
         app.add_flag("--dry-run", options.dry_run, "print the commands without running them"));
@@ -68,7 +58,6 @@ std::vector<CLI::Option*> add_batch_options(CLI::App& app, BatchOptions& options
              "--merge", options.merge,
              "run nothing, but write the summary of the whole list from the records of all parts")
           ->excludes(shard)
-          ->excludes(shared)
           ->excludes(resume)
           ->excludes(app.get_option("--dry-run")));
   // If a command takes many files, its --report names the reports about the single files.

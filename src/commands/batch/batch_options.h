@@ -26,9 +26,7 @@ struct BatchOptions {
   bool fail_fast = false;
   bool resume = false;
   bool dry_run = false;
-  bool shared = false;        ///< whether other processes run the same list
-  double claim_expiry = 300;  ///< a claim that was not renewed for so many seconds has expired
-  bool merge = false;         ///< run nothing, report what the runs of all parts have done
+  bool merge = false;  ///< run nothing, report what the runs of all parts have done
   bool dump_config = false;
   ReportOptions report;    ///< about the whole list
   bool overwrite = false;  ///< may replace outputs and reports
@@ -37,8 +35,8 @@ struct BatchOptions {
   std::string journal;  ///< path; empty: the default path of the list
 };
 
-/// Declares --jobs, --keep-going, --fail-fast, --resume, --shard, --shared, --claim-expiry,
-/// --merge, --dry-run, --summary, --journal.
+/// Declares --jobs, --keep-going, --fail-fast, --resume, --shard, --merge, --dry-run, --summary,
+/// --journal.
 std::vector<CLI::Option*> add_batch_options(CLI::App& app, BatchOptions& options);
 
 /// The items of the part `shard`. For any count, every item is in exactly one part.

@@ -1,5 +1,6 @@
 #include "commands/batch/file_state.h"
 
+#include <ctime>
 #include <fstream>
 #include <memory>
 
@@ -23,11 +24,11 @@ class Fnv1a {
   std::uint64_t hash_ = 0xcbf29ce484222325U;
 };
 
-}  // namespace
-
 std::int64_t nanoseconds(const timespec& time) {
   return std::int64_t{time.tv_sec} * 1'000'000'000 + time.tv_nsec;
 }
+
+}  // namespace
 
 std::optional<FileStamp> stamp_of(const std::string& path) {
   struct stat status {};

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <ctime>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -18,8 +17,6 @@ struct FileStamp {
 
   bool operator==(const FileStamp&) const = default;
 };
-
-std::int64_t nanoseconds(const timespec& time);
 
 /// The stamp of the file at `path`; nothing if there is no regular file.
 std::optional<FileStamp> stamp_of(const std::string& path);

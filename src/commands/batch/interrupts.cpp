@@ -44,14 +44,8 @@ Interrupts::~Interrupts() {
   sigprocmask(SIG_SETMASK, &mask_before_, nullptr);
 }
 
-void Interrupts::wait(std::vector<pollfd>& waits,
-                      std::optional<std::chrono::milliseconds> time) const {
-  timespec limit{};
-  if (time) {
-    limit.tv_sec = time->count() / 1000;
-    limit.tv_nsec = time->count() % 1000 * 1'000'000;
-  }
-  ppoll(waits.data(), waits.size(), time ? &limit : nullptr, &mask_before_);
+void Interrupts::wait(std::vector<pollfd>& waits) const {
+  ppoll(waits.data(), waits.size(), nullptr, &mask_before_);
 }
 
 int Interrupts::signal_number() const {

@@ -1,9 +1,7 @@
 // Signals that ask the batch to stop.
 #pragma once
 
-#include <chrono>
 #include <csignal>
-#include <optional>
 #include <utility>
 #include <vector>
 
@@ -21,10 +19,9 @@ class Interrupts {
   Interrupts(const Interrupts&) = delete;
   Interrupts& operator=(const Interrupts&) = delete;
 
-  /// Waits until one of the descriptors can be read, a signal arrives, or `time` (if given) is
-  /// over. Negative descriptors are ignored.
-  void wait(std::vector<pollfd>& waits,
-            std::optional<std::chrono::milliseconds> time = std::nullopt) const;
+  /// Waits until one of the descriptors can be read or a signal arrives. Negative descriptors are
+  /// ignored.
+  void wait(std::vector<pollfd>& waits) const;
 
   /// The number of the signal that has arrived; 0 if none has.
   int signal_number() const;

@@ -1,6 +1,5 @@
 #include "commands/batch/journal.h"
 
-#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <chrono>
@@ -107,7 +106,7 @@ Finished finished_from(const ordered_json& json) {
 
 }  // namespace
 
-Journal::Journal(const std::string& path, bool flushed) : path_(path), flushed_(flushed) {
+Journal::Journal(const std::string& path) : path_(path) {
   fd_ = open(path.c_str(), O_RDWR | O_CREAT | O_APPEND | O_NOFOLLOW | O_CLOEXEC, 0666);
   if (fd_ < 0) {
     throw CannotWrite(fmt::format(
@@ -148,7 +147,7 @@ void Journal::append(const std::string& line) {
     }
     done += count > 0 ? static_cast<std::size_t>(count) : 0;
   }
-  if (flushed_ && fsync(fd_) != 0 && errno != EINVAL) {  // EINVAL: a device, which has no fsync
+  if (fsync(fd_) != 0 && errno != EINVAL) {  // EINVAL: a device, which has no fsync
     fail();
   }
 }
@@ -165,14 +164,11 @@ void Journal::add_refusal(const std::string& key, const Finished& finished) {
   append(end_line("refused", key, finished));
 }
 
-void JournalRecord::read(const std::vector<std::string>& paths) {
+JournalRecord::JournalRecord(const std::vector<std::string>& paths) {
   for (const std::string& path : paths) {
     std::ifstream file(path, std::ios::binary);
-    std::int64_t& position = read_up_to_[path];
-    file.seekg(position);
     std::string line;
     while (std::getline(file, line) && !file.eof()) {
-      position += static_cast<std::int64_t>(line.size()) + 1;
       try {
         read_line(line, path);
       } catch (const ordered_json::exception&) {
@@ -182,12 +178,6 @@ void JournalRecord::read(const std::vector<std::string>& paths) {
       }
     }
   }
-}
-
-JournalRecord JournalRecord::continued() const {
-  JournalRecord rest;
-  rest.read_up_to_ = read_up_to_;
-  return rest;
 }
 
 void JournalRecord::read_line(const std::string& line, const std::string& path) {
@@ -200,13 +190,12 @@ void JournalRecord::read_line(const std::string& line, const std::string& path) 
     }
     return;
   }
-  Finished finished = finished_from(json);
-  finished.refused = json["event"] == "refused";
+  const Finished finished = finished_from(json);
   const auto [last, is_first] = last_.try_emplace(key, LastEnd{path, finished});
   if (!is_first && last->second.finished.time <= finished.time) {
     last->second = {path, finished};
   }
-  if (finished.refused) {
+  if (json["event"] == "refused") {
     return;
   }
   if (finished.outcome.status == Status::ok) {
@@ -236,25 +225,8 @@ std::string journal_of_shard(const std::string& path, std::size_t number, std::s
   return count == 1 ? path : fmt::format("{}.{}{}{}", path, number, shard_mark, count);
 }
 
-std::string folder_of_processes(const std::string& path) {
-  return path + ".shared";
-}
-
-std::vector<std::string> journals_of_processes(const std::string& path) {
-  std::vector<std::string> paths;
-  std::error_code error;
-  for (const auto& entry : fs::directory_iterator(folder_of_processes(path), error)) {
-    if (entry.path().extension() == ".journal") {
-      paths.push_back(entry.path().string());
-    }
-  }
-  std::sort(paths.begin(), paths.end());
-  return paths;
-}
-
 std::vector<std::string> journals_of_list(const std::string& path) {
-  std::vector<std::string> paths = journals_of_processes(path);
-  paths.push_back(path);
+  std::vector<std::string> paths{path};
   const fs::path list(path);
   const std::string prefix = list.filename().string() + ".";
   std::error_code error;

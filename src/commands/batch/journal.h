@@ -24,8 +24,7 @@ struct Finished {
   std::vector<Input> inputs;       ///< in the order of Item::reads
   std::vector<FileStamp> outputs;  ///< in the order of Item::writes
   Outcome outcome;
-  double time = 0;       ///< time of the end, seconds since 1970 by the clock of that machine
-  bool refused = false;  ///< the item was not started, because an existing file may not be replaced
+  double time = 0;  ///< time of the end, seconds since 1970 by the clock of that machine
 };
 
 /// The records of other runs, from the journals of all parts of the list. An incomplete line is
@@ -33,13 +32,8 @@ struct Finished {
 class JournalRecord {
  public:
   JournalRecord() = default;
-  explicit JournalRecord(const std::vector<std::string>& paths) { read(paths); }
-
-  /// Reads the lines of these journals that have not been read yet.
-  void read(const std::vector<std::string>& paths);
-
-  /// An empty record that will read only lines that come after those that this record has read.
-  JournalRecord continued() const;
+  /// Reads the journals at these paths.
+  explicit JournalRecord(const std::vector<std::string>& paths);
 
   /// Whether a run has started this item, so that the batch owns the files that the item writes and
   /// may replace them.
@@ -60,20 +54,20 @@ class JournalRecord {
     Finished finished;
   };
 
-  std::map<std::string, std::int64_t> read_up_to_;        // bytes of each journal
   std::map<std::string, std::set<std::string>> started_;  // key to journals that record a start
   std::map<std::string, std::vector<Finished>> finished_;
   std::map<std::string, LastEnd> last_;
 };
 
-/// Appends whole lines to a journal file. Only one batch at a time can write to the file.
+/// Appends whole lines to a journal file. Every line is on the disk before the next step, so that a
+/// machine that fails loses no record of an output that is on the disk. Only one batch at a time
+/// can write to the file.
 class Journal {
  public:
   /// Opens or makes the file. Throws CannotWrite, also if another batch has the file open, or if
   /// `path` is not a journal: in a folder that others can write, a link could make the batch append
-  /// its record to a file whose content is executed. If `flushed`, every line is on the disk, and
-  /// visible to other machines, before the next step.
-  explicit Journal(const std::string& path, bool flushed = false);
+  /// its record to a file whose content is executed.
+  explicit Journal(const std::string& path);
   ~Journal();
   Journal(const Journal&) = delete;
   Journal& operator=(const Journal&) = delete;
@@ -96,17 +90,11 @@ class Journal {
   [[noreturn]] void fail() const;
 
   std::string path_;
-  bool flushed_;
   int fd_ = -1;
 };
 
 /// The path of the journal of part `number` of `count`, if `path` is the journal of the whole list.
 std::string journal_of_shard(const std::string& path, std::size_t number, std::size_t count);
-
-/// The folder that processes use which run a list together, and the sorted paths of their journals
-/// in this folder.
-std::string folder_of_processes(const std::string& path);
-std::vector<std::string> journals_of_processes(const std::string& path);
 
 /// The paths of all journals that belong to the list with the journal `path`.
 std::vector<std::string> journals_of_list(const std::string& path);

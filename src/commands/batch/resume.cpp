@@ -14,6 +14,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
+bool same_options(const Item& item, const Finished& record) {
+  return record.program == version() && record.options == options_hash(item);
+}
+
 bool same_inputs(const Item& item, const Finished& record) {
   if (record.inputs.size() != item.reads.size()) {
     return false;
@@ -85,10 +89,6 @@ bool add_hashes(const Item& item, Finished& record) {
     record.inputs[i].hash = *hash;
   }
   return true;
-}
-
-bool same_options(const Item& item, const Finished& record) {
-  return record.program == version() && record.options == options_hash(item);
 }
 
 bool same_task(const Item& item, const Finished& record) {

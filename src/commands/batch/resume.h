@@ -25,9 +25,6 @@ Finished begin_record(const Item& item);
 /// begin_record(), because it is then unknown which content the result was made from.
 bool add_hashes(const Item& item, Finished& record);
 
-/// Whether the item's options and the program's version equal those in the record.
-bool same_options(const Item& item, const Finished& record);
-
 /// Whether options, program version and inputs equal those in the record, so that a new run would
 /// end in the same way. An input whose stamp differs is unchanged if its bytes have the same hash.
 bool same_task(const Item& item, const Finished& record);

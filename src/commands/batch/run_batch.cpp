@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <optional>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -12,7 +11,6 @@
 #include "commands/batch/resume.h"
 #include "commands/batch/run_items.h"
 #include "commands/batch/running_item.h"
-#include "commands/batch/shared_list.h"
 #include "commands/batch/shell_words.h"
 #include "commands/batch/summary.h"
 #include "commands/batch/temporaries.h"
@@ -26,14 +24,9 @@ namespace ibmfair::commands {
 
 namespace {
 
-/// Whether other runs may have processed a part of the list.
-bool goes_on(const BatchOptions& options) {
-  return options.resume || options.shared;
-}
-
 /// Whether reports may be replaced. A run that continues an earlier run replaces its reports.
 bool may_replace_reports(const BatchOptions& options) {
-  return options.overwrite || options.merge || goes_on(options);
+  return options.overwrite || options.resume || options.merge;
 }
 
 RunSettings run_settings(const BatchOptions& options, std::size_t items,
@@ -75,13 +68,13 @@ void print_jobs(const std::vector<Item>& items) {
   write_standard_output(job_file_text(jobs));
 }
 
-void clear_away_temporaries(const std::vector<Item>& items, const std::string& list_journal,
-                            bool shared, const Console& console) {
-  std::set<std::string> folders{folder_of_processes(list_journal)};
+void clear_away_temporaries(const std::vector<Item>& items, bool others_work,
+                            const Console& console) {
+  std::set<std::string> folders;
   for (const Item& item : items) {
     folders.merge(output_folders(item));
   }
-  if (const int removed = remove_stale_temporaries(folders, shared); removed > 0) {
+  if (const int removed = remove_stale_temporaries(folders, others_work); removed > 0) {
     console.note(fmt::format("removed {} unfinished file{} of a killed run", removed,
                              removed == 1 ? "" : "s"));
   }
@@ -132,7 +125,7 @@ void make_folder_of(const std::string& path) {
 
 RunResult run_and_tell(const std::vector<Item>& items, std::size_t total,
                        const RunSettings& settings, const JournalRecord& earlier, Journal& journal,
-                       SharedList* shared, const Console& console) {
+                       const Console& console) {
   const auto tell = [&](std::size_t index, const Outcome& outcome) {
     const std::string line = status_line(items[index], outcome, total);
     if (outcome.status == Status::failed && console.level() == Console::Level::quiet) {
@@ -141,11 +134,7 @@ RunResult run_and_tell(const std::vector<Item>& items, std::size_t total,
       console.note(line);
     }
   };
-  const auto tell_of_wait = [&](std::size_t left) {
-    console.note(
-        fmt::format("waiting for {} item{} that other processes run", left, left == 1 ? "" : "s"));
-  };
-  return run_items(items, settings, earlier, journal, shared, {tell, tell_of_wait});
+  return run_items(items, settings, earlier, journal, tell);
 }
 
 }  // namespace
@@ -164,7 +153,7 @@ ExitCode run_batch(const CLI::App& command, const std::vector<Job>& jobs,
     return merge(command, options, all, list_journal, console);
   }
   JournalRecord earlier;
-  if (goes_on(options)) {
+  if (options.resume) {
     earlier = JournalRecord(journals_of_list(list_journal));
   }
   if (options.dry_run) {
@@ -172,22 +161,16 @@ ExitCode run_batch(const CLI::App& command, const std::vector<Job>& jobs,
     return ExitCode::done;
   }
   make_folder_of(list_journal);
-  std::optional<SharedList> shared;
-  if (options.shared) {
-    shared.emplace(list_journal, options.claim_expiry, earlier);
-  }
-  Journal record(shared ? shared->journal()
-                        : journal_of_shard(list_journal, options.shard.number, options.shard.count),
-                 options.shared);
-  if (goes_on(options)) {
-    clear_away_temporaries(items, list_journal, options.shared || options.shard.count > 1, console);
+  Journal record(journal_of_shard(list_journal, options.shard.number, options.shard.count));
+  if (options.resume) {
+    clear_away_temporaries(items, options.shard.count > 1, console);
   }
   double seconds = 0;
   RunResult result;
   {
     const Stopwatch watch(seconds);
     result = run_and_tell(items, all.size(), run_settings(options, items.size(), list_journal),
-                          earlier, record, shared ? &*shared : nullptr, console);
+                          earlier, record, console);
   }
   // If a signal arrives while no item is running, no status line reports the interruption.
   const std::string how = result.signal_number != 0 ? "interrupted, " : "";

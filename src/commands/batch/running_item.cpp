@@ -39,9 +39,6 @@ std::string signal_text(int signal_number) {
 void RunningItem::start_process(bool overwrite, int threads) {
   start = std::chrono::steady_clock::now();
   process = std::make_unique<ChildProcess>(words_of(*item, overwrite, threads));
-  if (claim) {
-    claim->note_process(process->id());
-  }
 }
 
 double RunningItem::seconds() const {

@@ -7,7 +7,6 @@
 #include <string>
 
 #include "commands/batch/child_process.h"
-#include "commands/batch/claim.h"
 #include "commands/batch/item.h"
 #include "commands/batch/journal.h"
 #include "commands/batch/outcome.h"
@@ -19,8 +18,7 @@ struct RunningItem {
   const Item* item;   // must outlive this object
   std::string key;    // key in the journal
   Finished record;
-  bool inputs_known = false;               // the inputs did not change until they were hashed
-  std::unique_ptr<Claim> claim = nullptr;  // given up after the process has ended
+  bool inputs_known = false;  // the inputs did not change until they were hashed
   std::chrono::steady_clock::time_point start = {};
   std::unique_ptr<ChildProcess> process = nullptr;
 

@@ -7,7 +7,6 @@
 #include <functional>
 #include <optional>
 
-#include "commands/batch/file_state.h"
 #include "ibmfair/io/numbers.h"
 
 namespace ibmfair::commands {
@@ -64,19 +63,13 @@ int remove_where(const std::set<std::string>& folders,
 
 }  // namespace
 
-void remove_temporaries_of(pid_t process, const std::set<std::string>& folders, std::int64_t end) {
-  remove_where(folders, [&](const fs::path& path, pid_t maker) {
-    if (maker != process) {
-      return false;
-    }
-    const auto stamp = stamp_of(path.string());
-    return stamp && stamp->mtime <= end;
-  });
+void remove_temporaries_of(pid_t process, const std::set<std::string>& folders) {
+  remove_where(folders, [&](const fs::path&, pid_t maker) { return maker == process; });
 }
 
-int remove_stale_temporaries(const std::set<std::string>& folders, bool shared) {
+int remove_stale_temporaries(const std::set<std::string>& folders, bool others_work) {
   return remove_where(folders, [&](const fs::path& path, pid_t maker) {
-    return is_gone(maker) && (!shared || is_old(path));
+    return is_gone(maker) && (!others_work || is_old(path));
   });
 }
 
