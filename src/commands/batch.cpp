@@ -47,6 +47,16 @@ inputs and outputs are unchanged and were made by this version, and runs all
 other files again. An input is unchanged if its size and times are the same,
 or else if its contents have the same hash. After Ctrl-C or kill -9 every
 output is complete or absent.
+
+One run at a time records in a journal. A second run is refused (exit code 2);
+the message names the machine, the process and the start of the first. --merge
+and --dry-run only read, and are always allowed. The lock ends with the
+process, also after kill -9, so that --resume can go on at once. It is a lock
+of flock(). On NFS it holds between machines, except on mounts with `nolock`
+or `local_lock`; on sshfs it holds between processes of one machine only. If a
+machine crashes, NFS version 4 releases its locks after a minute or two, and
+version 3 when the machine has started again. To go on earlier, make the
+journal a new file: `cp JOURNAL new && mv new JOURNAL`.
 )";
 
 constexpr const char* cluster_text =
@@ -76,7 +86,8 @@ or on several, and then the summary:
 
 --shard divides the list beforehand, and each part keeps a record of its own.
 A part that was killed is started again with the same command: --resume runs
-only what is still to be done.
+only what is still to be done. The parts of one division can run at the same
+time. Parts of two divisions would do the same files; this is not noticed.
 
 --merge runs nothing. It writes the summary that a single run of the whole
 list would have written, with `not run` for what is still to be done. The exit

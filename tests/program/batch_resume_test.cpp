@@ -8,11 +8,9 @@
 #include <thread>
 #include <vector>
 
-#include <fcntl.h>
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
-#include <sys/file.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -109,20 +107,6 @@ TEST_F(BatchTest, AJournalsHalfWrittenLastLineIsIgnored) {
   EXPECT_EQ(statuses(words + Words{"--resume"}), expected);
   const Statuses all{{path("a"), "skipped"}, {path("b"), "skipped"}, {path("c"), "skipped"}};
   EXPECT_EQ(statuses(words + Words{"--resume"}), all);
-}
-
-TEST_F(BatchTest, OneBatchAtATimeWritesAJournal) {
-  write_bytes(full("journal"), "");
-  const int fd = open(full("journal").c_str(), O_RDWR | O_CLOEXEC);
-  ASSERT_EQ(flock(fd, LOCK_EX), 0);
-  const Words words =
-      Words{"smooth"} + inputs_ + Words{"--out-dir", "out", "--journal", "journal"} + options_;
-  const RunResult refused = run(words);
-  EXPECT_EQ(refused.exit_code, 6);
-  EXPECT_TRUE(contains(refused.err, "another batch")) << refused.err;
-  EXPECT_EQ(count("out"), 0U);
-  close(fd);
-  EXPECT_EQ(run(words).exit_code, 0);
 }
 
 /// A batch of files large enough that a signal can reach it in the middle of its work.

@@ -13,8 +13,8 @@
 namespace ibmfair::test {
 
 /// A fault in the calls number `first` to `last` of one kind, counted from the program's `main` on.
-/// The kinds are malloc (every function that allocates), open, read, write, fsync, linkat, rename
-/// and fchmod.
+/// The kinds are malloc (every function that allocates), open, read, write, flock, fsync, linkat,
+/// rename and fchmod.
 struct Fault {
   std::string call;
   long first = 0;

@@ -11,9 +11,9 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
-#include <sys/file.h>
 #include <unistd.h>
 
+#include "commands/batch/journal_lock.h"
 #include "commands/batch/json_text.h"
 #include "commands/exit_code.h"
 #include "ibmfair/base/errors.h"
@@ -113,10 +113,11 @@ Journal::Journal(const std::string& path) : path_(path) {
         "{}: cannot be written: {}", path,
         errno == ELOOP ? "a journal is not kept behind a symbolic link" : std::strerror(errno)));
   }
-  if (flock(fd_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
+  const JournalLock lock = lock_journal(fd_);
+  locked_ = lock == JournalLock::held;
+  if (lock == JournalLock::held_by_another) {
     close(fd_);
-    throw CannotWrite(
-        fmt::format("{}: another batch is writing it now (--journal FILE keeps another)", path));
+    throw BadOption(message_about_other_run(path));
   }
   if (!starts_as_journal(fd_)) {
     close(fd_);
@@ -127,6 +128,7 @@ Journal::Journal(const std::string& path) : path_(path) {
   if (size > 0 && pread(fd_, &last, 1, size - 1) == 1 && last != '\n') {
     append("");  // ends the incomplete line that a killed run left
   }
+  append(line_of_this_run());
 }
 
 Journal::~Journal() {
@@ -172,7 +174,7 @@ JournalRecord::JournalRecord(const std::vector<std::string>& paths) {
       try {
         read_line(line, path);
       } catch (const ordered_json::exception&) {
-        continue;  // a line of another version
+        continue;  // the start of a run, or a line of another version
       } catch (const BadFile&) {
         continue;  // an incomplete line
       }

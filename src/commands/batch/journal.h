@@ -60,19 +60,21 @@ class JournalRecord {
 };
 
 /// Appends whole lines to a journal file. Every line is on the disk before the next step, so that a
-/// machine that fails loses no record of an output that is on the disk. Only one batch at a time
-/// can write to the file.
+/// machine that fails loses no record of an output that is on the disk. Only one run at a time
+/// can write to the file (journal_lock.h).
 class Journal {
  public:
-  /// Opens or makes the file. Throws CannotWrite, also if another batch has the file open, or if
-  /// `path` is not a journal: in a folder that others can write, a link could make the batch append
-  /// its record to a file whose content is executed.
+  /// Opens or makes the file, and locks it until this object is destroyed or the process ends.
+  /// Throws BadOption if another run holds the lock. Throws CannotWrite if the file cannot be
+  /// written, also if it is not a journal: in a folder that others can write, a link could make the
+  /// batch append its record to a file whose content is executed.
   explicit Journal(const std::string& path);
   ~Journal();
   Journal(const Journal&) = delete;
   Journal& operator=(const Journal&) = delete;
 
-  const std::string& path() const { return path_; }
+  /// Whether the lock is held; false if the file system has no locks.
+  bool locked() const { return locked_; }
 
   /// Records the start of the item with this key. From here on the batch owns the files that the
   /// item writes.
@@ -91,6 +93,7 @@ class Journal {
 
   std::string path_;
   int fd_ = -1;
+  bool locked_ = false;
 };
 
 /// The path of the journal of part `number` of `count`, if `path` is the journal of the whole list.

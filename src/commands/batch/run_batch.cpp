@@ -115,6 +115,11 @@ ExitCode merge(const CLI::App& command, const BatchOptions& options, const std::
   return all_done ? ExitCode::done : ExitCode::not_reached;
 }
 
+/// The records of earlier runs; none unless this run continues them.
+JournalRecord read_earlier(const BatchOptions& options, const std::string& list_journal) {
+  return options.resume ? JournalRecord(journals_of_list(list_journal)) : JournalRecord();
+}
+
 void make_folder_of(const std::string& path) {
   const auto folder = std::filesystem::path(path).parent_path();
   if (!folder.empty()) {
@@ -152,16 +157,21 @@ ExitCode run_batch(const CLI::App& command, const std::vector<Job>& jobs,
   if (options.merge) {
     return merge(command, options, all, list_journal, console);
   }
-  JournalRecord earlier;
-  if (options.resume) {
-    earlier = JournalRecord(journals_of_list(list_journal));
-  }
   if (options.dry_run) {
-    print_commands(items, earlier, list_journal);
+    print_commands(items, read_earlier(options, list_journal), list_journal);
     return ExitCode::done;
   }
   make_folder_of(list_journal);
-  Journal record(journal_of_shard(list_journal, options.shard.number, options.shard.count));
+  const std::string own_journal =
+      journal_of_shard(list_journal, options.shard.number, options.shard.count);
+  Journal record(own_journal);
+  if (!record.locked()) {
+    console.warning(own_journal +
+                    ": the file system cannot lock this file, so a second run of the same files "
+                    "at the same time is not noticed");
+  }
+  // The records are read after the journal is locked: a run that has just ended has added to them.
+  const JournalRecord earlier = read_earlier(options, list_journal);
   if (options.resume) {
     clear_away_temporaries(items, options.shard.count > 1, console);
   }

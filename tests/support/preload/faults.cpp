@@ -11,6 +11,7 @@
 
 #include <dlfcn.h>
 #include <fcntl.h>
+#include <sys/file.h>
 #include <sys/syscall.h>
 #include <unistd.h>
 
@@ -161,6 +162,10 @@ ssize_t read(int fd, void* buffer, std::size_t size) {
 
 ssize_t write(int fd, const void* buffer, std::size_t size) {
   return fd > STDERR_FILENO && fails("write") ? -1 : syscall(SYS_write, fd, buffer, size);
+}
+
+int flock(int fd, int operation) noexcept {
+  return fails("flock") ? -1 : static_cast<int>(syscall(SYS_flock, fd, operation));
 }
 
 int fsync(int fd) {
