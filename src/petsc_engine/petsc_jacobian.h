@@ -11,6 +11,8 @@
 
 namespace ibmfair::petsc {
 
+enum class LinearSolver : std::uint8_t { cg, mumps };
+
 /// Each rank stores the rows of its unknowns. Conjugate gradients iterate until the residual is
 /// below `FlowOptions::solver_tolerance` in the norm of the preconditioner, in which rows of small
 /// triangles have the same weight as other rows. The preconditioner is successive over-relaxation

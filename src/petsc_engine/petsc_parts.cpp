@@ -1,7 +1,6 @@
 #include "petsc_engine/petsc_parts.h"
 
 #include "petsc_engine/check.h"
-#include "petsc_engine/petsc_jacobian.h"
 
 namespace ibmfair::petsc {
 
@@ -40,10 +39,6 @@ void PetscParts::refresh(Points& rows) const {
 
 void PetscParts::refresh(std::vector<PetscInt>& values) const {
   broadcast(MPIU_INT, values.data());
-}
-
-std::unique_ptr<JacobianSolver> PetscParts::make_solver(const JacobianShape& shape) const {
-  return std::make_unique<PetscJacobian>(shape, *this, solver_);
 }
 
 }  // namespace ibmfair::petsc

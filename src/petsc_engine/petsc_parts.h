@@ -8,8 +8,6 @@
 
 namespace ibmfair::petsc {
 
-enum class LinearSolver : std::uint8_t { cg, mumps };
-
 class PetscParts final : public MeshParts {
  public:
   /// `comm` and `piece` must outlive this object. All members, this one included, are collective.
@@ -21,11 +19,6 @@ class PetscParts final : public MeshParts {
   double sum(double x) const override { return comm_.sum(x); }
   double max(double x) const override { return comm_.max(x); }
   void refresh(Points& rows) const override;
-  std::unique_ptr<JacobianSolver> make_solver(const JacobianShape& shape) const override;
-
-  /// Chooses the method of solvers that are made afterwards: conjugate gradients or MUMPS.
-  void set_solver(LinearSolver solver) { solver_ = solver; }
-
   using MeshParts::refresh;
   /// Updates the values (#V) at vertices that belong to other parts with the values there.
   void refresh(std::vector<PetscInt>& values) const;
@@ -36,7 +29,6 @@ class PetscParts final : public MeshParts {
   void broadcast(MPI_Datatype unit, void* data) const;
 
   const Communicator& comm_;
-  LinearSolver solver_ = LinearSolver::cg;
   PetscSF forest_ = nullptr;  // roots: a rank's own vertices; leaves: its copies of others
   MPI_Datatype row_ = MPI_DATATYPE_NULL;
 };

@@ -26,6 +26,7 @@
 #include "ibmfair/io/atomic_file.h"
 #include "petsc_engine/mesh_source.h"
 #include "petsc_engine/partition.h"
+#include "petsc_engine/petsc_jacobian.h"
 #include "petsc_engine/piece_measures.h"
 
 namespace ibmfair::petsc {
@@ -210,12 +211,14 @@ class SharedSmooth {
     Progress progress(console_);
     SharedMesh mesh = read(comm_, arguments_, console_, figures_, progress);
     print_defects(mesh);
-    if (arguments_.flow.solver == "mumps") {
-      mesh.parts->set_solver(LinearSolver::mumps);
-    }
-    arguments_.flow.solver = "auto";  // lets the parts make the solver
+    const LinearSolver solver =
+        arguments_.flow.solver == "mumps" ? LinearSolver::mumps : LinearSolver::cg;
+    arguments_.flow.solver = "auto";
     arguments_.textured = mesh.source->has_texture_coordinates();
     arguments_.flow = flow_options(arguments_, mesh);
+    arguments_.flow.make_solver = [&parts = *mesh.parts, solver](const JacobianShape& shape) {
+      return std::make_unique<PetscJacobian>(shape, parts, solver);
+    };
     figures_.mean_edge_length = mean_edge_length(mesh.X, mesh.topology, *mesh.parts);
     const auto fixed_vertices = fixed(arguments_, mesh, arguments_.flow.cutoff_factor);
     commands::project_directions(arguments_, mesh.X, mesh.topology, fixed_vertices, *mesh.parts,

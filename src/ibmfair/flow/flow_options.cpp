@@ -6,7 +6,6 @@
 #include "ibmfair/base/errors.h"
 #include "ibmfair/energy/bending_energy.h"
 #include "ibmfair/energy/mass_matrices.h"
-#include "ibmfair/flow/linear_system/jacobian_solver.h"
 
 namespace ibmfair {
 namespace {
@@ -21,9 +20,6 @@ void require(bool holds, const char* message) {
 
 void FlowOptions::validate() const {
   ibmfair::mass_matrix(bending_model(laplacian), {mass, {}, mass_matrix});
-  if (solver != "auto") {
-    jacobian_backend(solver);
-  }
   require(steps >= 1, "the number of steps must be at least 1");
   require(total_time > 0 && std::isfinite(total_time),
           "the flow's time must be positive and finite");

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <functional>
 #include <limits>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -13,6 +14,12 @@
 #include "ibmfair/solve/cholesky.h"
 
 namespace ibmfair {
+
+class JacobianSolver;
+struct JacobianShape;
+
+/// Makes a solver for the Jacobian of a flow, and writes the solver's name to the flow's report.
+using SolverMaker = std::function<std::unique_ptr<JacobianSolver>(const JacobianShape& shape)>;
 
 /// The inner product of the gradient flow: lumped vertex mass (results independent of the
 /// sampling, time has unit length^4; the vertex valences, if they are the mass matrix of the
@@ -49,7 +56,8 @@ struct FlowOptions {
   bool relax_first = true;  ///< the value of `relax` for the first stage (flow/first_stage.h)
   /// The largest distance of a vertex from its start, length.
   double max_move = std::numeric_limits<double>::infinity();
-  std::string solver = "auto";  ///< a name from jacobian_backends(), or "auto"
+  std::string solver = "auto";   ///< a name from jacobian_backends(), or "auto"
+  SolverMaker make_solver = {};  ///< makes the solver in place of the table of backends
   /// The relative residual at which iterative solvers stop; below 1. Below 1e-4, factorizations use
   /// float64.
   double solver_tolerance = 0.05;

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "ibmfair/flow/linear_system/jacobian_solver.h"
-
 namespace ibmfair {
 
 MeshParts::MeshParts(Index own, Index vertices, std::vector<std::uint8_t> own_triangles)
@@ -30,10 +28,6 @@ void MeshParts::refresh(std::vector<std::uint8_t>& flags) const {
   for (std::size_t v = 0; v < flags.size(); ++v) {
     flags[v] = static_cast<std::uint8_t>(rows(static_cast<Eigen::Index>(v), 0));
   }
-}
-
-std::unique_ptr<JacobianSolver> MeshParts::make_solver(const JacobianShape& /*shape*/) const {
-  return nullptr;
 }
 
 }  // namespace ibmfair

@@ -7,15 +7,11 @@
 #pragma once
 
 #include <cstdint>
-#include <memory>
 #include <vector>
 
 #include "ibmfair/base/types.h"
 
 namespace ibmfair {
-
-class JacobianSolver;
-struct JacobianShape;
 
 /// This base class is for a mesh in one piece. A derived class communicates with other processes:
 /// all processes must call its members in the same order, and get the same results.
@@ -48,10 +44,6 @@ class MeshParts {
 
   /// Replaces the flags (#V) of vertices that belong to other parts by those parts' values.
   void refresh(std::vector<std::uint8_t>& flags) const;
-
-  /// Makes the solver for the Jacobian over all parts, and writes its name to the report; null if
-  /// any backend can be used.
-  virtual std::unique_ptr<JacobianSolver> make_solver(const JacobianShape& shape) const;
 
  protected:
   /// The first `own` of the `vertices` vertices belong to this part.

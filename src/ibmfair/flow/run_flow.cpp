@@ -5,6 +5,7 @@
 
 #include "ibmfair/base/errors.h"
 #include "ibmfair/flow/first_stage.h"
+#include "ibmfair/flow/linear_system/jacobian_solver.h"
 #include "ibmfair/flow/passes/clean_up.h"
 #include "ibmfair/flow/steps/guarded_flow.h"
 #include "ibmfair/flow/steps/plain_flow.h"
@@ -14,6 +15,9 @@ namespace ibmfair {
 void require_usable(const Points& X, const std::vector<std::uint8_t>& fixed,
                     const FlowOptions& options, const MeshParts& parts) {
   options.validate();
+  if (options.solver != "auto") {
+    jacobian_backend(options.solver);
+  }
   if (!parts.is_whole() && (options.keep_volume || options.keep_area)) {
     throw BadOption("volume and area can be kept of a mesh in one piece only");
   }

@@ -21,15 +21,13 @@ constexpr int patience = 8;
 }  // namespace
 
 Jacobian::Jacobian(const Points& start, BendingEnergy& energy, const Topology& topology,
-                   const Unknowns& unknowns, const FlowOptions& options, const MeshParts& parts,
-                   FlowReport& report)
+                   const Unknowns& unknowns, const FlowOptions& options, FlowReport& report)
     : start_(start),
       energy_(energy),
       topology_(topology),
       terms_(energy.stencils(), topology.vertex_count),
       unknowns_(unknowns),
       options_(options),
-      parts_(parts),
       report_(report),
       D_(Eigen::VectorXd::Ones(unknowns.size())),
       damping_(D_) {}
@@ -75,7 +73,7 @@ void Jacobian::refactor(const Points& X, double h) {
   } catch (const FactorizationFailed&) {
     // The flow tries a shorter time step next, with which the factorization may succeed.
     const JacobianBackend* other =
-        parts_.is_whole() && ++failures_ > patience ? other_backend(shape(), false) : nullptr;
+        !options_.make_solver && ++failures_ > patience ? other_backend(shape(), false) : nullptr;
     if (other == nullptr || other->name == report_.solver) {
       throw;
     }
@@ -93,13 +91,13 @@ void Jacobian::refactor(const Points& X, double h) {
 }
 
 void Jacobian::choose_solver(const JacobianParts& parts) {
-  if (parts_.is_whole()) {
+  if (options_.make_solver) {
+    solver_ = options_.make_solver(shape());
+    settled_ = true;
+  } else {
     const JacobianBackend& backend = choose_backend(shape(), parts);
     take(backend);
     settled_ = backend.has_factor;
-  } else {
-    solver_ = parts_.make_solver(shape());
-    settled_ = true;
   }
 }
 

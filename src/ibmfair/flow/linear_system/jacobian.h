@@ -11,7 +11,6 @@
 #include "ibmfair/energy/unknowns.h"
 #include "ibmfair/flow/flow_options.h"
 #include "ibmfair/flow/linear_system/jacobian_solver.h"
-#include "ibmfair/flow/mesh_parts.h"
 
 namespace ibmfair {
 
@@ -21,8 +20,7 @@ class Jacobian {
   /// All arguments must outlive this object. `start` (#V x 3): the positions at the start of the
   /// flow.
   Jacobian(const Points& start, BendingEnergy& energy, const Topology& topology,
-           const Unknowns& unknowns, const FlowOptions& options, const MeshParts& parts,
-           FlowReport& report);
+           const Unknowns& unknowns, const FlowOptions& options, FlowReport& report);
 
   /// Takes `X` as the reference and `h` as the time step. Throws FactorizationFailed, OutOfMemory.
   /// If the options leave the choice of the backend open, the first call chooses it. Later, a
@@ -71,7 +69,6 @@ class Jacobian {
   const StencilTerms terms_;
   const Unknowns& unknowns_;
   const FlowOptions& options_;
-  const MeshParts& parts_;
   FlowReport& report_;
   std::unique_ptr<JacobianSolver> solver_;
   StencilWeights weights_;

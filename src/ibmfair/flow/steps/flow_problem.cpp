@@ -41,8 +41,8 @@ FlowProblem::FlowProblem(const Points& X_start, const Topology& mesh_topology,
       bound_(start_, flow_options.max_move),
       conserved_(X, topology, unknowns, options),
       bending_(bind_energy(topology, options, fixed, parts)),
-      jacobian_(std::make_unique<Jacobian>(start_, *bending_, topology, unknowns, options, parts,
-                                           report)) {
+      jacobian_(
+          std::make_unique<Jacobian>(start_, *bending_, topology, unknowns, options, report)) {
   if (options.put_back_slides && options.twicing > 0) {
     conserved_.suspend();
   }
