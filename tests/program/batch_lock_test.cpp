@@ -1,4 +1,5 @@
 // Only one run at a time records in a journal.
+#include <array>
 #include <chrono>
 #include <csignal>
 #include <filesystem>
@@ -48,9 +49,9 @@ void await(const std::function<bool()>& condition) {
 }
 
 std::string host_name() {
-  std::string name(256, '\0');
-  gethostname(name.data(), name.size());
-  return name.c_str();
+  std::array<char, 256> name{};
+  gethostname(name.data(), name.size() - 1);
+  return name.data();
 }
 
 /// Starts runs and stops their process (SIGSTOP) once it has started an item, so that the run is
@@ -191,6 +192,7 @@ TEST_F(BatchLockTest, OfManyRunsAtOnceNoneRepeatsWhatAnotherHasDone) {
   for (int round = 0; round < 3; ++round) {
     fs::remove_all(full("out"));
     std::vector<std::future<RunResult>> running;
+    running.reserve(8);
     for (int i = 0; i < 8; ++i) {
       running.push_back(std::async(std::launch::async, [this, i] {
         // Some start when the first one is about to end.
