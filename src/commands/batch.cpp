@@ -64,8 +64,9 @@ constexpr const char* cluster_text =
 Slurm, write this script to the file fair.sbatch:
 
     #!/bin/bash
-    #SBATCH --array=1-8 --requeue
-    srun ibmfair batch jobs.json --shard "$SLURM_ARRAY_TASK_ID/8" --resume
+    #SBATCH --array=1-8 --cpus-per-task=1 --requeue
+    srun ibmfair batch jobs.json --shard "$SLURM_ARRAY_TASK_ID/8" \
+      --threads 1 --resume
 
 and submit it, followed by a job that writes the summary:
 
@@ -78,11 +79,13 @@ With GNU parallel, on this machine:
     parallel ibmfair batch jobs.json --shard {}/8 --threads 1 --resume \
       ::: {1..8}
 
-or on several, and then the summary:
+or on several machines, and then the summary:
 
     parallel --sshlogin node1,node2 --workdir . \
       ibmfair batch jobs.json --shard {}/8 --resume ::: {1..8}
     ibmfair batch jobs.json --merge --summary summary.csv
+
+For Snakemake, the source of ibmfair has a Snakefile in tools/cluster.
 
 --shard divides the list beforehand, and each part keeps a record of its own.
 A part that was killed is started again with the same command: --resume runs
