@@ -44,7 +44,7 @@ FlowReport run_first_stage(FlowProblem& problem, const std::vector<std::uint8_t>
   }
   FlowProblem stage(problem.start(), problem.topology, fixed, *options, problem.parts);
   FoldWatch folds(stage.X, stage.topology, stage.unknowns);
-  run_guarded(stage, folds, [&](StepRecord record) {
+  run_guarded(stage, vertex_rings(stage.topology), folds, [&](StepRecord record) {
     record.step = 0;
     record.time = 0;
     return !observer || observer(record);
@@ -68,9 +68,10 @@ void run_flow(FlowProblem& problem, const StepObserver& observer) {
     return;
   }
   FoldWatch folds(problem.X, problem.topology, problem.unknowns);
-  const Eigen::VectorXd missed = run_guarded(problem, folds, observer);
+  const CompressedRows rings = vertex_rings(problem.topology);
+  const Eigen::VectorXd missed = run_guarded(problem, rings, folds, observer);
   if (problem.options.clean_up) {
-    clean_up(problem, folds, missed);
+    clean_up(problem, rings, folds, missed);
   }
 }
 

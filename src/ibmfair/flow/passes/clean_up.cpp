@@ -44,10 +44,10 @@ bool flow_in_patches(const FlowProblem& problem, const CompressedRows& rings, co
 
 }  // namespace
 
-void clean_up(FlowProblem& problem, FoldWatch& folds, const Eigen::VectorXd& missed) {
+void clean_up(FlowProblem& problem, const CompressedRows& rings, FoldWatch& folds,
+              const Eigen::VectorXd& missed) {
   FlowReport& report = problem.report;
   const Stopwatch watch(report.seconds.guard);
-  const CompressedRows rings = vertex_rings(problem.topology);
   GuardedMove guarded_move(problem, folds);
   Points move;
   const auto make = [&] {

@@ -9,9 +9,10 @@ namespace ibmfair {
 
 /// Makes both repairs at the state of a flow whose steps have ended, and adds them to the report.
 /// The promises of the guarded flow hold: the energy does not rise, and no hinge folds over. Where
-/// creases are kept, a sharp fold may be a crease, and nothing is unfolded. `missed`: the result of
-/// run_guarded.
-void clean_up(FlowProblem& problem, FoldWatch& folds, const Eigen::VectorXd& missed);
+/// creases are kept, a sharp fold may be a crease, and nothing is unfolded. `rings`: the result of
+/// vertex_rings; `missed`: that of run_guarded.
+void clean_up(FlowProblem& problem, const CompressedRows& rings, FoldWatch& folds,
+              const Eigen::VectorXd& missed);
 
 // The following functions only compute moves.
 

@@ -89,7 +89,7 @@ bool PatchFlow::run(const VertexPatch& patch, const Points& X, double time, Poin
   problem.move_to(Y);
   try {
     FoldWatch folds(problem.X, problem.topology, problem.unknowns);
-    run_guarded(problem, folds, {});
+    run_guarded(problem, vertex_rings(problem.topology), folds, {});
   } catch (const FactorizationFailed&) {
     return false;
   }

@@ -29,10 +29,11 @@ constexpr double rounding = 1e-14;  // relative to the energy: smaller decreases
 
 class GuardedFlow {
  public:
-  GuardedFlow(FlowProblem& problem, FoldWatch& folds, const StepObserver& observer)
+  GuardedFlow(FlowProblem& problem, const CompressedRows& rings, FoldWatch& folds,
+              const StepObserver& observer)
       : p_(problem),
         observer_(observer),
-        rings_(vertex_rings(problem.topology)),
+        rings_(rings),
         folds_(folds),
         guarded_move_(problem, folds),
         ring_groups_(problem.topology, rings_, problem.unknowns),
@@ -289,7 +290,7 @@ class GuardedFlow {
 
   FlowProblem& p_;
   const StepObserver& observer_;
-  const CompressedRows rings_;
+  const CompressedRows& rings_;
   FoldWatch& folds_;
   GuardedMove guarded_move_;
   const RingGroups ring_groups_;
@@ -311,8 +312,9 @@ class GuardedFlow {
 
 }  // namespace
 
-Eigen::VectorXd run_guarded(FlowProblem& problem, FoldWatch& folds, const StepObserver& observer) {
-  return GuardedFlow(problem, folds, observer).run();
+Eigen::VectorXd run_guarded(FlowProblem& problem, const CompressedRows& rings, FoldWatch& folds,
+                            const StepObserver& observer) {
+  return GuardedFlow(problem, rings, folds, observer).run();
 }
 
 }  // namespace ibmfair
