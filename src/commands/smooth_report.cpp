@@ -275,16 +275,6 @@ ordered_json forecast_json(const FlowForecast& forecast) {
   return {{"unknowns", forecast.unknowns}, {"solver", forecast.solver}, {"solvers", backends}};
 }
 
-/// Adds the libraries that the solver has loaded.
-void add_loaded_components(std::string_view solver, ordered_json& components) {
-  for (const JacobianBackend& backend : jacobian_backends()) {
-    if (backend.name != solver || backend.load == nullptr) continue;
-    for (const Component& component : backend.load()) {
-      components.push_back({{"name", component.name}, {"version", component.version}});
-    }
-  }
-}
-
 void add_cutoff_choice(const SmoothFigures& figures, Report& report) {
   if (!figures.choice) {
     return;
@@ -343,7 +333,11 @@ void add_smooth_figures(const SmoothFigures& figures, const FlowOptions& options
                   {"ordering", flow.forecast.ordering},
                   {"factor_entries", flow.forecast.factor_entries},
                   {"factor_flops", flow.forecast.flops}};
-  add_loaded_components(flow.solver, json["components"]);
+  for (const JacobianBackend& backend : jacobian_backends()) {
+    if (backend.name == flow.solver && backend.load != nullptr) {
+      report.add_components(backend.load());
+    }
+  }
   json["steps"] = ordered_json::array();
   report.table = Table{step_json({}), {}};
   for (const StepRecord& step : flow.steps) {

@@ -19,14 +19,6 @@ using nlohmann::ordered_json;
 /// Must be increased when the meaning of a field changes.
 constexpr int report_version = 1;
 
-ordered_json components_json() {
-  ordered_json list = ordered_json::array();
-  for (const Component& component : component_versions()) {
-    list.push_back({{"name", component.name}, {"version", component.version}});
-  }
-  return list;
-}
-
 ordered_json warnings_json(const std::vector<Warning>& warnings) {
   ordered_json list = ordered_json::array();
   int places = 0;
@@ -55,8 +47,16 @@ Report::Report(const CLI::App& command)
     : figures{{"version", report_version},
               {"program", fmt::format("ibmfair {}", version())},
               {"command", command.get_name()},
-              {"components", components_json()},
-              {"arguments", options_in_force(command)}} {}
+              {"components", ordered_json::array()},
+              {"arguments", options_in_force(command)}} {
+  add_components(component_versions());
+}
+
+void Report::add_components(const std::vector<Component>& components) {
+  for (const Component& component : components) {
+    figures["components"].push_back({{"name", component.name}, {"version", component.version}});
+  }
+}
 
 ordered_json complete_figures(const Report& report, const std::string& path) {
   ordered_json figures = report.figures;

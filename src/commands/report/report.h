@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "commands/csv.h"
+#include "ibmfair/base/version.h"
 #include "ibmfair/page/scene.h"
 
 namespace CLI {
@@ -29,6 +30,9 @@ struct Report {
   /// Fills in the versions of the schema, the program and its components, and the command with all
   /// its arguments.
   explicit Report(const CLI::App& command);
+
+  /// Adds libraries that the run has loaded to the program's components.
+  void add_components(const std::vector<Component>& components);
 
   nlohmann::ordered_json figures;  ///< described by data/report.schema.json
   std::vector<Warning> warnings;
