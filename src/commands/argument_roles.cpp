@@ -49,6 +49,11 @@ bool is_flag(const CLI::Option& option) {
   return option.get_items_expected_max() == 0;
 }
 
+bool is_given(const CLI::App& command, const std::string& name) {
+  const CLI::Option* option = command.get_option_no_throw(name);
+  return option != nullptr && option->count() > 0;
+}
+
 CLI::Option* input_argument(CLI::App& command) {
   return first_argument(command, Role::reads);
 }

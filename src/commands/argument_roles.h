@@ -35,6 +35,9 @@ std::string key_of(const CLI::Option& option);
 /// Whether the option takes no value.
 bool is_flag(const CLI::Option& option);
 
+/// Whether the command has an argument or option with this name, and it was given.
+bool is_given(const CLI::App& command, const std::string& name);
+
 /// The first positional argument that names a file to read, and the first that names a file to
 /// write; null if the command has no such argument.
 CLI::Option* input_argument(CLI::App& command);

@@ -11,6 +11,7 @@
 #include "commands/crash_message.h"
 #include "commands/documentation.h"
 #include "commands/effective_job.h"
+#include "commands/engine.h"
 #include "commands/many_files.h"
 #include "commands/numeric_options.h"
 #include "commands/suggest.h"
@@ -149,9 +150,9 @@ std::vector<std::string> option_names(const CLI::App& app) {
   return names;
 }
 
-/// The message for the user, instead of the parser's own message. An unknown option is reported
-/// first, because it probably caused the parser's error.
-std::string explain(const CLI::ParseError& error, const CLI::App& app) {
+/// The message for the user, instead of the parser's own message `error`. An unknown option is
+/// reported first, because it probably caused the parser's error.
+std::string explain(const char* error, const CLI::App& app) {
   if (!app.remaining().empty()) {
     const std::string word = app.remaining().front();
     return word.starts_with('-') ? fmt::format("unknown option '{}' before the command{}", word,
@@ -171,10 +172,10 @@ std::string explain(const CLI::ParseError& error, const CLI::App& app) {
     }
   }
   if (!command.remaining().empty()) {
-    return fmt::format("{}: '{}' is one argument too many{}", command.get_name(),
-                       command.remaining().front(), many_files_hint(command));
+    return fmt::format("{}: '{}' is one argument too many", command.get_name(),
+                       command.remaining().front());
   }
-  return fmt::format("{}: {}", command.get_name(), error.what());
+  return fmt::format("{}: {}", command.get_name(), error);
 }
 
 /// Rewrites `help smooth` as `smooth --help`, and `help` as `--help`. --all is for the help itself.
@@ -203,12 +204,11 @@ Console::Level level_of(const FrameOptions& options) {
 struct CommandLine::Parts {
   CLI::App app{"Fairs triangle meshes: removes noise and ripples without shrinking the shape."};
   FrameOptions options;
-  bool many_files;
   bool explain_all = false;           // the help of a command explains all options
   bool asks_for_details = false;      // the versions include those of what solvers load
   std::deque<NamedCommand> commands;  // a deque, because callbacks refer to the elements
 
-  explicit Parts(bool many_files) : many_files(many_files) {
+  Parts() {
     app.name("ibmfair");
     app.option_defaults()->group("Instead of a command");
     app.set_version_flag(
@@ -228,7 +228,7 @@ struct CommandLine::Parts {
 
   void declare(NamedCommand& command) {
     if (!command.run) {
-      command.run = take_many_files(*command.app, command.row.declare(*command.app), many_files);
+      command.run = take_many_files(*command.app, command.row.declare(*command.app));
       add_frame_options(*command.app, options);
       add_questions(*command.app, [this] { return usage(); });
     }
@@ -262,13 +262,13 @@ struct CommandLine::Parts {
   }
 };
 
-CommandLine::CommandLine(bool many_files) : parts_(std::make_unique<Parts>(many_files)) {
+CommandLine::CommandLine() : parts_(std::make_unique<Parts>()) {
   for (const Command& row : command_table()) {
     parts_->name(row);
   }
 }
 
-CommandLine::CommandLine(std::string_view command) : parts_(std::make_unique<Parts>(false)) {
+CommandLine::CommandLine(std::string_view command) : parts_(std::make_unique<Parts>()) {
   const auto table = command_table();
   const auto row = std::find_if(table.begin(), table.end(),
                                 [&](const Command& known) { return known.name == command; });
@@ -278,7 +278,7 @@ CommandLine::CommandLine(std::string_view command) : parts_(std::make_unique<Par
   parts_->declare(parts_->name(*row));
 }
 
-CommandLine::CommandLine(const Command& command) : parts_(std::make_unique<Parts>(false)) {
+CommandLine::CommandLine(const Command& command) : parts_(std::make_unique<Parts>()) {
   parts_->declare(parts_->name(command));
 }
 
@@ -301,7 +301,11 @@ std::optional<std::string> CommandLine::parse(std::vector<std::string> words) {
   } catch (const CLI::CallForHelp&) {
     return parts_->help();
   } catch (const CLI::ParseError& error) {
-    throw Misuse(explain(error, parts_->app));
+    throw Misuse(explain(error.what(), parts_->app));
+  }
+  const CLI::App& chosen = command();
+  if (chosen.remaining_size() > 0 && !passes_options_on(chosen)) {
+    throw Misuse(explain("", parts_->app));
   }
   return std::nullopt;
 }
@@ -328,7 +332,7 @@ ExitCode CommandLine::run(Console& console) {
   const NamedCommand& chosen = parts_->chosen();
   const FrameOptions& options = parts_->options;
   if (options.dump_config) {
-    write_standard_output(job_file_text({effective_job(*chosen.app)}));
+    write_standard_output(job_file_text({job_of(*chosen.app)}));
     return ExitCode::done;
   }
   console.set_level(level_of(options));

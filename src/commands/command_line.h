@@ -22,9 +22,8 @@ class Misuse : public BadOption {
 class CommandLine {
  public:
   /// A parser for all commands. The options of a command are declared only when the command is
-  /// named or asked about. With `many_files`, the commands that map one mesh to one mesh take any
-  /// number of input meshes and --out-dir (commands/many_files.h).
-  explicit CommandLine(bool many_files = false);
+  /// named or asked about.
+  CommandLine();
 
   /// Declares only the command with this name. If there is no such command, throws BadOption with a
   /// suggestion.

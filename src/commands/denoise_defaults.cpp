@@ -8,6 +8,7 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include "commands/argument_roles.h"
 #include "commands/smooth_arguments.h"
 #include "commands/smooth_setup.h"
 #include "ibmfair/mesh/topology.h"
@@ -41,10 +42,6 @@ std::string words(Value value, Value other = nullptr) {
     }
   }
   return text;
-}
-
-bool is_given(const CLI::App& app, const char* option) {
-  return app.get_option(option)->count() > 0;
 }
 
 }  // namespace

@@ -1,11 +1,12 @@
 #include "commands/engine.h"
 
-#include <algorithm>
 #include <cstdlib>
 
+#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include "commands/argument_roles.h"
 #include "commands/many_files.h"
 #include "ibmfair/base/errors.h"
 #include "ibmfair/base/helper_program.h"
@@ -15,19 +16,36 @@ namespace {
 
 constexpr const char* engine_program = "ibmfair-petsc";
 constexpr const char* engine_option = "--engine";
+constexpr const char* single_engine = "single";
+constexpr const char* petsc_engine = "petsc";
 
-bool asks_for_petsc(const std::vector<std::string>& words) {
-  const std::string joined = std::string(engine_option) + "=" + petsc_engine;
-  const auto option = std::find(words.begin(), words.end(), engine_option);
-  return std::find(words.begin(), words.end(), joined) != words.end() ||
-         (option != words.end() && option + 1 != words.end() && *(option + 1) == petsc_engine);
+bool selects_petsc(const CLI::App& command) {
+  return is_given(command, engine_option) &&
+         command.get_option(engine_option)->results().back() == petsc_engine &&
+         !takes_many_files(command);
 }
 
 }  // namespace
 
-void become_engine(const std::vector<std::string>& words, const char* const* argv) {
-  if (words.empty() || words.front() != "smooth" || !asks_for_petsc(words) ||
-      asks_for_many_files(words)) {
+void add_engine_option(CLI::App& command, std::string& engine) {
+  engine = single_engine;
+  command
+      .add_option(engine_option, engine,
+                  "single: this process alone; petsc: all processes that mpirun starts share one "
+                  "mesh; put PETSc's own options last")
+      ->check(CLI::IsMember({single_engine, petsc_engine}))
+      ->capture_default_str();
+  command.allow_extras();  // PETSc's options; the command line rejects all others
+}
+
+bool passes_options_on(const CLI::App& command) {
+  const std::vector<std::string> words = command.remaining();
+  return selects_petsc(command) && !words.empty() && words.front().starts_with('-') &&
+         !words.front().starts_with("--");
+}
+
+void become_engine(const CLI::App& command, const char* const* argv) {
+  if (!selects_petsc(command)) {
     return;
   }
   if (const std::string program = find_helper(engine_program); !program.empty()) {

@@ -3,16 +3,22 @@
 #pragma once
 
 #include <string>
-#include <vector>
+
+namespace CLI {
+class App;
+}
 
 namespace ibmfair::commands {
 
-inline constexpr const char* single_engine = "single";
-inline constexpr const char* petsc_engine = "petsc";
+/// Declares --engine, with which PETSc's own options may follow the arguments of the command.
+void add_engine_option(CLI::App& command, std::string& engine);
 
-/// If the arguments (`words`, without the program's name) select the PETSc engine and that program
-/// is installed, this process executes it (and the function does not return); otherwise returns.
-void become_engine(const std::vector<std::string>& words, const char* const* argv);
+/// Whether the command's arguments end with options that are for PETSc.
+bool passes_options_on(const CLI::App& command);
+
+/// If the parsed arguments select the PETSc engine and that program is installed, this process
+/// executes it with the arguments `argv` (and the function does not return); otherwise returns.
+void become_engine(const CLI::App& command, const char* const* argv);
 
 /// Throws BadOption unless `engine` is the single process; the message says what is missing.
 void require_single_engine(const std::string& engine);

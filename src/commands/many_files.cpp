@@ -1,9 +1,9 @@
 #include "commands/many_files.h"
 
-#include <algorithm>
 #include <memory>
 
 #include <CLI/CLI.hpp>
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "commands/argument_roles.h"
@@ -12,40 +12,38 @@
 #include "commands/batch/run_batch.h"
 #include "commands/documentation.h"
 #include "commands/effective_job.h"
+#include "commands/engine.h"
 #include "commands/shared_options.h"
 
 namespace ibmfair::commands {
 
 namespace {
 
-struct ManyFiles {
-  std::vector<std::string> inputs;
-  std::string folder;
-  std::string name = "{name}";
-  BatchOptions options;
-};
+constexpr const char* folder_option = "--out-dir";
+constexpr const char* name_option = "--out-name";
+constexpr const char* further_inputs = "MORE";
+constexpr const char* default_name = "{name}";
 
-void declare_options(CLI::App& command, ManyFiles& many) {
-  begin_group(command, groups::many_files);
-  CLI::Option* folder =
-      command.add_option("--out-dir", many.folder,
-                         "process any number of files IN, and write the outputs under the same "
-                         "names into this folder (instead of OUT)");
-  folder->type_name("DIR")->configurable(false);
-  std::vector<CLI::Option*> options = add_batch_options(command, many.options);
-  options.push_back(
-      command.add_option("--out-name", many.name,
-                         "names of the outputs, for example {stem}.ply; {name}, {stem}, {ext} and "
-                         "{dir} of the input also work in other options that name files"));
-  note_of(command, *options.back()).default_text = "{name}";
-  options.back()->type_name("PATTERN")->configurable(false);
-  for (CLI::Option* option : options) {
-    option->needs(folder);
-  }
+std::string value_of(const CLI::App& command, const char* name, const char* if_missing) {
+  return is_given(command, name) ? command.get_option(name)->results().front() : if_missing;
 }
 
-std::string output_pattern(const ManyFiles& many) {
-  return literal_pattern(many.folder) + (many.folder.ends_with('/') ? "" : "/") + many.name;
+/// All words of the command line that are no options: with --out-dir, each is an input.
+std::vector<std::string> inputs_of(const CLI::App& command) {
+  std::vector<std::string> inputs;
+  for (const CLI::Option* option : command.get_options()) {
+    if (option->get_positional()) {
+      inputs.insert(inputs.end(), option->results().begin(), option->results().end());
+    }
+  }
+  return inputs;
+}
+
+/// The pattern that gives the output of each input.
+std::string output_pattern(const CLI::App& command) {
+  const std::string folder = value_of(command, folder_option, "");
+  return literal_pattern(folder) + (folder.ends_with('/') ? "" : "/") +
+         value_of(command, name_option, default_name);
 }
 
 /// The command's own options that were given.
@@ -60,74 +58,79 @@ std::vector<Setting> given_settings(const CLI::App& command) {
   return settings;
 }
 
-nlohmann::ordered_json job_json(const CLI::App& command, const ManyFiles& many) {
-  nlohmann::ordered_json job = {
-      {"command", command.get_name()}, {"input", many.inputs}, {"output", output_pattern(many)}};
-  job["options"] = effective_job(command)["options"];
-  return job;
+/// Declares --out-dir. With it, `output` is one more input, and any number of further inputs may
+/// follow.
+CLI::Option* add_folder(CLI::App& command, CLI::Option* output) {
+  CLI::Option* folder = command.add_option_function<std::string>(
+      folder_option, [output](const std::string&) { output->required(false); },
+      "process any number of files IN, and write the outputs under the same names into this folder "
+      "(instead of OUT)");
+  folder->type_name("DIR")->configurable(false);
+  if (CLI::Option* checkpoint = command.get_option_no_throw("--checkpoint")) {
+    folder->excludes(checkpoint);  // an interrupted batch keeps finished files only
+  }
+  const auto require_folder = [folder, &command](const std::vector<std::string>& words) {
+    if (folder->count() == 0 && !passes_options_on(command)) {
+      throw CLI::ParseError(fmt::format("'{}' is one argument too many ({} DIR takes many files)",
+                                        words.front(), folder_option),
+                            CLI::ExitCodes::ExtrasError);
+    }
+  };
+  command.add_option_function<std::vector<std::string>>(further_inputs, require_folder)
+      ->configurable(false)
+      ->group("");  // hidden
+  return folder;
 }
 
-ExitCode run_many_files(CLI::App& command, const ManyFiles& many, Console& console) {
-  if (many.options.dump_config) {
-    write_standard_output(job_file_text({job_json(command, many)}));
-    return ExitCode::done;
-  }
-  Job job{"", command.get_name(), many.inputs, given_settings(command)};
-  job.settings.push_back({"output", true, {output_pattern(many)}});
-  BatchOptions options = many.options;
-  const auto given = [&](const char* name) {
-    const CLI::Option* option = command.get_option_no_throw(name);
-    return option != nullptr && option->count() > 0;
-  };
-  options.report.json = given("--json");
-  options.overwrite = given("--overwrite");
-  return run_batch(command, {job}, options, many.folder + "/.ibmfair-batch.journal", console);
+ExitCode run_many_files(CLI::App& command, BatchOptions options, Console& console) {
+  Job job{"", command.get_name(), inputs_of(command), given_settings(command)};
+  job.settings.push_back({"output", true, {output_pattern(command)}});
+  options.report.json = is_given(command, "--json");
+  options.overwrite = is_given(command, "--overwrite");
+  options.dry_run = is_given(command, "--dry-run");
+  return run_batch(command, {job}, options,
+                   value_of(command, folder_option, "") + "/.ibmfair-batch.journal", console);
 }
 
 }  // namespace
 
-bool asks_for_many_files(const std::vector<std::string>& words) {
-  const auto end = std::find(words.begin(), words.end(), "--");
-  return std::any_of(words.begin(), end, [](const std::string& word) {
-    return word == "--out-dir" || word.starts_with("--out-dir=");
-  });
+bool takes_many_files(const CLI::App& command) {
+  return is_given(command, folder_option);
 }
 
-Runner take_many_files(CLI::App& command, Runner run, bool asked) {
+nlohmann::ordered_json job_of(const CLI::App& command) {
+  if (!takes_many_files(command)) {
+    return effective_job(command);
+  }
+  nlohmann::ordered_json job = {{"command", command.get_name()},
+                                {"input", inputs_of(command)},
+                                {"output", output_pattern(command)}};
+  job["options"] = effective_job(command)["options"];
+  return job;
+}
+
+Runner take_many_files(CLI::App& command, Runner run) {
   CLI::Option* input = input_argument(command);
   CLI::Option* output = output_argument(command);
   if (input == nullptr || output == nullptr || key_of(*input) != "input") {
     return run;
   }
-  // With many files, --dry-run prints the commands of the batch, and an interrupted batch keeps
-  // finished files only; so the command's own options of these names are removed.
-  for (const char* name : {"--dry-run", "--checkpoint"}) {
-    if (CLI::Option* own = command.get_option_no_throw(name); asked && own != nullptr) {
-      command.remove_option(own);
-    }
+  begin_group(command, groups::many_files);
+  CLI::Option* folder = add_folder(command, output);
+  auto options = std::make_shared<BatchOptions>();
+  std::vector<CLI::Option*> of_batch = add_batch_options(command, *options);
+  of_batch.push_back(command.add_option(
+      name_option,
+      "names of the outputs, for example {stem}.ply; {name}, {stem}, {ext} and {dir} "
+      "of the input also work in other options that name files"));
+  note_of(command, *of_batch.back()).default_text = default_name;
+  of_batch.back()->type_name("PATTERN")->configurable(false);
+  for (CLI::Option* option : of_batch) {
+    option->needs(folder);
   }
-  auto many = std::make_shared<ManyFiles>();
-  declare_options(command, *many);
-  if (!asked) {
-    return [run = std::move(run), many](Console& console) { return run(console); };
-  }
-  command.remove_option(input);
-  command.remove_option(output);
-  CLI::Option* inputs = command.add_option("IN", many->inputs, "mesh files to read")->required();
-  offer_meshes_to_read(command, *inputs);
-  begin_group(command, groups::every_command);
-  command.add_flag("--dump-config", many->options.dump_config,
-                   "print these arguments and all defaults as a job, without running it");
-  // The lambda holds `run`, because the command's own arguments live as long as its runner.
-  return [run = std::move(run), many, &command](Console& console) {
-    return run_many_files(command, *many, console);
+  return [run = std::move(run), options, &command](Console& console) {
+    return takes_many_files(command) ? run_many_files(command, *options, console) : run(console);
   };
-}
-
-std::string many_files_hint(const CLI::App& command) {
-  return command.get_option_no_throw("--out-dir") != nullptr && command.count("--out-dir") == 0
-             ? " (--out-dir DIR takes many files)"
-             : "";
 }
 
 }  // namespace ibmfair::commands

@@ -1,23 +1,22 @@
 // `ibmfair COMMAND IN... --out-dir DIR`: runs one command on many files, without a job file.
 #pragma once
 
-#include <string>
-#include <vector>
+#include <nlohmann/json_fwd.hpp>
 
 #include "commands/command.h"
 
 namespace ibmfair::commands {
 
-/// Whether the program's arguments contain --out-dir.
-bool asks_for_many_files(const std::vector<std::string>& words);
-
 /// If the command maps one mesh (its argument IN) to one mesh (OUT), declares --out-dir and the
-/// options of a batch. If also `asked`, IN takes any number of files, OUT is removed, and the
-/// returned runner runs a batch; otherwise the returned runner calls `run`.
-Runner take_many_files(CLI::App& command, Runner run, bool asked);
+/// options of a batch. With --out-dir, all arguments are inputs, and the returned runner runs a
+/// batch; otherwise it calls `run`.
+Runner take_many_files(CLI::App& command, Runner run);
 
-/// A hint for messages about an argument too many: ` (--out-dir DIR takes many files)`, or an empty
-/// string if the command has no --out-dir, or if it was given.
-std::string many_files_hint(const CLI::App& command);
+/// Whether --out-dir was given.
+bool takes_many_files(const CLI::App& command);
+
+/// The command's arguments as a job for `ibmfair batch`: effective_job(), or with --out-dir a job
+/// for all files.
+nlohmann::ordered_json job_of(const CLI::App& command);
 
 }  // namespace ibmfair::commands

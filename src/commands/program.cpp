@@ -7,7 +7,6 @@
 
 #include "commands/command_line.h"
 #include "commands/engine.h"
-#include "commands/many_files.h"
 #include "commands/process.h"
 #include "ibmfair/base/errors.h"
 #include "ibmfair/base/instruction_set.h"
@@ -17,9 +16,10 @@ namespace ibmfair::commands {
 
 namespace {
 
-ExitCode parse_and_run(const std::vector<std::string>& words, Console& console) {
-  CommandLine line(asks_for_many_files(words));
+ExitCode parse_and_run(int argc, const char* const* argv, Console& console) {
+  CommandLine line;
   try {
+    const std::vector<std::string> words{argv + (argc > 0 ? 1 : 0), argv + argc};
     if (const auto answer = line.parse(words)) {
       write_standard_output(*answer);
       return ExitCode::done;
@@ -29,6 +29,7 @@ ExitCode parse_and_run(const std::vector<std::string>& words, Console& console) 
     console.note(line.help_hint(), line.first_commands());
     return ExitCode::usage;
   }
+  become_engine(line.command(), argv);
   return line.run(console);
 }
 
@@ -50,9 +51,7 @@ int run_program(int argc, const char* const* argv) {
   ExitCode code = ExitCode::done;
   try {
     choose_kernel_set_by_environment();
-    const std::vector<std::string> words{argv + (argc > 0 ? 1 : 0), argv + argc};
-    become_engine(words, argv);
-    code = parse_and_run(words, console);
+    code = parse_and_run(argc, argv, console);
   } catch (...) {
     code = print_current_exception(console);
   }

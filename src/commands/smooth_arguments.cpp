@@ -125,12 +125,7 @@ void add_flow_options(CLI::App& app, SmoothArguments& a) {
 
 void add_solver_options(CLI::App& app, SmoothArguments& a) {
   begin_group(app, groups::solver_and_memory);
-  a.engine = single_engine;
-  app.add_option("--engine", a.engine,
-                 "single: this process alone; petsc: all processes that mpirun starts share one "
-                 "mesh; put PETSc's own options last")
-      ->check(CLI::IsMember({single_engine, petsc_engine}))
-      ->capture_default_str();
+  add_engine_option(app, a.engine);
   app.add_option("--solver", a.flow.solver, solver_summaries())
       ->check(CLI::IsMember(solver_names()))
       ->capture_default_str();
@@ -145,7 +140,9 @@ void add_solver_options(CLI::App& app, SmoothArguments& a) {
                 "solver that fits, and the program stops before the first step if none fits");
   note_of(app, *memory).default_text = "the memory that is available";
   app.add_flag("--dry-run", a.dry_run,
-               "print the time and memory that the run would take, and write no mesh");
+               "print what would be run, and write no mesh: for one file the time and memory that "
+               "it would take, for many files the command of each")
+      ->configurable(false);
 }
 
 void add_feature_options(CLI::App& app, SmoothArguments& a) {

@@ -66,8 +66,7 @@ void require_same_as_job(CommandLine& line) {
 
 void command_line(std::string_view bytes) {
   const std::vector<std::string> words = lines_of(bytes);
-  const bool many_files = commands::asks_for_many_files(words);
-  CommandLine line(many_files);
+  CommandLine line;
   try {
     if (const auto answer = line.parse(words)) {
       law(!answer->empty(), "who asks for help gets some");
@@ -78,7 +77,8 @@ void command_line(std::string_view bytes) {
     law(!line.help_hint().empty(), "and where help is");
     return;
   }
-  if (!many_files && line.command().get_name() != "batch" && is_ascii(bytes)) {
+  if (!commands::takes_many_files(line.command()) && line.command().get_name() != "batch" &&
+      is_ascii(bytes)) {
     require_same_as_job(line);
   }
 }

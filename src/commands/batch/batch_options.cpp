@@ -51,7 +51,8 @@ std::vector<CLI::Option*> add_batch_options(CLI::App& app, BatchOptions& options
   CLI::Option* shard = added.back();
   if (app.get_option_no_throw("--dry-run") == nullptr) {
     added.push_back(
-        app.add_flag("--dry-run", options.dry_run, "print the commands without running them"));
+        app.add_flag("--dry-run", options.dry_run,
+                     "print what would be run, the command of each file, and write nothing"));
   }
   added.push_back(
       app.add_flag(
