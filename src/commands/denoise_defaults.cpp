@@ -10,8 +10,6 @@
 
 #include "commands/argument_roles.h"
 #include "commands/smooth_arguments.h"
-#include "commands/smooth_setup.h"
-#include "ibmfair/mesh/topology.h"
 
 namespace ibmfair::commands {
 namespace {
@@ -80,16 +78,9 @@ std::string denoising_text() {
       words(&DefaultValue::value), words(&DefaultValue::with_creases, &DefaultValue::value));
 }
 
-FlowOptions crease_options(const SmoothArguments& arguments, FlowOptions options) {
+void keep_creases(FlowOptions& options) {
   options.laplacian = crease_laplacian;
   options.twicing = 0;
-  set_relaxation(arguments, options);
-  return options;
-}
-
-bool keeps_volume_of(const Topology& topology, const SmoothArguments& arguments) {
-  return arguments.denoise && topology.boundary_loops.empty() && topology.orientable &&
-         !arguments.max_move;
 }
 
 }  // namespace ibmfair::commands

@@ -9,7 +9,6 @@ class App;
 }
 namespace ibmfair {
 struct FlowOptions;
-struct Topology;
 }  // namespace ibmfair
 
 namespace ibmfair::commands {
@@ -23,11 +22,8 @@ void add_denoise_flag(CLI::App& app, SmoothArguments& arguments);
 /// Lines for the help: the options that the flag is shorthand for.
 std::string denoising_text();
 
-/// Whether --denoise keeps the volume: if the mesh is closed and orientable and --max-move is not
-/// given, because with bounded moves the volume cannot be kept exactly.
-bool keeps_volume_of(const Topology& topology, const SmoothArguments& arguments);
-
-/// The options of the flow that replace `options` if the mesh has creases, except for the angle.
-FlowOptions crease_options(const SmoothArguments& arguments, FlowOptions options);
+/// Sets the options of the flow that have other values if the mesh has creases, except for the
+/// angle.
+void keep_creases(FlowOptions& options);
 
 }  // namespace ibmfair::commands

@@ -27,7 +27,6 @@ struct SmoothArguments {
   std::string engine;
   bool denoise = false;
   bool finds_creases = false;  // with --denoise: find creases, and keep them
-  bool textured = false;       // the mesh has texture coordinates
   FlowOptions flow;
   std::optional<double> time_step;
   std::optional<Length> cutoff;

@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include <fmt/format.h>
 
 #include "commands/figure_list.h"
+#include "commands/report/report_formats.h"
 #include "commands/signals.h"
 #include "commands/sparkline.h"
 #include "commands/stage_times.h"
@@ -56,12 +58,12 @@ std::string length_text(double length, double edge) {
   return fmt::format("{:.4g} u = {:.3g} mean edge lengths", length, length / edge);
 }
 
-ordered_json mesh_figures_json(const MeshFigures& figures) {
-  return {{"energy", figures.energy},
-          {"area", figures.area},
-          {"volume", figures.volume},
-          {"smallest_angle_degrees", figures.smallest_angle},
-          {"folded_hinges", figures.folds}};
+ordered_json mesh_statistics_json(const MeshStatistics& statistics) {
+  return {{"energy", statistics.energy},
+          {"area", statistics.area},
+          {"volume", statistics.volume},
+          {"smallest_angle_degrees", statistics.smallest_angle},
+          {"folded_hinges", statistics.folds}};
 }
 
 ordered_json step_json(const StepRecord& step) {
@@ -76,14 +78,14 @@ ordered_json step_json(const StepRecord& step) {
           {"held_back", step.held_back}};
 }
 
-ordered_json seconds_json(const SmoothFigures& figures) {
-  const FlowSeconds& s = figures.flow.seconds;
-  ordered_json seconds{{"read", figures.seconds_read}, {"topology", figures.seconds_topology}};
-  if (figures.choice) {
-    seconds["choose"] = figures.seconds_choice;
+ordered_json seconds_json(const SmoothResult& result) {
+  const FlowSeconds& s = result.flow.seconds;
+  ordered_json seconds{{"read", result.seconds_read}, {"topology", result.seconds_topology}};
+  if (result.plan.choice) {
+    seconds["choose"] = result.plan.seconds_choice;
   }
-  if (figures.seconds_directions > 0) {
-    seconds["directions"] = figures.seconds_directions;
+  if (result.plan.seconds_directions > 0) {
+    seconds["directions"] = result.plan.seconds_directions;
   }
   seconds.update({{"assemble", s.assemble},
                   {"analyse", s.analyse},
@@ -93,14 +95,14 @@ ordered_json seconds_json(const SmoothFigures& figures) {
                   {"guard", s.guard},
                   {"relax", s.relax},
                   {"other", s.other},
-                  {"measure", figures.seconds_measure},
-                  {"write", figures.seconds_write}});
+                  {"measure", result.seconds_measure},
+                  {"write", result.seconds_write}});
   return seconds;
 }
 
-StageTimes stage_times(const SmoothFigures& figures) {
+StageTimes stage_times(const SmoothResult& result) {
   StageTimes times;
-  const ordered_json seconds = seconds_json(figures);
+  const ordered_json seconds = seconds_json(result);
   for (const auto& [stage, value] : seconds.items()) {
     times.emplace_back(stage, value.get<double>());
   }
@@ -140,8 +142,8 @@ std::string effort(const FlowReport& flow) {
 
 /// A remark about options that refer to the original mesh, but that a continued run would apply to
 /// the mesh written here.
-std::string_view what_begins_anew(const SmoothArguments& arguments) {
-  const bool bounded = arguments.max_move.has_value(), put_back = arguments.flow.twicing > 0;
+std::string_view what_begins_anew(const FlowOptions& options) {
+  const bool bounded = std::isfinite(options.max_move), put_back = options.twicing > 0;
   return bounded && put_back ? "; --max-move and --twicing then refer to that mesh"
          : bounded           ? "; --max-move then refers to that mesh"
          : put_back          ? "; --twicing then refers to that mesh"
@@ -149,63 +151,38 @@ std::string_view what_begins_anew(const SmoothArguments& arguments) {
 }
 
 /// The options that continue the flow, with time steps of about the same length.
-std::string way_on(const SmoothFigures& figures, const SmoothArguments& arguments) {
-  const double left = figures.total_time - figures.flow.time_reached;
-  const double share = left / figures.total_time;
+std::string way_on(const SmoothResult& result) {
+  const double left = result.plan.flow.total_time - result.flow.time_reached;
+  const double share = left / result.plan.flow.total_time;
   if (!(share > 1e-9)) {
     return "the flow was complete";
   }
-  const double count = std::max(1.0, std::ceil(share * arguments.flow.steps - 1e-6));
+  const double count = std::max(1.0, std::ceil(share * result.plan.flow.steps - 1e-6));
   return fmt::format(
       "to continue, smooth it with --steps {:.0f} --time-step {} and without --cutoff{}", count,
-      left / count, what_begins_anew(arguments));
+      left / count, what_begins_anew(result.plan.flow));
 }
 
-double length_reached(const SmoothFigures& figures) {
-  return figures.cutoff * std::pow(figures.flow.time_reached / figures.total_time, 0.25);
+double length_reached(const SmoothResult& result) {
+  return result.plan.cutoff *
+         std::pow(result.flow.time_reached / result.plan.flow.total_time, 0.25);
 }
 
 /// Whether the flow has reached 99 % of the cut-off. A missing hundredth of the length is
 /// invisible, and if thin triangles delay a flow until its last solve, the hundredth depends on
 /// rounding.
-bool is_nearly_done(const SmoothFigures& figures) {
-  return length_reached(figures) >= 0.99 * figures.cutoff;
+bool is_nearly_done(const SmoothResult& result) {
+  return length_reached(result) >= 0.99 * result.plan.cutoff;
 }
 
-}  // namespace
-
-MeshFigures mesh_figures(const Points& X, const Topology& topology, const FlowOptions& options) {
-  return mesh_figures(
-      X, topology,
-      bending_model(options.laplacian).create(topology, options.energy_options())->energy(X));
-}
-
-MeshFigures mesh_figures(const Points& X, const Topology& topology, double energy) {
-  MeshFigures figures;
-  figures.energy = energy;
-  figures.area = surface_area(X, topology.F);
-  figures.volume = enclosed_volume(X, topology.F);
-  figures.smallest_angle = degrees(smallest_angle(X, topology.F));
-  const std::vector<std::uint8_t> folded = folded_hinges(X, topology);
-  figures.folds = std::count(folded.begin(), folded.end(), 1);
-  return figures;
-}
-
-ordered_json mesh_state_json(const Points& X, const Topology& topology,
-                             const FlowOptions& options) {
-  ordered_json json = mesh_figures_json(mesh_figures(X, topology, options));
-  json["vertices"] = topology.vertex_count;
-  json["triangles"] = topology.F.rows();
-  json["boundary_loops"] = topology.boundary_loops.size();
-  return json;
-}
-
-std::string cutoff_lines(const SmoothFigures& figures, bool detailed) {
-  const double edge = figures.mean_edge_length;
-  std::string text = fmt::format("  {:<16}{}\n", "cut-off", length_text(figures.cutoff, edge));
-  if (figures.choice) {
-    text += fmt::format("  {:<16}{}\n", "noise", length_text(figures.choice->noise, edge));
-    if (const auto& creases = figures.creases) {
+/// Lines with the cut-off and, if it was chosen automatically, the noise that it was chosen from.
+/// If `detailed`, also all cut-offs that were tried.
+std::string cutoff_lines(const SmoothPlan& plan, bool detailed) {
+  const double edge = plan.mean_edge_length;
+  std::string text = fmt::format("  {:<16}{}\n", "cut-off", length_text(plan.cutoff, edge));
+  if (plan.choice) {
+    text += fmt::format("  {:<16}{}\n", "noise", length_text(plan.choice->noise, edge));
+    if (const auto& creases = plan.creases) {
       text += fmt::format(
           "  {:<16}edges of more than {:.0f} degrees are kept; without that the error would be "
           "{:.3g} mean edge lengths\n",
@@ -215,7 +192,7 @@ std::string cutoff_lines(const SmoothFigures& figures, bool detailed) {
     if (detailed) {
       text += fmt::format("  {:<16}{:>7}{:>17}  mean edge lengths\n", "tried", "cut-off",
                           "distance left");
-      for (const CutoffTrial& trial : figures.choice->trials) {
+      for (const CutoffTrial& trial : plan.choice->trials) {
         text += fmt::format("  {:<16}{:>7.3g}{:>17.3g}\n", "", trial.cutoff / edge,
                             expected_distance(trial) / edge);
       }
@@ -224,23 +201,25 @@ std::string cutoff_lines(const SmoothFigures& figures, bool detailed) {
   return text;
 }
 
-std::string smooth_table(const SmoothFigures& figures, bool detailed) {
-  const FlowReport& flow = figures.flow;
-  const MeshFigures &before = figures.before, &after = figures.after;
-  const double edge = figures.mean_edge_length;
+/// A table of aligned lines, ending in a line feed: the statistics before and after, and the effort
+/// of the run. If `detailed`, also a curve of the energy after each step, and the times of all
+/// stages.
+std::string smooth_table(const SmoothResult& result, bool detailed) {
+  const FlowReport& flow = result.flow;
+  const MeshStatistics &before = result.before, &after = result.after;
+  const double edge = result.plan.mean_edge_length;
   std::string text =
       fmt::format("  {:<16}{:<10}{:>12}{:>12}{:>13}\n", "", "unit", "before", "after", "change");
   text += row("bending energy", "1", before.energy, after.energy);
   text += row("area", "u^2", before.area, after.area);
-  text += row(figures.closed ? "volume" : "volume (cone)", "u^3", before.volume, after.volume);
+  text += row(result.closed ? "volume" : "volume (cone)", "u^3", before.volume, after.volume);
   text += row("smallest angle", "degrees", before.smallest_angle, after.smallest_angle);
   text += fmt::format("  {:<16}{:<10}{:>12}{:>12}{:>+13}\n", "folds", "hinges", before.folds,
                       after.folds, after.folds - before.folds);
   if (edge > 0) {
-    text +=
-        fmt::format("  {:<16}{}; rms {}\n", "largest move", length_text(figures.largest_move, edge),
-                    length_text(figures.rms_move, edge));
-    text += cutoff_lines(figures, detailed);
+    text += fmt::format("  {:<16}{}; rms {}\n", "largest move",
+                        length_text(result.largest_move, edge), length_text(result.rms_move, edge));
+    text += cutoff_lines(result.plan, detailed);
   }
   if (detailed) {
     text += curve(flow);
@@ -248,7 +227,7 @@ std::string smooth_table(const SmoothFigures& figures, bool detailed) {
   return text +
          fmt::format("  {:<16}{} steps, {} solves, {}\n", "effort", flow.steps.size(), flow.solves,
                      effort(flow)) +
-         stage_times_line(stage_times(figures), detailed);
+         stage_times_line(stage_times(result), detailed);
 }
 
 std::string forecast_table(const FlowForecast& forecast) {
@@ -275,24 +254,27 @@ ordered_json forecast_json(const FlowForecast& forecast) {
   return {{"unknowns", forecast.unknowns}, {"solver", forecast.solver}, {"solvers", backends}};
 }
 
-void add_cutoff_choice(const SmoothFigures& figures, Report& report) {
-  if (!figures.choice) {
+/// Adds to the report how the cut-off was chosen, if it was chosen automatically.
+void add_cutoff_choice(const SmoothPlan& plan, Report& report) {
+  if (!plan.choice) {
     return;
   }
   ordered_json trials = ordered_json::array();
-  for (const CutoffTrial& trial : figures.choice->trials) {
+  for (const CutoffTrial& trial : plan.choice->trials) {
     trials.push_back({{"cutoff", trial.cutoff}, {"distance_expected", expected_distance(trial)}});
   }
   ordered_json& json = report.figures["cutoff_choice"];
-  json = {{"cutoff", figures.choice->cutoff}, {"noise", figures.choice->noise}, {"trials", trials}};
-  if (const auto& creases = figures.creases) {
+  json = {{"cutoff", plan.choice->cutoff}, {"noise", plan.choice->noise}, {"trials", trials}};
+  if (const auto& creases = plan.creases) {
     json["keep_sharp"] = degrees(creases->sharp_angle);
     json["distance_expected_without"] = expected_distance(creases->without.best());
   }
 }
 
-void add_smooth_figures(const SmoothFigures& figures, const FlowOptions& options, Report& report) {
-  const FlowReport& flow = figures.flow;
+/// Adds to the report the result of the run, and its steps as a table.
+void add_result(const SmoothResult& result, Report& report) {
+  const FlowOptions& options = result.plan.flow;
+  const FlowReport& flow = result.flow;
   ordered_json& json = report.figures;
   json["status"] = name_of(flow.status);
   json["options"] = {
@@ -302,22 +284,22 @@ void add_smooth_figures(const SmoothFigures& figures, const FlowOptions& options
        mass_matrix(bending_model(options.laplacian), {options.mass, {}, options.mass_matrix}).name},
       {"metric", options.metric == Metric::mass ? "mass" : "identity"},
       {"steps", options.steps},
-      {"total_time", figures.total_time},
-      {"cutoff", figures.cutoff},
+      {"total_time", result.plan.flow.total_time},
+      {"cutoff", result.plan.cutoff},
       {"newton_iterations", options.newton_iterations},
       {"twicing", options.twicing},
       {"solver_tolerance", options.solver_tolerance},
       {"guarded", options.guarded},
       {"tangential", tangential(options)}};
-  add_cutoff_choice(figures, report);
-  json["mesh"] = {{"vertices", figures.vertices},
-                  {"triangles", figures.triangles},
+  add_cutoff_choice(result.plan, report);
+  json["mesh"] = {{"vertices", result.vertices},
+                  {"triangles", result.triangles},
                   {"unknowns", flow.unknowns},
-                  {"mean_edge_length", figures.mean_edge_length}};
-  json["before"] = mesh_figures_json(figures.before);
-  json["after"] = mesh_figures_json(figures.after);
-  json["largest_move"] = figures.largest_move;
-  json["rms_move"] = figures.rms_move;
+                  {"mean_edge_length", result.plan.mean_edge_length}};
+  json["before"] = mesh_statistics_json(result.before);
+  json["after"] = mesh_statistics_json(result.after);
+  json["largest_move"] = result.largest_move;
+  json["rms_move"] = result.rms_move;
   json["flow"] = {{"energy_before", flow.energy_before},
                   {"energy_after", flow.energy_after},
                   {"time_reached", flow.time_reached},
@@ -344,31 +326,31 @@ void add_smooth_figures(const SmoothFigures& figures, const FlowOptions& options
     json["steps"].push_back(step_json(step));
     report.table->rows.push_back(step_json(step));
   }
-  json["seconds"] = seconds_json(figures);
+  json["seconds"] = seconds_json(result);
 }
 
-std::string remark_on(const SmoothFigures& figures, const std::string& output,
-                      const SmoothArguments& arguments) {
-  switch (figures.flow.status) {
+/// A remark if the flow did not end as requested; else empty. The final state of the flow is in the
+/// file `output`.
+std::string remark_on(const SmoothResult& result, const std::string& output) {
+  switch (result.flow.status) {
     case FlowStatus::completed:
-      if (arguments.flow.steps > 0 && figures.flow.unknowns == 0) {
+      if (result.plan.flow.steps > 0 && result.flow.unknowns == 0) {
         return "no vertex is free to move: the mesh is written as it was read";
       }
-      return figures.flow.twicings < arguments.flow.twicing && arguments.flow.steps > 0
+      return result.flow.twicings < result.plan.flow.twicing && result.plan.flow.steps > 0
                  ? fmt::format(
                        "--twicing: the removed part could be added back only {} of {} times",
-                       figures.flow.twicings, arguments.flow.twicing)
+                       result.flow.twicings, result.plan.flow.twicing)
                  : "";
     case FlowStatus::interrupted:
-      return fmt::format("interrupted; {} holds the mesh as it is now: {}", output,
-                         way_on(figures, arguments));
+      return fmt::format("interrupted; {} holds the mesh as it is now: {}", output, way_on(result));
     case FlowStatus::stalled:
-      return is_nearly_done(figures)
+      return is_nearly_done(result)
                  ? ""
                  : fmt::format(
                        "the flow stalled: the mesh that was written is smoothed up to a wavelength "
                        "of {:.4g} instead of {:.4g}",
-                       length_reached(figures), figures.cutoff);
+                       length_reached(result), result.plan.cutoff);
     case FlowStatus::diverged:
       return "the flow diverged, and the last finite mesh was written; take smaller steps, or "
              "leave out --plain";
@@ -376,14 +358,150 @@ std::string remark_on(const SmoothFigures& figures, const std::string& output,
   return {};
 }
 
-ExitCode exit_code_of(const SmoothFigures& figures) {
-  switch (figures.flow.status) {
+/// A remark if the default cut-off has smoothed the mesh strongly; else empty.
+std::string remark_on_default_cutoff(const SmoothResult& result) {
+  if (result.plan.cutoff > result.plan.diagonal / 2) {
+    return fmt::format(
+        "the cut-off {:.4g} is more than half of the mesh's diagonal {:.4g}, so that the whole "
+        "shape is smoothed; a shorter --cutoff LENGTH keeps the shape",
+        result.plan.cutoff, result.plan.diagonal);
+  }
+  constexpr double large_change = 0.01;
+  constexpr double solid = 0.05;  // share of the volume of a ball of equal area; below: a sheet
+  const double volume = std::abs(result.before.volume);
+  const double ball = std::pow(result.before.area, 1.5) / (6 * std::sqrt(std::numbers::pi));
+  const double change = std::abs(result.after.volume) / volume - 1;
+  if (volume > solid * ball && std::abs(change) > large_change) {
+    return fmt::format(
+        "the volume has changed by {:+.2g} %: the mesh has features that are shorter than the "
+        "cut-off {:.4g}; --denoise removes noise only, and a shorter --cutoff LENGTH keeps longer "
+        "features",
+        100 * change, result.plan.cutoff);
+  }
+  return {};
+}
+
+/// A remark about the texture coordinates; empty if there is nothing to say.
+std::string remark_on_texture(const SmoothArguments& arguments, const SmoothPlan& plan) {
+  const FlowOptions& options = plan.flow;
+  if (!plan.textured) {
+    return {};
+  }
+  if (bending_model(options.laplacian).evens_edges) {
+    return fmt::format(
+        "the mesh has texture coordinates; with --laplacian {} vertices slide within the surface, "
+        "and the texture shifts a little{}",
+        options.laplacian,
+        options.twicing > 0 && !options.put_back_slides ? " (less with --tangential keep)" : "");
+  }
+  if (arguments.tangential.empty() && options.guarded) {
+    return fmt::format("the mesh has texture coordinates: {} (--tangential relax overrides this)",
+                       options.sharp_angle > 0 ? "tangential relaxation only in the first steps"
+                                               : "no tangential relaxation");
+  }
+  return {};
+}
+
+}  // namespace
+
+void check_outputs(const SmoothArguments& arguments) {
+  check_reports(arguments.report,
+                {{"", arguments.output.path},
+                 {"--picture", arguments.picture.path},
+                 {"--checkpoint", arguments.checkpoint}},
+                arguments.output.write.overwrite);
+}
+
+OutputOptions output_of(const SmoothArguments& arguments, FlowStatus status) {
+  OutputOptions output = arguments.output;
+  if (status == FlowStatus::interrupted) {
+    output.path = arguments.checkpoint;
+    output.write.format.clear();
+  }
+  return output;
+}
+
+MeshStatistics mesh_statistics(const Points& X, const Topology& topology,
+                               const FlowOptions& options) {
+  return mesh_statistics(
+      X, topology,
+      bending_model(options.laplacian).create(topology, options.energy_options())->energy(X));
+}
+
+MeshStatistics mesh_statistics(const Points& X, const Topology& topology, double energy) {
+  MeshStatistics statistics;
+  statistics.energy = energy;
+  statistics.area = surface_area(X, topology.F);
+  statistics.volume = enclosed_volume(X, topology.F);
+  statistics.smallest_angle = degrees(smallest_angle(X, topology.F));
+  const std::vector<std::uint8_t> folded = folded_hinges(X, topology);
+  statistics.folds = std::count(folded.begin(), folded.end(), 1);
+  return statistics;
+}
+
+ordered_json mesh_state_json(const Points& X, const Topology& topology,
+                             const FlowOptions& options) {
+  ordered_json json = mesh_statistics_json(mesh_statistics(X, topology, options));
+  json["vertices"] = topology.vertex_count;
+  json["triangles"] = topology.F.rows();
+  json["boundary_loops"] = topology.boundary_loops.size();
+  return json;
+}
+
+void measure_moves(const Points& before, const Points& after, SmoothResult& result) {
+  if (before.rows() > 0) {
+    const Eigen::VectorXd squared = (after - before).rowwise().squaredNorm();
+    result.largest_move = std::sqrt(squared.maxCoeff());
+    result.rms_move = std::sqrt(squared.mean());
+  }
+}
+
+void print_forecast(const SmoothArguments& arguments, const SmoothResult& result,
+                    const FlowForecast& forecast, const Console& console, Report& report) {
+  report.figures["input"] = arguments.input;
+  add_cutoff_choice(result.plan, report);
+  report.figures["forecast"] = forecast_json(forecast);
+  console.note(
+      fmt::format("{}: {} of {} vertices would move in {} steps", arguments.input,
+                  forecast.unknowns, result.vertices, result.plan.flow.steps),
+      (result.plan.choice ? cutoff_lines(result.plan, true) : "") + forecast_table(forecast));
+}
+
+void print_result(const SmoothArguments& arguments, const SmoothResult& result,
+                  const std::string& output, const WriteReport& written, std::string_view by,
+                  const Console& console, Report& report) {
+  if (const std::string remark = remark_on_texture(arguments, result.plan); !remark.empty()) {
+    console.note(remark);
+  }
+  if (!arguments.cutoff && !result.plan.choice && !arguments.time_step) {
+    if (const std::string remark = remark_on_default_cutoff(result); !remark.empty()) {
+      console.note(remark);
+    }
+  }
+  for (const std::string& note : written.notes) {
+    console.note(note);
+  }
+  report.figures["input"] = arguments.input;
+  report.figures["output"] = output;
+  add_result(result, report);
+  report.figures["moved_vertices"] = written.moved_vertices;
+  console.note(fmt::format("{} -> {}, {} of {} vertices moved{}", arguments.input, output,
+                           written.moved_vertices, result.vertices, by),
+               smooth_table(result, console.level() == Console::Level::verbose));
+  if (const std::string remark = remark_on(result, output); !remark.empty()) {
+    console.warning(remark);
+    report.warnings.push_back({remark});
+  }
+}
+
+ExitCode exit_code_of(const SmoothResult& result) {
+  switch (result.flow.status) {
     case FlowStatus::completed:
       return ExitCode::done;
     case FlowStatus::interrupted:
       return static_cast<ExitCode>(128 + PostponedEnd::signal_number());
     case FlowStatus::stalled:
-      return is_nearly_done(figures) ? ExitCode::done : ExitCode::not_reached;
+      return is_nearly_done(result) ? ExitCode::done : ExitCode::not_reached;
     case FlowStatus::diverged:
       break;
   }

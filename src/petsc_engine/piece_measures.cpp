@@ -59,19 +59,20 @@ std::vector<Index> gathered(const Communicator& comm, const std::vector<Index>& 
 
 }  // namespace
 
-commands::MeshFigures mesh_figures(const MeshPiece& piece, const Points& X,
-                                   const Topology& topology, const FlowOptions& options,
-                                   const PetscParts& parts) {
+commands::MeshStatistics mesh_statistics(const MeshPiece& piece, const Points& X,
+                                         const Topology& topology, const FlowOptions& options,
+                                         const PetscParts& parts) {
   EnergyOptions energy = options.energy_options();
   energy.own_vertices = parts.own_vertices();
   energy.own_triangles = parts.own_triangles();
-  commands::MeshFigures figures;
-  figures.energy = parts.sum(bending_model(options.laplacian).create(topology, energy)->energy(X));
-  figures.area = surface_area(X, topology, parts);
-  figures.volume = volume(piece, X, parts);
-  figures.smallest_angle = smallest_angle(topology, piece, X, parts);
-  figures.folds = folds(topology, X, parts);
-  return figures;
+  commands::MeshStatistics statistics;
+  statistics.energy =
+      parts.sum(bending_model(options.laplacian).create(topology, energy)->energy(X));
+  statistics.area = surface_area(X, topology, parts);
+  statistics.volume = volume(piece, X, parts);
+  statistics.smallest_angle = smallest_angle(topology, piece, X, parts);
+  statistics.folds = folds(topology, X, parts);
+  return statistics;
 }
 
 Topology gathered_defects(const Communicator& comm, const Topology& topology,

@@ -1,4 +1,4 @@
-// The figures that `smooth` reports of a mesh, for a mesh that is distributed over the ranks.
+// What `smooth` reports of a mesh, for a mesh that is distributed over the ranks.
 #pragma once
 
 #include "commands/smooth_report.h"
@@ -8,9 +8,9 @@ namespace ibmfair::petsc {
 
 /// Energy, area, volume and quality of the whole mesh with the piece's vertices at X (#V x 3). The
 /// sign of the volume follows the orientation of the triangles in the file. Collective.
-commands::MeshFigures mesh_figures(const MeshPiece& piece, const Points& X,
-                                   const Topology& topology, const FlowOptions& options,
-                                   const PetscParts& parts);
+commands::MeshStatistics mesh_statistics(const MeshPiece& piece, const Points& X,
+                                         const Topology& topology, const FlowOptions& options,
+                                         const PetscParts& parts);
 
 /// Gathers the defects of the whole mesh on the first rank, with the element numbers of the file.
 /// Of the other members of the returned topology only E is set: to the non-manifold edges, as pairs

@@ -13,8 +13,8 @@
 #include "commands/progress.h"
 #include "commands/report/report_formats.h"
 #include "commands/smooth_arguments.h"
+#include "commands/smooth_plan.h"
 #include "commands/smooth_report.h"
-#include "commands/smooth_setup.h"
 #include "commands/vertex_list.h"
 #include "commands/vertex_values.h"
 #include "ibmfair/base/errors.h"
@@ -37,7 +37,8 @@ using commands::ExitCode;
 using commands::Progress;
 using commands::Report;
 using commands::SmoothArguments;
-using commands::SmoothFigures;
+using commands::SmoothInput;
+using commands::SmoothResult;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
@@ -79,30 +80,30 @@ struct SharedMesh {
 };
 
 SharedMesh read(const Communicator& comm, const SmoothArguments& arguments, const Console& console,
-                SmoothFigures& figures, Progress& progress) {
+                SmoothResult& result, Progress& progress) {
   SharedMesh mesh;
   progress.begin("read");
   {
-    const Stopwatch watch(figures.seconds_read);
+    const Stopwatch watch(result.seconds_read);
     mesh.source =
         open_source(comm, arguments.input, arguments.output.path, arguments.reading, console);
   }
   progress.begin("distribute");
-  const Stopwatch watch(figures.seconds_topology);
+  const Stopwatch watch(result.seconds_topology);
   const BlockMesh blocks = mesh.source->take_mesh();
   mesh.piece = make_piece(comm, blocks, partition_vertices(comm, blocks.vertices, blocks.F));
   mesh.parts = std::make_unique<PetscParts>(comm, mesh.piece);
   comm.together([&] { mesh.topology = build_topology(mesh.piece.X, mesh.piece.F); });
   mesh.X = mesh.piece.X;
-  figures.vertices = mesh.piece.vertices.total;
-  figures.triangles = mesh.piece.triangles.total;
+  result.vertices = mesh.piece.vertices.total;
+  result.triangles = mesh.piece.triangles.total;
   const Topology& topology = mesh.topology;
   const auto on_boundary = [&](Index v) { return topology.kind[v] == VertexKind::boundary; };
   bool open = false;
   for (Index v = 0; v < mesh.piece.own; ++v) {
     open = open || on_boundary(v);
   }
-  figures.closed = !comm.any(open);
+  result.closed = !comm.any(open);
   return mesh;
 }
 
@@ -119,58 +120,64 @@ Eigen::VectorXd values_of(const SharedMesh& mesh, const SmoothArguments& argumen
   return Eigen::Map<const Eigen::VectorXd>(values.data(), std::ssize(values));
 }
 
-FlowOptions flow_options(const SmoothArguments& arguments, const SharedMesh& mesh) {
-  FlowOptions options = arguments.flow;
-  commands::set_flow_options(arguments, options);
+/// The values of --h0.
+Eigen::VectorXd spontaneous_curvature(const SharedMesh& mesh, const SmoothArguments& arguments) {
+  if (mesh.parts->any(mesh.topology.turned_triangles > 0)) {
+    throw BadMesh("--h0 needs triangles that all look to the same side of the surface");
+  }
+  const std::optional<double> number = commands::finite_number(arguments.h0);
+  return number ? Eigen::VectorXd::Constant(mesh.X.rows(), *number)
+                : values_of(mesh, arguments, arguments.h0, -infinity, "--h0");
+}
+
+/// The own vertices of the piece that a list of vertices of the whole mesh names.
+std::vector<Index> own_vertices(const std::vector<Index>& numbers, const MeshPiece& piece) {
+  std::vector<Index> own;
+  for (const Index number : numbers) {
+    const auto own_end = piece.vertex.begin() + piece.own;
+    const auto found = std::lower_bound(piece.vertex.begin(), own_end, number);
+    if (found != own_end && *found == number) {
+      own.push_back(static_cast<Index>(found - piece.vertex.begin()));
+    }
+  }
+  return own;
+}
+
+/// The piece with the data at its vertices that the options name.
+SmoothInput input_of(const SmoothArguments& arguments, const SharedMesh& mesh) {
+  SmoothInput input{.X = mesh.piece.X, .topology = mesh.topology, .parts = *mesh.parts};
+  input.textured = mesh.source->has_texture_coordinates();
   if (!arguments.weights.empty()) {
-    options.cutoff_factor = values_of(mesh, arguments, arguments.weights, 0, "--weights");
+    input.weights = values_of(mesh, arguments, arguments.weights, 0, "--weights");
   }
   if (!arguments.h0.empty()) {
-    if (const std::optional<double> number = commands::finite_number(arguments.h0)) {
-      options.spontaneous_curvature = Eigen::VectorXd::Constant(mesh.X.rows(), *number);
-    } else {
-      options.spontaneous_curvature = values_of(mesh, arguments, arguments.h0, -infinity, "--h0");
-    }
-    if (mesh.parts->any(mesh.topology.turned_triangles > 0)) {
-      throw BadMesh("--h0 needs triangles that all look to the same side of the surface");
-    }
+    input.h0 = spontaneous_curvature(mesh, arguments);
   }
-  return options;
-}
-
-std::vector<std::uint8_t> fixed(const SmoothArguments& arguments, const SharedMesh& mesh,
-                                const Eigen::VectorXd& weights) {
-  const MeshPiece& piece = mesh.piece;
-  std::vector<Index> listed;
   mesh.parts->communicator().together([&] {
-    if (arguments.fix_file.empty()) {
-      return;
-    }
-    const auto total = static_cast<Index>(piece.vertices.total);
-    for (const Index number : commands::read_vertex_list(arguments.fix_file, total)) {
-      const auto own_end = piece.vertex.begin() + piece.own;
-      const auto found = std::lower_bound(piece.vertex.begin(), own_end, number);
-      if (found != own_end && *found == number) {
-        listed.push_back(static_cast<Index>(found - piece.vertex.begin()));
-      }
+    if (!arguments.fix_file.empty()) {
+      const auto total = static_cast<Index>(mesh.piece.vertices.total);
+      input.listed =
+          own_vertices(commands::read_vertex_list(arguments.fix_file, total), mesh.piece);
     }
   });
-  std::vector<std::uint8_t> mask;
   if (!arguments.mask.empty()) {
-    mask = mesh.at_vertices(mesh.source->vertex_mask(arguments.mask));
+    input.mask = mesh.at_vertices(mesh.source->vertex_mask(arguments.mask));
   }
-  auto fixed = commands::held_by(arguments, mesh.topology, listed, mask, weights);
-  mesh.parts->refresh(fixed);  // the border of the piece is no boundary of the mesh
-  return fixed;
+  const LinearSolver solver =
+      arguments.flow.solver == "mumps" ? LinearSolver::mumps : LinearSolver::cg;
+  input.make_solver = [&parts = *mesh.parts, solver](const JacobianShape& shape) {
+    return std::make_unique<PetscJacobian>(shape, parts, solver);
+  };
+  return input;
 }
 
-void measure_moves(const SharedMesh& mesh, SmoothFigures& figures) {
+void measure_moves(const SharedMesh& mesh, SmoothResult& result) {
   const Index own = mesh.piece.own;
-  SmoothFigures here;
+  SmoothResult here;
   commands::measure_moves(mesh.piece.X.topRows(own), mesh.X.topRows(own), here);
-  figures.largest_move = mesh.parts->max(here.largest_move);
+  result.largest_move = mesh.parts->max(here.largest_move);
   const double squares = mesh.parts->sum(here.rms_move * here.rms_move * own);
-  figures.rms_move = std::sqrt(squares / static_cast<double>(mesh.piece.vertices.total));
+  result.rms_move = std::sqrt(squares / static_cast<double>(mesh.piece.vertices.total));
 }
 
 /// The share of each rank in the work, for the report.
@@ -193,9 +200,9 @@ nlohmann::ordered_json ranks_json(const Communicator& comm, const MeshPiece& pie
 
 class SharedSmooth {
  public:
-  SharedSmooth(const Communicator& comm, SmoothArguments arguments, const CLI::App& app,
+  SharedSmooth(const Communicator& comm, const SmoothArguments& arguments, const CLI::App& app,
                Console& console)
-      : comm_(comm), arguments_(std::move(arguments)), console_(console), report_(app) {}
+      : comm_(comm), arguments_(arguments), console_(console), report_(app) {}
 
   ExitCode run() {
     if (!comm_.is_first()) {
@@ -204,36 +211,25 @@ class SharedSmooth {
     comm_.together([&] {
       require_shareable(arguments_);
       if (comm_.is_first()) {
-        check_outputs(arguments_);
+        commands::check_outputs(arguments_);
         require_writable(arguments_.output);
       }
     });
     Progress progress(console_);
-    SharedMesh mesh = read(comm_, arguments_, console_, figures_, progress);
+    SharedMesh mesh = read(comm_, arguments_, console_, result_, progress);
     print_defects(mesh);
-    const LinearSolver solver =
-        arguments_.flow.solver == "mumps" ? LinearSolver::mumps : LinearSolver::cg;
-    arguments_.flow.solver = "auto";
-    arguments_.textured = mesh.source->has_texture_coordinates();
-    arguments_.flow = flow_options(arguments_, mesh);
-    arguments_.flow.make_solver = [&parts = *mesh.parts, solver](const JacobianShape& shape) {
-      return std::make_unique<PetscJacobian>(shape, parts, solver);
-    };
-    figures_.mean_edge_length = mean_edge_length(mesh.X, mesh.topology, *mesh.parts);
-    const auto fixed_vertices = fixed(arguments_, mesh, arguments_.flow.cutoff_factor);
-    commands::project_directions(arguments_, mesh.X, mesh.topology, fixed_vertices, *mesh.parts,
-                                 figures_, progress);
+    result_.plan = commands::plan_smoothing(arguments_, input_of(arguments_, mesh), progress);
     progress.begin("measure");
-    figures_.before = measured(mesh);
-    if (arguments_.flow.steps > 0) {
-      commands::run_smoothing(arguments_, mesh.X, mesh.topology, fixed_vertices, *mesh.parts,
-                              figures_, progress);
+    result_.before = measured(mesh);
+    if (result_.plan.flow.steps > 0) {
+      result_.flow = commands::run_smoothing(result_.plan, mesh.X, mesh.topology, *mesh.parts,
+                                             !arguments_.checkpoint.empty(), progress);
     }
     progress.begin("measure");
-    figures_.after = measured(mesh);
-    measure_moves(mesh, figures_);
+    result_.after = measured(mesh);
+    measure_moves(mesh, result_);
     write(mesh, progress);
-    return commands::exit_code_of(figures_);
+    return commands::exit_code_of(result_);
   }
 
  private:
@@ -243,9 +239,9 @@ class SharedSmooth {
     }
   }
 
-  commands::MeshFigures measured(const SharedMesh& mesh) {
-    const Stopwatch watch(figures_.seconds_measure);
-    return mesh_figures(mesh.piece, mesh.X, mesh.topology, arguments_.flow, *mesh.parts);
+  commands::MeshStatistics measured(const SharedMesh& mesh) {
+    const Stopwatch watch(result_.seconds_measure);
+    return mesh_statistics(mesh.piece, mesh.X, mesh.topology, result_.plan.flow, *mesh.parts);
   }
 
   void print_defects(const SharedMesh& mesh) {
@@ -262,13 +258,11 @@ class SharedSmooth {
   }
 
   void write(const SharedMesh& mesh, Progress& progress) {
-    const commands::OutputOptions output = figures_.flow.status == FlowStatus::interrupted
-                                               ? checkpoint_of(arguments_)
-                                               : arguments_.output;
+    const commands::OutputOptions output = commands::output_of(arguments_, result_.flow.status);
     WriteReport written;
     progress.begin("write");
     {
-      const Stopwatch watch(figures_.seconds_write);
+      const Stopwatch watch(result_.seconds_write);
       written = mesh.source->write(mesh.piece, mesh.X, output.path, output.write);
     }
     progress.end();
@@ -283,16 +277,16 @@ class SharedSmooth {
   void tell(const WriteReport& written, const commands::OutputOptions& output,
             const nlohmann::ordered_json& ranks) {
     report_.figures["ranks"] = ranks;
-    print_smoothing(arguments_, figures_, output.path, written,
-                    fmt::format(", on {} ranks", comm_.size()), console_, report_);
+    print_result(arguments_, result_, output.path, written,
+                 fmt::format(", on {} ranks", comm_.size()), console_, report_);
     deliver_report(arguments_.report, output.write.overwrite, report_);
   }
 
   const Communicator& comm_;
-  SmoothArguments arguments_;
+  const SmoothArguments& arguments_;
   Console& console_;
   Report report_;
-  SmoothFigures figures_;
+  SmoothResult result_;
 };
 
 }  // namespace

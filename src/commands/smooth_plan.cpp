@@ -1,0 +1,217 @@
+#include "commands/smooth_plan.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "commands/denoise_defaults.h"
+#include "commands/signals.h"
+#include "ibmfair/base/angle.h"
+#include "ibmfair/base/errors.h"
+#include "ibmfair/base/stopwatch.h"
+#include "ibmfair/flow/fixed_vertices.h"
+#include "ibmfair/flow/part_measures.h"
+#include "ibmfair/flow/settings/crease_choice.h"
+#include "ibmfair/flow/time_scale.h"
+
+namespace ibmfair::commands {
+namespace {
+
+/// Without --cutoff and --time-step, the time step is such that `default_steps` steps reach the
+/// default cut-off; more steps smooth more.
+constexpr int default_steps = 16;
+constexpr double default_cutoff_edges = 8;
+
+BoundaryCondition boundary_condition(const std::string& name) {
+  return name == "fixed"      ? BoundaryCondition::fixed
+         : name == "position" ? BoundaryCondition::position
+                              : BoundaryCondition::free;
+}
+
+class Planner {
+ public:
+  Planner(const SmoothArguments& arguments, const SmoothInput& input, Progress& progress)
+      : arguments_(arguments), input_(input), progress_(progress) {
+    plan_.textured = input.textured;
+    plan_.mean_edge_length = mean_edge_length(input.X, input.topology, input.parts);
+    set_flow_options();
+    fix_vertices();
+  }
+
+  SmoothPlan plan() {
+    if (plan_.flow.steps > 0) {
+      set_scale();
+      const auto& fixed = plan_.fixed;
+      if (arguments_.cutoff_auto && std::find(fixed.begin(), fixed.end(), 0) != fixed.end()) {
+        choose();
+        set_scale();
+      }
+    }
+    if (!arguments_.anisotropy.empty()) {
+      project_directions();
+    }
+    return std::move(plan_);
+  }
+
+ private:
+  void set_flow_options() {
+    FlowOptions& flow = plan_.flow;
+    flow = arguments_.flow;
+    flow.mass = arguments_.mass.mass();
+    flow.mass_matrix = arguments_.mass.name;
+    flow.metric = arguments_.metric == "mass" ? Metric::mass : Metric::identity;
+    flow.guarded = !arguments_.plain;
+    set_relaxation(flow);
+    if (arguments_.keep_sharp) {
+      flow.sharp_angle = radians(*arguments_.keep_sharp);
+    }
+    // With bounded moves the volume cannot be kept exactly.
+    const Topology& topology = input_.topology;
+    flow.keep_volume |= arguments_.denoise && topology.boundary_loops.empty() &&
+                        topology.orientable && !arguments_.max_move;
+    flow.cutoff_factor = input_.weights;
+    flow.spontaneous_curvature = input_.h0;
+    if (input_.make_solver) {
+      flow.solver = "auto";
+      flow.make_solver = input_.make_solver;
+    }
+  }
+
+  /// Without --tangential, vertices slide within the surface, except on a textured mesh, where the
+  /// texture would shift.
+  void set_relaxation(FlowOptions& flow) const {
+    const std::string& name = arguments_.tangential;
+    const bool by_default = !bending_model(flow.laplacian).evens_edges && !input_.textured;
+    flow.relax = name == "relax" || (name.empty() && by_default);
+    flow.put_back_slides = name == "keep";
+    flow.relax_first = name != "none" && !flow.put_back_slides;
+  }
+
+  void fix_vertices() {
+    std::vector<std::uint8_t>& fixed = plan_.fixed;
+    fixed = fixed_vertices(input_.topology, boundary_condition(arguments_.boundary));
+    for (const Index v : input_.listed) {
+      fixed[v] = 1;
+    }
+    for (std::size_t v = 0; v < input_.mask.size(); ++v) {
+      fixed[v] |= input_.mask[v] ? 0 : 1;
+    }
+    for (Eigen::Index v = 0; v < input_.weights.size(); ++v) {
+      fixed[v] |= input_.weights[v] > 0 ? 0 : 1;
+    }
+    input_.parts.refresh(fixed);  // the border of a piece is no boundary of the mesh
+  }
+
+  double in_flow_units(double time) const {
+    return time_in_flow_units(time, input_.X, input_.topology, plan_.flow, input_.parts);
+  }
+
+  double length(const Length& length) const {
+    return length.on(input_.X, input_.topology, input_.parts);
+  }
+
+  /// The total time in the flow's unit: the number of steps times --time-step, or the time for the
+  /// cut-off.
+  double total_time() const {
+    const int steps = plan_.flow.steps;
+    if (arguments_.time_step) {
+      return *arguments_.time_step * steps;
+    }
+    const double cutoff = plan_.choice
+                              ? plan_.choice->cutoff
+                              : length(arguments_.cutoff.value_or(Length{default_cutoff_edges}));
+    const double shares = plan_.choice || arguments_.cutoff ? steps : default_steps;
+    const double total = in_flow_units(time_for_cutoff(cutoff)) / shares * steps;
+    if (!(total > 0 && std::isfinite(total))) {
+      throw BadMesh(fmt::format("edges of mean length {} are too {} to smooth",
+                                plan_.mean_edge_length, total > 0 ? "long" : "short"));
+    }
+    return total;
+  }
+
+  void set_scale() {
+    plan_.flow.total_time = total_time();
+    plan_.diagonal = diagonal(input_.X, input_.parts);
+    plan_.cutoff = std::pow(plan_.flow.total_time / in_flow_units(1), 0.25) /
+                   std::pow(time_for_cutoff(1), 0.25);
+    if (arguments_.max_move) {
+      plan_.flow.max_move = length(*arguments_.max_move);
+    }
+  }
+
+  /// Chooses the cut-off, and with --denoise whether creases are kept.
+  void choose() {
+    const Stopwatch watch(plan_.seconds_choice);
+    const auto tell = [&](double cutoff) {
+      progress_.begin(
+          fmt::format("try a cut-off of {:.1f} edges", cutoff / plan_.mean_edge_length));
+    };
+    const CutoffSearch search{.largest = plan_.diagonal / 2, .observer = tell};
+    plan_.choice = choose_cutoff(input_.X, input_.topology, plan_.fixed, plan_.flow, search);
+    if (!arguments_.finds_creases) {
+      return;
+    }
+    FlowOptions options = plan_.flow;
+    keep_creases(options);
+    set_relaxation(options);
+    if (const auto creases = choose_creases(input_.X, input_.topology, plan_.fixed, options,
+                                            *plan_.choice, search)) {
+      options.sharp_angle = creases->sharp_angle;
+      plan_.flow = options;
+      plan_.creases = {creases->sharp_angle, *plan_.choice};
+      plan_.choice = creases->cutoff;
+    }
+  }
+
+  void project_directions() {
+    const std::vector<double>& a = arguments_.anisotropy;
+    const auto directions_on = [&](const Points& Y) {
+      return material_directions(Y, input_.topology, Vec3(a[0], a[1], a[2]), a[3]);
+    };
+    const Stopwatch watch(plan_.seconds_directions);
+    FlowOptions& flow = plan_.flow;
+    FlowOptions without = flow;
+    flow.material_directions = directions_on(input_.X);
+    // Throws now, and not after a long flow, if the options are invalid.
+    bending_model(flow.laplacian).create(input_.topology, flow.energy_options());
+    if (flow.steps == 0 || arguments_.dry_run) {
+      return;
+    }
+    progress_.begin("project directions");
+    without.twicing = 0;
+    Points smooth = input_.X;
+    willmore_flow(smooth, input_.topology, plan_.fixed, without, {}, input_.parts);
+    flow.material_directions = directions_on(smooth);
+  }
+
+  const SmoothArguments& arguments_;
+  const SmoothInput& input_;
+  Progress& progress_;
+  SmoothPlan plan_;
+};
+
+}  // namespace
+
+SmoothPlan plan_smoothing(const SmoothArguments& arguments, const SmoothInput& input,
+                          Progress& progress) {
+  return Planner(arguments, input, progress).plan();
+}
+
+FlowReport run_smoothing(const SmoothPlan& plan, Points& X, const Topology& topology,
+                         const MeshParts& parts, bool may_end_early, Progress& progress) {
+  FlowOptions options = plan.flow;
+  std::optional<PostponedEnd> postponed;
+  if (may_end_early) {
+    postponed.emplace();
+  }
+  progress.begin_work("prepare");
+  options.on_stage = [&progress](FlowStage stage) { progress.enter(stage); };
+  const auto observe = [&](const StepRecord& step) {
+    progress.advance(step, options.steps, options.total_time);
+    return !parts.any(PostponedEnd::signal_number() != 0);
+  };
+  return willmore_flow(X, topology, plan.fixed, options, observe, parts);
+}
+
+}  // namespace ibmfair::commands

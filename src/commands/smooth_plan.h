@@ -1,0 +1,64 @@
+// What a run of `smooth` does: the options, resolved on a mesh in one place.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "commands/progress.h"
+#include "commands/smooth_arguments.h"
+#include "ibmfair/flow/mesh_parts.h"
+#include "ibmfair/flow/settings/cutoff_choice.h"
+#include "ibmfair/flow/willmore_flow.h"
+#include "ibmfair/mesh/topology.h"
+
+namespace ibmfair::commands {
+
+/// A mesh, or one process's piece of it, with the data at its vertices that the options name.
+struct SmoothInput {
+  const Points& X;  ///< #V x 3
+  const Topology& topology;
+  const MeshParts& parts = MeshParts::one();
+  bool textured = false;                ///< the mesh has texture coordinates
+  Eigen::VectorXd weights = {};         ///< #V, of --weights; empty without the option
+  Eigen::VectorXd h0 = {};              ///< #V, of --h0; empty without the option
+  std::vector<Index> listed = {};       ///< vertices of --fix
+  std::vector<std::uint8_t> mask = {};  ///< #V, of --mask; empty without the option
+  SolverMaker make_solver = {};         ///< makes the solver in place of --solver
+};
+
+/// Creases that are kept because this reduces the expected error.
+struct FoundCreases {
+  double sharp_angle = 0;  ///< radians
+  CutoffChoice without;    ///< the best cut-off if no creases are kept
+};
+
+struct SmoothPlan {
+  FlowOptions flow;                     ///< complete
+  std::vector<std::uint8_t> fixed;      ///< #V, 1 for vertices that do not move
+  bool textured = false;                ///< the mesh has texture coordinates
+  double mean_edge_length = 0;          ///< before the flow
+  double diagonal = 0;                  ///< of the bounding box, before the flow
+  double cutoff = 0;                    ///< length that corresponds to flow.total_time
+  std::optional<CutoffChoice> choice;   ///< how `cutoff` was chosen, with --cutoff auto
+  std::optional<FoundCreases> creases;  ///< with --denoise
+  double seconds_choice = 0, seconds_directions = 0;
+};
+
+/// Resolves the arguments on a mesh. Vertices are fixed by --boundary, --fix, --mask and weights of
+/// 0. With --cutoff auto, and if any vertex can move, the cut-off is chosen, and whether creases
+/// are kept. With --anisotropy, the direction is projected onto the surface that the same flow
+/// without anisotropy produces, and carried back to the mesh with its triangles: the triangles of
+/// the noisy mesh, turned and stretched by the noise, would each give a different direction. With
+/// --dry-run or without steps it is projected onto the mesh as it is. Throws BadMesh if the edges
+/// are so long or short that the time of the flow overflows or underflows, and like choose_cutoff,
+/// willmore_flow and material_directions.
+SmoothPlan plan_smoothing(const SmoothArguments& arguments, const SmoothInput& input,
+                          Progress& progress);
+
+/// Moves X by the flow of the plan. If `may_end_early`, a request to end stops the flow between two
+/// steps. Throws like willmore_flow.
+FlowReport run_smoothing(const SmoothPlan& plan, Points& X, const Topology& topology,
+                         const MeshParts& parts, bool may_end_early, Progress& progress);
+
+}  // namespace ibmfair::commands
