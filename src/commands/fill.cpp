@@ -11,10 +11,10 @@
 #include "commands/defect_warnings.h"
 #include "commands/fill_arguments.h"
 #include "commands/fill_report.h"
+#include "commands/mesh_statistics.h"
 #include "commands/page/mesh_scene.h"
 #include "commands/progress.h"
 #include "commands/report/report_formats.h"
-#include "commands/smooth_report.h"
 #include "commands/vertex_list.h"
 #include "ibmfair/base/errors.h"
 #include "ibmfair/base/stopwatch.h"
@@ -190,7 +190,7 @@ void deliver_region(const FillArguments& arguments, const Input& input, const Po
   std::transform(region.begin(), region.end(), fixed.begin(),
                  [](std::uint8_t chosen) { return chosen ? 0 : 1; });
   SceneSource marks;
-  marks.lines = held_lines(X, input.topology, fixed);
+  marks.lines = fixed_lines(X, input.topology, fixed);
   deliver(arguments, input, {"after", &X, &input.topology}, marks, report, console);
 }
 

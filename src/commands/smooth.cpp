@@ -13,6 +13,7 @@
 #include "commands/report/report_formats.h"
 #include "commands/smooth_arguments.h"
 #include "commands/smooth_plan.h"
+#include "commands/smooth_remarks.h"
 #include "commands/smooth_report.h"
 #include "commands/vertex_list.h"
 #include "commands/vertex_values.h"
@@ -94,7 +95,7 @@ std::optional<Scene> smooth_scene(const SmoothArguments& arguments, const Smooth
                      {{"before", &s.before(), &s.topology}, {"after", &s.X, &s.topology}},
                      s.result.plan.flow.laplacian};
   source.polygons = &s.file.mesh().faces;
-  source.lines = held_lines(s.X, s.topology, s.result.plan.fixed);
+  source.lines = fixed_lines(s.X, s.topology, s.result.plan.fixed);
   return mesh_scene(std::move(source), warnings, console);
 }
 

@@ -2,13 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include <fmt/format.h>
 
 #include "commands/figure_list.h"
 #include "commands/report/report_formats.h"
-#include "commands/signals.h"
+#include "commands/smooth_remarks.h"
 #include "commands/sparkline.h"
 #include "commands/stage_times.h"
 #include "ibmfair/base/angle.h"
@@ -16,8 +15,6 @@
 #include "ibmfair/energy/bending_energy.h"
 #include "ibmfair/energy/mass_matrices.h"
 #include "ibmfair/flow/linear_system/jacobian_solver.h"
-#include "ibmfair/flow/steps/folds.h"
-#include "ibmfair/mesh/geometry.h"
 
 namespace ibmfair::commands {
 namespace {
@@ -56,14 +53,6 @@ std::string row(const char* name, const char* unit, double before, double after)
 /// A length in the mesh's units and in mean edge lengths.
 std::string length_text(double length, double edge) {
   return fmt::format("{:.4g} u = {:.3g} mean edge lengths", length, length / edge);
-}
-
-ordered_json mesh_statistics_json(const MeshStatistics& statistics) {
-  return {{"energy", statistics.energy},
-          {"area", statistics.area},
-          {"volume", statistics.volume},
-          {"smallest_angle_degrees", statistics.smallest_angle},
-          {"folded_hinges", statistics.folds}};
 }
 
 ordered_json step_json(const StepRecord& step) {
@@ -138,41 +127,6 @@ std::string effort(const FlowReport& flow) {
          : flow.factorizations == 0
              ? fmt::format("{} iterations", flow.iterations)
              : fmt::format("{} iterations, {}", flow.iterations, factorizations);
-}
-
-/// A remark about options that refer to the original mesh, but that a continued run would apply to
-/// the mesh written here.
-std::string_view what_begins_anew(const FlowOptions& options) {
-  const bool bounded = std::isfinite(options.max_move), put_back = options.twicing > 0;
-  return bounded && put_back ? "; --max-move and --twicing then refer to that mesh"
-         : bounded           ? "; --max-move then refers to that mesh"
-         : put_back          ? "; --twicing then refers to that mesh"
-                             : "";
-}
-
-/// The options that continue the flow, with time steps of about the same length.
-std::string way_on(const SmoothResult& result) {
-  const double left = result.plan.flow.total_time - result.flow.time_reached;
-  const double share = left / result.plan.flow.total_time;
-  if (!(share > 1e-9)) {
-    return "the flow was complete";
-  }
-  const double count = std::max(1.0, std::ceil(share * result.plan.flow.steps - 1e-6));
-  return fmt::format(
-      "to continue, smooth it with --steps {:.0f} --time-step {} and without --cutoff{}", count,
-      left / count, what_begins_anew(result.plan.flow));
-}
-
-double length_reached(const SmoothResult& result) {
-  return result.plan.cutoff *
-         std::pow(result.flow.time_reached / result.plan.flow.total_time, 0.25);
-}
-
-/// Whether the flow has reached 99 % of the cut-off. A missing hundredth of the length is
-/// invisible, and if thin triangles delay a flow until its last solve, the hundredth depends on
-/// rounding.
-bool is_nearly_done(const SmoothResult& result) {
-  return length_reached(result) >= 0.99 * result.plan.cutoff;
 }
 
 /// Lines with the cut-off and, if it was chosen automatically, the noise that it was chosen from.
@@ -329,79 +283,6 @@ void add_result(const SmoothResult& result, Report& report) {
   json["seconds"] = seconds_json(result);
 }
 
-/// A remark if the flow did not end as requested; else empty. The final state of the flow is in the
-/// file `output`.
-std::string remark_on(const SmoothResult& result, const std::string& output) {
-  switch (result.flow.status) {
-    case FlowStatus::completed:
-      if (result.plan.flow.steps > 0 && result.flow.unknowns == 0) {
-        return "no vertex is free to move: the mesh is written as it was read";
-      }
-      return result.flow.twicings < result.plan.flow.twicing && result.plan.flow.steps > 0
-                 ? fmt::format(
-                       "--twicing: the removed part could be added back only {} of {} times",
-                       result.flow.twicings, result.plan.flow.twicing)
-                 : "";
-    case FlowStatus::interrupted:
-      return fmt::format("interrupted; {} holds the mesh as it is now: {}", output, way_on(result));
-    case FlowStatus::stalled:
-      return is_nearly_done(result)
-                 ? ""
-                 : fmt::format(
-                       "the flow stalled: the mesh that was written is smoothed up to a wavelength "
-                       "of {:.4g} instead of {:.4g}",
-                       length_reached(result), result.plan.cutoff);
-    case FlowStatus::diverged:
-      return "the flow diverged, and the last finite mesh was written; take smaller steps, or "
-             "leave out --plain";
-  }
-  return {};
-}
-
-/// A remark if the default cut-off has smoothed the mesh strongly; else empty.
-std::string remark_on_default_cutoff(const SmoothResult& result) {
-  if (result.plan.cutoff > result.plan.diagonal / 2) {
-    return fmt::format(
-        "the cut-off {:.4g} is more than half of the mesh's diagonal {:.4g}, so that the whole "
-        "shape is smoothed; a shorter --cutoff LENGTH keeps the shape",
-        result.plan.cutoff, result.plan.diagonal);
-  }
-  constexpr double large_change = 0.01;
-  constexpr double solid = 0.05;  // share of the volume of a ball of equal area; below: a sheet
-  const double volume = std::abs(result.before.volume);
-  const double ball = std::pow(result.before.area, 1.5) / (6 * std::sqrt(std::numbers::pi));
-  const double change = std::abs(result.after.volume) / volume - 1;
-  if (volume > solid * ball && std::abs(change) > large_change) {
-    return fmt::format(
-        "the volume has changed by {:+.2g} %: the mesh has features that are shorter than the "
-        "cut-off {:.4g}; --denoise removes noise only, and a shorter --cutoff LENGTH keeps longer "
-        "features",
-        100 * change, result.plan.cutoff);
-  }
-  return {};
-}
-
-/// A remark about the texture coordinates; empty if there is nothing to say.
-std::string remark_on_texture(const SmoothArguments& arguments, const SmoothPlan& plan) {
-  const FlowOptions& options = plan.flow;
-  if (!plan.textured) {
-    return {};
-  }
-  if (bending_model(options.laplacian).evens_edges) {
-    return fmt::format(
-        "the mesh has texture coordinates; with --laplacian {} vertices slide within the surface, "
-        "and the texture shifts a little{}",
-        options.laplacian,
-        options.twicing > 0 && !options.put_back_slides ? " (less with --tangential keep)" : "");
-  }
-  if (arguments.tangential.empty() && options.guarded) {
-    return fmt::format("the mesh has texture coordinates: {} (--tangential relax overrides this)",
-                       options.sharp_angle > 0 ? "tangential relaxation only in the first steps"
-                                               : "no tangential relaxation");
-  }
-  return {};
-}
-
 }  // namespace
 
 void check_outputs(const SmoothArguments& arguments) {
@@ -419,33 +300,6 @@ OutputOptions output_of(const SmoothArguments& arguments, FlowStatus status) {
     output.write.format.clear();
   }
   return output;
-}
-
-MeshStatistics mesh_statistics(const Points& X, const Topology& topology,
-                               const FlowOptions& options) {
-  return mesh_statistics(
-      X, topology,
-      bending_model(options.laplacian).create(topology, options.energy_options())->energy(X));
-}
-
-MeshStatistics mesh_statistics(const Points& X, const Topology& topology, double energy) {
-  MeshStatistics statistics;
-  statistics.energy = energy;
-  statistics.area = surface_area(X, topology.F);
-  statistics.volume = enclosed_volume(X, topology.F);
-  statistics.smallest_angle = degrees(smallest_angle(X, topology.F));
-  const std::vector<std::uint8_t> folded = folded_hinges(X, topology);
-  statistics.folds = std::count(folded.begin(), folded.end(), 1);
-  return statistics;
-}
-
-ordered_json mesh_state_json(const Points& X, const Topology& topology,
-                             const FlowOptions& options) {
-  ordered_json json = mesh_statistics_json(mesh_statistics(X, topology, options));
-  json["vertices"] = topology.vertex_count;
-  json["triangles"] = topology.F.rows();
-  json["boundary_loops"] = topology.boundary_loops.size();
-  return json;
 }
 
 void measure_moves(const Points& before, const Points& after, SmoothResult& result) {
@@ -470,13 +324,8 @@ void print_forecast(const SmoothArguments& arguments, const SmoothResult& result
 void print_result(const SmoothArguments& arguments, const SmoothResult& result,
                   const std::string& output, const WriteReport& written, std::string_view by,
                   const Console& console, Report& report) {
-  if (const std::string remark = remark_on_texture(arguments, result.plan); !remark.empty()) {
-    console.note(remark);
-  }
-  if (!arguments.cutoff && !result.plan.choice && !arguments.time_step) {
-    if (const std::string remark = remark_on_default_cutoff(result); !remark.empty()) {
-      console.note(remark);
-    }
+  for (const std::string& note : notes_on(arguments, result)) {
+    console.note(note);
   }
   for (const std::string& note : written.notes) {
     console.note(note);
@@ -488,24 +337,10 @@ void print_result(const SmoothArguments& arguments, const SmoothResult& result,
   console.note(fmt::format("{} -> {}, {} of {} vertices moved{}", arguments.input, output,
                            written.moved_vertices, result.vertices, by),
                smooth_table(result, console.level() == Console::Level::verbose));
-  if (const std::string remark = remark_on(result, output); !remark.empty()) {
-    console.warning(remark);
-    report.warnings.push_back({remark});
+  if (const std::string warning = warning_on_end(result, output); !warning.empty()) {
+    console.warning(warning);
+    report.warnings.push_back({warning});
   }
-}
-
-ExitCode exit_code_of(const SmoothResult& result) {
-  switch (result.flow.status) {
-    case FlowStatus::completed:
-      return ExitCode::done;
-    case FlowStatus::interrupted:
-      return static_cast<ExitCode>(128 + PostponedEnd::signal_number());
-    case FlowStatus::stalled:
-      return is_nearly_done(result) ? ExitCode::done : ExitCode::not_reached;
-    case FlowStatus::diverged:
-      break;
-  }
-  return ExitCode::not_reached;
 }
 
 }  // namespace ibmfair::commands

@@ -5,25 +5,15 @@
 #include <string>
 #include <string_view>
 
-#include <nlohmann/json.hpp>
-
 #include "commands/console.h"
-#include "commands/exit_code.h"
+#include "commands/mesh_statistics.h"
 #include "commands/report/report.h"
 #include "commands/smooth_arguments.h"
 #include "commands/smooth_plan.h"
 #include "ibmfair/flow/willmore_flow.h"
-#include "ibmfair/mesh/topology.h"
+#include "ibmfair/io/mesh_file.h"
 
 namespace ibmfair::commands {
-
-/// What is measured of one state of a mesh.
-struct MeshStatistics {
-  double energy = 0;  ///< E_b of the whole mesh under the run's Laplacian
-  double area = 0, volume = 0;
-  double smallest_angle = 0;  ///< degrees
-  std::int64_t folds = 0;     ///< hinges sharper than fold_angle
-};
 
 /// The plan of a run, and what came of it.
 struct SmoothResult {
@@ -42,19 +32,6 @@ void check_outputs(const SmoothArguments& arguments);
 /// The file to which the mesh is written: OUT, or --checkpoint after an interrupted flow.
 OutputOptions output_of(const SmoothArguments& arguments, FlowStatus status);
 
-/// E_b, area, volume and quality of `X`.
-MeshStatistics mesh_statistics(const Points& X, const Topology& topology,
-                               const FlowOptions& options);
-
-/// Like above, if E_b is already known: to create the energy of a mesh takes longer than everything
-/// else.
-MeshStatistics mesh_statistics(const Points& X, const Topology& topology, double energy);
-
-/// The statistics of `X` as a JSON object, with the numbers of vertices, triangles and boundary
-/// loops, for runs that change the connectivity.
-nlohmann::ordered_json mesh_state_json(const Points& X, const Topology& topology,
-                                       const FlowOptions& options);
-
 /// Stores the largest and the root-mean-square move of the vertices in the result.
 void measure_moves(const Points& before, const Points& after, SmoothResult& result);
 
@@ -68,7 +45,5 @@ void print_forecast(const SmoothArguments& arguments, const SmoothResult& result
 void print_result(const SmoothArguments& arguments, const SmoothResult& result,
                   const std::string& output, const WriteReport& written, std::string_view by,
                   const Console& console, Report& report);
-
-ExitCode exit_code_of(const SmoothResult& result);
 
 }  // namespace ibmfair::commands

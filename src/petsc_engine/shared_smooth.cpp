@@ -14,6 +14,7 @@
 #include "commands/report/report_formats.h"
 #include "commands/smooth_arguments.h"
 #include "commands/smooth_plan.h"
+#include "commands/smooth_remarks.h"
 #include "commands/smooth_report.h"
 #include "commands/vertex_list.h"
 #include "commands/vertex_values.h"

@@ -103,8 +103,8 @@ std::vector<SceneLine> defect_outlines(const Points& X, const Topology& topology
   return lines;
 }
 
-std::vector<SceneLine> held_lines(const Points& X, const Topology& topology,
-                                  const std::vector<std::uint8_t>& fixed) {
+std::vector<SceneLine> fixed_lines(const Points& X, const Topology& topology,
+                                   const std::vector<std::uint8_t>& fixed) {
   std::vector<std::array<Index, 2>> edges;
   for (Index e = 0; e < topology.E.rows(); ++e) {
     const Index a = topology.E(e, 0), b = topology.E(e, 1);

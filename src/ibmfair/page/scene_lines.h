@@ -21,7 +21,7 @@ std::vector<SceneLine> defect_outlines(const Points& X, const Topology& topology
 
 /// The edges between two fixed vertices (flags `fixed`, #V) that bound a triangle with a free
 /// vertex, joined to strips.
-std::vector<SceneLine> held_lines(const Points& X, const Topology& topology,
-                                  const std::vector<std::uint8_t>& fixed);
+std::vector<SceneLine> fixed_lines(const Points& X, const Topology& topology,
+                                   const std::vector<std::uint8_t>& fixed);
 
 }  // namespace ibmfair

@@ -1,0 +1,146 @@
+#include "commands/smooth_remarks.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include <fmt/format.h>
+
+#include "commands/signals.h"
+
+namespace ibmfair::commands {
+namespace {
+
+/// A remark about options that refer to the original mesh, but that a continued run would apply to
+/// the mesh written here.
+std::string_view options_that_restart(const FlowOptions& options) {
+  const bool bounded = std::isfinite(options.max_move), put_back = options.twicing > 0;
+  return bounded && put_back ? "; --max-move and --twicing then refer to that mesh"
+         : bounded           ? "; --max-move then refers to that mesh"
+         : put_back          ? "; --twicing then refers to that mesh"
+                             : "";
+}
+
+/// The options that continue the flow, with time steps of about the same length.
+std::string how_to_continue(const SmoothResult& result) {
+  const double left = result.plan.flow.total_time - result.flow.time_reached;
+  const double share = left / result.plan.flow.total_time;
+  if (!(share > 1e-9)) {
+    return "the flow was complete";
+  }
+  const double count = std::max(1.0, std::ceil(share * result.plan.flow.steps - 1e-6));
+  return fmt::format(
+      "to continue, smooth it with --steps {:.0f} --time-step {} and without --cutoff{}", count,
+      left / count, options_that_restart(result.plan.flow));
+}
+
+double length_reached(const SmoothResult& result) {
+  return result.plan.cutoff *
+         std::pow(result.flow.time_reached / result.plan.flow.total_time, 0.25);
+}
+
+/// Whether the flow has reached 99 % of the cut-off. A missing hundredth of the length is
+/// invisible, and if thin triangles delay a flow until its last solve, the hundredth depends on
+/// rounding.
+bool is_nearly_done(const SmoothResult& result) {
+  return length_reached(result) >= 0.99 * result.plan.cutoff;
+}
+
+/// A remark if the default cut-off has smoothed the mesh strongly; else empty.
+std::string remark_on_default_cutoff(const SmoothResult& result) {
+  if (result.plan.cutoff > result.plan.diagonal / 2) {
+    return fmt::format(
+        "the cut-off {:.4g} is more than half of the mesh's diagonal {:.4g}, so that the whole "
+        "shape is smoothed; a shorter --cutoff LENGTH keeps the shape",
+        result.plan.cutoff, result.plan.diagonal);
+  }
+  constexpr double large_change = 0.01;
+  constexpr double solid = 0.05;  // share of the volume of a ball of equal area; below: a sheet
+  const double volume = std::abs(result.before.volume);
+  const double ball = std::pow(result.before.area, 1.5) / (6 * std::sqrt(std::numbers::pi));
+  const double change = std::abs(result.after.volume) / volume - 1;
+  if (volume > solid * ball && std::abs(change) > large_change) {
+    return fmt::format(
+        "the volume has changed by {:+.2g} %: the mesh has features that are shorter than the "
+        "cut-off {:.4g}; --denoise removes noise only, and a shorter --cutoff LENGTH keeps longer "
+        "features",
+        100 * change, result.plan.cutoff);
+  }
+  return {};
+}
+
+/// A remark about the texture coordinates; empty if there is nothing to say.
+std::string remark_on_texture(const SmoothArguments& arguments, const SmoothPlan& plan) {
+  const FlowOptions& options = plan.flow;
+  if (!plan.textured) {
+    return {};
+  }
+  if (bending_model(options.laplacian).evens_edges) {
+    return fmt::format(
+        "the mesh has texture coordinates; with --laplacian {} vertices slide within the surface, "
+        "and the texture shifts a little{}",
+        options.laplacian,
+        options.twicing > 0 && !options.put_back_slides ? " (less with --tangential keep)" : "");
+  }
+  if (arguments.tangential.empty() && options.guarded) {
+    return fmt::format("the mesh has texture coordinates: {} (--tangential relax overrides this)",
+                       options.sharp_angle > 0 ? "tangential relaxation only in the first steps"
+                                               : "no tangential relaxation");
+  }
+  return {};
+}
+
+}  // namespace
+
+std::vector<std::string> notes_on(const SmoothArguments& arguments, const SmoothResult& result) {
+  std::vector<std::string> notes{remark_on_texture(arguments, result.plan)};
+  if (!arguments.cutoff && !result.plan.choice && !arguments.time_step) {
+    notes.push_back(remark_on_default_cutoff(result));
+  }
+  std::erase(notes, "");
+  return notes;
+}
+
+std::string warning_on_end(const SmoothResult& result, const std::string& output) {
+  switch (result.flow.status) {
+    case FlowStatus::completed:
+      if (result.plan.flow.steps > 0 && result.flow.unknowns == 0) {
+        return "no vertex is free to move: the mesh is written as it was read";
+      }
+      return result.flow.twicings < result.plan.flow.twicing && result.plan.flow.steps > 0
+                 ? fmt::format(
+                       "--twicing: the removed part could be added back only {} of {} times",
+                       result.flow.twicings, result.plan.flow.twicing)
+                 : "";
+    case FlowStatus::interrupted:
+      return fmt::format("interrupted; {} holds the mesh as it is now: {}", output,
+                         how_to_continue(result));
+    case FlowStatus::stalled:
+      return is_nearly_done(result)
+                 ? ""
+                 : fmt::format(
+                       "the flow stalled: the mesh that was written is smoothed up to a wavelength "
+                       "of {:.4g} instead of {:.4g}",
+                       length_reached(result), result.plan.cutoff);
+    case FlowStatus::diverged:
+      return "the flow diverged, and the last finite mesh was written; take smaller steps, or "
+             "leave out --plain";
+  }
+  return {};
+}
+
+ExitCode exit_code_of(const SmoothResult& result) {
+  switch (result.flow.status) {
+    case FlowStatus::completed:
+      return ExitCode::done;
+    case FlowStatus::interrupted:
+      return static_cast<ExitCode>(128 + PostponedEnd::signal_number());
+    case FlowStatus::stalled:
+      return is_nearly_done(result) ? ExitCode::done : ExitCode::not_reached;
+    case FlowStatus::diverged:
+      break;
+  }
+  return ExitCode::not_reached;
+}
+
+}  // namespace ibmfair::commands

@@ -1,0 +1,23 @@
+// What a run of `smooth` tells its user beside the results: how it ended, and what may surprise.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "commands/exit_code.h"
+#include "commands/smooth_arguments.h"
+#include "commands/smooth_report.h"
+
+namespace ibmfair::commands {
+
+/// Remarks about texture coordinates that shift, and about a default cut-off that has smoothed the
+/// mesh strongly.
+std::vector<std::string> notes_on(const SmoothArguments& arguments, const SmoothResult& result);
+
+/// A warning if the flow did not end as requested; else empty. The final state of the flow is in
+/// the file `output`.
+std::string warning_on_end(const SmoothResult& result, const std::string& output);
+
+ExitCode exit_code_of(const SmoothResult& result);
+
+}  // namespace ibmfair::commands
