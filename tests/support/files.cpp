@@ -54,8 +54,22 @@ std::vector<std::string> shared_meshes(const std::string& folder) {
   return paths;
 }
 
+std::vector<std::string> shared_meshes_below(std::uintmax_t bytes) {
+  std::vector<std::string> paths;
+  for (const std::string folder : {"models", "holes"}) {
+    for (const std::string& path : shared_meshes(folder)) {
+      if (fs::file_size(path) <= bytes) paths.push_back(path);
+    }
+  }
+  return paths;
+}
+
 std::string project_file(const std::string& name) {
   return (fs::path(IBMFAIR_SOURCE_DIR) / name).string();
+}
+
+std::vector<std::string> project_meshes() {
+  return {project_file("data/bunny.obj"), project_file("data/femur.off")};
 }
 
 }  // namespace ibmfair::test
