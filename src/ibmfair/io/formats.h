@@ -52,9 +52,9 @@ struct GenerateRequest {
 
 /// One format. A function that the format does not support is null.
 struct Format {
-  std::string_view name;                         ///< "obj"
-  std::string_view title;                        ///< "Wavefront OBJ"
-  std::span<const std::string_view> extensions;  ///< lower case, without the dot
+  std::string_view name;                     ///< "obj"
+  std::string_view title;                    ///< "Wavefront OBJ"
+  std::vector<std::string_view> extensions;  ///< lower case, without the dot
   bool always_weld = false;  ///< vertices are always merged because the format cannot share them
 
   /// Whether a file that starts with these bytes is in this format.
