@@ -64,8 +64,12 @@ TEST_F(BatchTest, FailFastStartsNothingAfterAFailure) {
       Words{"smooth", path("a"), "in/bad.off", path("b"), path("c"), "--out-dir", "out"} + options_;
   const Statuses expected{
       {path("a"), "ok"}, {"in/bad.off", "failed"}, {path("b"), "not run"}, {path("c"), "not run"}};
-  EXPECT_EQ(statuses(words + Words{"--fail-fast"}, 1), expected);
+  EXPECT_EQ(statuses(words + Words{"--keep-going", "--fail-fast"}, 1), expected);
   EXPECT_EQ(count("out"), 1U);
+  // The last of the two decides.
+  const Statuses all{
+      {path("a"), "ok"}, {"in/bad.off", "failed"}, {path("b"), "ok"}, {path("c"), "ok"}};
+  EXPECT_EQ(statuses(words + Words{"--overwrite", "--fail-fast", "--keep-going"}, 1), all);
 }
 
 TEST_F(BatchTest, ShardsArePartsOfTheList) {
@@ -138,7 +142,6 @@ TEST_F(BatchTest, ManyFilesAreCheckedBeforeAnythingRuns) {
       {{"smooth", path("a"), path("b"), "-ksp_type", "cg"}, "unknown option '-ksp_type'"},
       {{"smooth", path("a"), "--out-dir", "out", "--checkpoint", "c.off"}, "--checkpoint"},
       {{"smooth", path("a"), "--out-dir", "out", "--summary", "s.txt"}, "--summary"},
-      {{"smooth", path("a"), "--out-dir", "out", "--fail-fast", "--keep-going"}, "--fail-fast"},
       {{"info", path("a"), "--out-dir", "out"}, "--out-dir"},
   };
   for (const auto& [words, message] : misuses) {

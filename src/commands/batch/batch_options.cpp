@@ -34,12 +34,9 @@ std::vector<CLI::Option*> add_batch_options(CLI::App& app, BatchOptions& options
       app, "--jobs", options.jobs, 0, largest_thread_count,
       "number of files to process at the same time; they share the cores; 0 means one per core"));
   note_of(app, *added.back()).unit = "files";
-  added.push_back(
-      app.add_flag("--fail-fast", options.fail_fast, "start no further file after one has failed"));
-  added.push_back(
-      app.add_flag("--keep-going")
-          ->description("continue with the other files after one has failed (the default)")
-          ->excludes(added.back()));
+  added.push_back(app.add_flag("--fail-fast,!--keep-going", options.fail_fast,
+                               "start no further file after one has failed; --keep-going, the "
+                               "default, continues with the others"));
   CLI::Option* resume = app.add_flag("--resume", options.resume,
                                      "skip files that an earlier run has finished and that have "
                                      "not changed; replace its other outputs");

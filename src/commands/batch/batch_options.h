@@ -35,7 +35,7 @@ struct BatchOptions {
   std::string journal;  ///< path; empty: the default path of the list
 };
 
-/// Declares --jobs, --keep-going, --fail-fast, --resume, --shard, --merge, --dry-run, --summary,
+/// Declares --jobs, --fail-fast, --keep-going, --resume, --shard, --merge, --dry-run, --summary,
 /// --journal.
 std::vector<CLI::Option*> add_batch_options(CLI::App& app, BatchOptions& options);
 
