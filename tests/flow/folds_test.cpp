@@ -8,7 +8,7 @@
 
 #include "ibmfair/energy/bending_energy.h"
 #include "ibmfair/energy/unknowns.h"
-#include "ibmfair/flow/passes/unfolding.h"
+#include "ibmfair/flow/tuning.h"
 #include "ibmfair/mesh/geometry.h"
 #include "ibmfair/shapes/shapes.h"
 #include "support/meshes.h"
@@ -20,7 +20,7 @@ namespace {
 // The flow asks the energy for possible folds before it checks the hinges. The energy must never
 // overlook a fold, and it must seldom raise a false alarm; otherwise the question is of no use.
 TEST(Folds, AreNeverRuledOutWhereThereAreAnyAndMostlyWhereThereAreNone) {
-  for (const double angle : {fold_angle, fold_to_undo}) {
+  for (const double angle : {fold_angle, tuning.clean_up.fold}) {
     int folded = 0, ruled_out = 0, in_doubt = 0;
     for (const auto& [name, mesh] : good_meshes()) {
       const State state(mesh);

@@ -6,6 +6,7 @@
 #include "ibmfair/base/errors.h"
 #include "ibmfair/energy/bending_energy.h"
 #include "ibmfair/energy/mass_matrices.h"
+#include "ibmfair/flow/tuning.h"
 
 namespace ibmfair {
 namespace {
@@ -36,12 +37,8 @@ void FlowOptions::validate() const {
   require(spontaneous_curvature.allFinite(), "the spontaneous curvature must be finite");
 }
 
-// Beyond the cut-off, n passes leave n times the share of a ripple that one pass leaves, and with
-// few steps that share is large. With eight steps instead of four, the meshes of the denoising
-// table (tools/denoise_table) end 1 to 5 % nearer to the truth if the residual is a move, but not
-// if it is a height.
 int FlowOptions::twicing_steps() const {
-  return put_back_slides ? 8 : 4;
+  return put_back_slides ? tuning.twicing.steps_of_moves : tuning.twicing.steps_of_heights;
 }
 
 EnergyOptions FlowOptions::energy_options() const {

@@ -5,8 +5,21 @@
 
 #include "ibmfair/base/parallel.h"
 #include "ibmfair/base/stopwatch.h"
+#include "ibmfair/flow/tuning.h"
 
 namespace ibmfair {
+namespace {
+
+/// The number of numeric factorizations in the remaining steps.
+double forecast_factorizations(const JacobianShape& shape, const IterationForecast& iterations) {
+  if (!shape.options.guarded) return 1;
+  const double in_all_steps =
+      std::clamp(iterations.of_cutoff / tuning.solver.iterations_per_factorization, 1.0,
+                 tuning.solver.most_factorizations);
+  return std::max(1.0, in_all_steps * shape.solves_left() / shape.options.steps);
+}
+
+}  // namespace
 
 AssembledJacobian::AssembledJacobian(const JacobianShape& shape)
     : report_(shape.report), assembler_(shape.terms, shape.unknowns), J_(assembler_.pattern()) {}
@@ -23,27 +36,17 @@ void AssembledJacobian::update(const JacobianParts& parts) {
   });
 }
 
-double forecast_factorizations(const JacobianShape& shape, const IterationForecast& iterations) {
-  if (!shape.options.guarded) return 1;
-  // The number in all steps of the guarded flow grows with the cut-off: the more of the noise is
-  // removed, the more the mesh differs from the one that the Jacobian was built on.
-  const double in_all_steps = std::clamp(iterations.of_cutoff / 15, 1.0, 6.0);
-  return std::max(1.0, in_all_steps * shape.solves_left() / shape.options.steps);
-}
-
-double forecast_factor_entries(double unknowns) {
-  return 9 * unknowns * std::log2(unknowns + 2);
-}
-
-double forecast_factor_flops(double unknowns) {
-  return 250 * std::pow(unknowns, 1.5);
-}
-
-double forecast_factor_bytes(double unknowns) {
-  // As measured on tori of 41 and 164 thousand vertices. Per unknown: the analysis and the
-  // assembled matrix. Per entry: the triangular factor with the workspace of the factorization.
-  constexpr double per_unknown = 1630, per_entry = 8.5;
-  return per_unknown * unknowns + per_entry * forecast_factor_entries(unknowns);
+SolverForecast forecast_factor(const SolverTuning::Factorization& costs, const JacobianShape& shape,
+                               const IterationForecast& iterations) {
+  const double n = shape.unknowns.size();
+  const double entries = tuning.solver.factor_entries * n * std::log2(n + 2);
+  const double flops = tuning.solver.factor_flops * std::pow(n, 1.5);
+  return {.seconds = costs.analysis * n +
+                     costs.flop * flops * forecast_factorizations(shape, iterations) +
+                     costs.entry * entries * shape.solves_left(),
+          .bytes = costs.library_bytes + tuning.solver.bytes_per_unknown * n +
+                   tuning.solver.bytes_per_entry * entries,
+          .factor_entries = entries};
 }
 
 }  // namespace ibmfair

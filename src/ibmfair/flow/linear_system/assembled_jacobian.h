@@ -3,6 +3,7 @@
 
 #include "ibmfair/energy/hessian.h"
 #include "ibmfair/flow/linear_system/jacobian_solver.h"
+#include "ibmfair/flow/tuning.h"
 
 namespace ibmfair {
 
@@ -22,16 +23,9 @@ class AssembledJacobian {
   SymmetricMatrix J_;
 };
 
-/// The number of numeric factorizations in the remaining steps, estimated from `iterations`.
-double forecast_factorizations(const JacobianShape& shape, const IterationForecast& iterations);
-
-/// The size and cost of a triangular factor for `unknowns` unknowns on a surface, which has small
-/// separators.
-double forecast_factor_entries(double unknowns);
-double forecast_factor_flops(double unknowns);
-
-/// The memory that such a factor takes, in float64, with its analysis, its workspaces and the
-/// assembled matrix; bytes.
-double forecast_factor_bytes(double unknowns);
+/// The predicted cost of a solver that factors the Jacobian, estimated from `iterations`, with its
+/// analysis, its workspaces in float64 and the assembled matrix.
+SolverForecast forecast_factor(const SolverTuning::Factorization& costs, const JacobianShape& shape,
+                               const IterationForecast& iterations);
 
 }  // namespace ibmfair

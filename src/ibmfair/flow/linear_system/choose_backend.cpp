@@ -8,14 +8,10 @@
 #include "ibmfair/base/errors.h"
 #include "ibmfair/base/process_memory.h"
 #include "ibmfair/flow/linear_system/jacobian_solver.h"
+#include "ibmfair/flow/tuning.h"
 
 namespace ibmfair {
 namespace {
-
-/// Factor for the predicted seconds of backends without factorization in comparisons. If the
-/// prediction was too low, a backend with factorization soon takes over (Jacobian::solve); if it
-/// was too high and the backend was not chosen, nothing would correct the choice.
-constexpr double doubt = 0.6;
 
 /// The memory that the backend needs, which does not depend on the number of iterations.
 double bytes_of(const JacobianBackend& backend, const JacobianShape& shape) {
@@ -62,7 +58,7 @@ const JacobianBackend& choose_backend(const JacobianShape& shape, const Jacobian
   double least_seconds = 0, least_bytes = std::numeric_limits<double>::infinity();
   for (const JacobianBackend& backend : jacobian_backends()) {
     const SolverForecast forecast = backend.forecast(shape, iterations);
-    const double seconds = (backend.has_factor ? 1 : doubt) * forecast.seconds;
+    const double seconds = (backend.has_factor ? 1 : tuning.solver.doubt) * forecast.seconds;
     if (fits(forecast.bytes, shape.options) && (best == nullptr || seconds < least_seconds)) {
       best = &backend;
       least_seconds = seconds;

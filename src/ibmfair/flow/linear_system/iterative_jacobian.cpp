@@ -6,44 +6,34 @@
 #include <vector>
 
 #include "ibmfair/base/stopwatch.h"
+#include "ibmfair/flow/tuning.h"
 
 namespace ibmfair {
 namespace {
 
-// On one core, as in multifrontal_jacobian.cpp.
-constexpr double seconds_per_row = 1.5e-8;  // in each iteration
-
-// As measured on tori of 41 and 164 thousand vertices, with both Laplacians. A place is a vertex
-// in a stencil.
-constexpr double bytes_per_place = 8, bytes_per_row = 330;
-
 /// The number of iterations of solves that start along the previous step, relative to solves from
-/// zero, as measured on noisy tori and on models. The first steps, which remove noise, differ from
-/// each other and gain nothing.
+/// zero. The first steps differ from each other and gain nothing.
 double share_of_iterations(int steps) {
-  constexpr double along = 0.45, unlike_each_other = 3;
-  return along + (1 - along) * std::min(1.0, unlike_each_other / std::max(1, steps));
+  const double along = tuning.solver.along;
+  return along + (1 - along) * std::min(1.0, tuning.solver.unlike_steps / std::max(1, steps));
 }
 
 }  // namespace
 
 int most_iterations(double tolerance) {
-  constexpr double iterations = 1000, usual_tolerance = 0.05;
-  return static_cast<int>(iterations *
-                          std::max(1.0, std::log(tolerance) / std::log(usual_tolerance)));
+  const double digits = std::log(tolerance) / std::log(FlowOptions().solver_tolerance);
+  return static_cast<int>(tuning.solver.most_iterations * std::max(1.0, digits));
 }
 
 /// The number of iterations is proportional to the square root of the condition number, which
 /// depends on the large values of diag(J) / D. The largest values belong to needles, which a noisy
 /// mesh has in the first steps only; so the median is used. If triangles vary in size, the small
 /// values count as well: the median is then far above the lower decile, which noise does not
-/// change. The estimate is within half of the counts on tori, noisy or not, and on models. Needles
-/// thinner than noise makes them, as some scans have, cost `for_each_digit` iterations per digit in
-/// addition, for any cut-off. A sample of the unknowns is enough for the estimate.
+/// change. Needles thinner than noise makes them, as some scans have, cost iterations in addition,
+/// for any cut-off. A sample of the unknowns is enough for the estimate.
 IterationForecast forecast_iterations(const JacobianShape& shape, const JacobianParts& parts) {
-  constexpr Index enough = 4'000;
-  constexpr double by_noise = 1e3, for_each_digit = 40;
-  const Index stride = 1 + shape.unknowns.size() / enough;
+  const SolverTuning& fit = tuning.solver;
+  const Index stride = 1 + shape.unknowns.size() / fit.sampled_unknowns;
   std::vector<double> ratio;  // h diag(S) / D
   for (Index u = 0; u < shape.unknowns.size(); u += stride) {
     const double S = shape.terms.diagonal(shape.unknowns.vertex[u], parts.weights);
@@ -56,17 +46,18 @@ IterationForecast forecast_iterations(const JacobianShape& shape, const Jacobian
     std::nth_element(ratio.begin(), place, ratio.end());
     return ratio.empty() ? 0 : *place;
   };
-  const double middle = smallest(0.5), needles = smallest(0.999) / (by_noise * middle);
-  return {.of_cutoff = 3.2 * (1 + middle) / std::sqrt(1 + smallest(0.1)),
-          .of_needles = needles > 1 ? for_each_digit * std::log10(needles) : 0};
+  const double middle = smallest(0.5), needles = smallest(0.999) / (fit.by_noise * middle);
+  return {.of_cutoff = fit.iterations * (1 + middle) / std::sqrt(1 + smallest(0.1)),
+          .of_needles = needles > 1 ? fit.per_needle_digit * std::log10(needles) : 0};
 }
 
 SolverForecast forecast_iterative(const JacobianShape& shape, const IterationForecast& iterations) {
   const auto places = static_cast<double>(shape.terms.vertices_in_stencils());
   const int steps = shape.solves_left();
-  return {.seconds = seconds_per_row * shape.unknowns.size() * iterations.all() * steps *
+  return {.seconds = tuning.solver.row * shape.unknowns.size() * iterations.all() * steps *
                      share_of_iterations(steps),
-          .bytes = bytes_per_place * places + bytes_per_row * shape.unknowns.size()};
+          .bytes = tuning.solver.bytes_per_place * places +
+                   tuning.solver.bytes_per_row * shape.unknowns.size()};
 }
 
 IterativeJacobian::IterativeJacobian(const JacobianShape& shape)
@@ -88,7 +79,7 @@ void IterativeJacobian::solve(const Points& B, Points& Y) {
 bool IterativeJacobian::solve_within(double& seconds, const Points& B, Points& Y) {
   const Stopwatch watch(shape_.report.seconds.solve);
   const int most = most_iterations(tolerance_);
-  const double each = seconds_per_row * shape_.unknowns.size();
+  const double each = tuning.solver.row * shape_.unknowns.size();
   const double paid = std::ceil(seconds / each);
   const int iterations =
       solver_.solve(B, Y, tolerance_, static_cast<int>(std::min<double>(paid, most)));

@@ -25,7 +25,7 @@ class IterativeJacobian final : public JacobianSolver {
 };
 
 /// The number of iterations after which a solve to the relative residual `tolerance` is given up:
-/// 1000, or more in proportion to the number of digits asked for.
+/// SolverTuning::most_iterations, or more in proportion to the number of digits asked for.
 int most_iterations(double tolerance);
 
 /// The predicted cost of an IterativeJacobian.

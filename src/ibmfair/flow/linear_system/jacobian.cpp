@@ -10,16 +10,10 @@
 #include "ibmfair/base/parallel.h"
 #include "ibmfair/base/stopwatch.h"
 #include "ibmfair/energy/mass_matrices.h"
+#include "ibmfair/flow/tuning.h"
 #include "ibmfair/mesh/geometry.h"
 
 namespace ibmfair {
-namespace {
-
-/// The number of factorizations that may fail before a backend without factorization takes over.
-constexpr int patience = 8;
-
-}  // namespace
-
 Jacobian::Jacobian(const Points& start, BendingEnergy& energy, const Topology& topology,
                    const Unknowns& unknowns, const FlowOptions& options, FlowReport& report)
     : start_(start),
@@ -72,8 +66,9 @@ void Jacobian::refactor(const Points& X, double h) {
     solver_->update(parts);
   } catch (const FactorizationFailed&) {
     // The flow tries a shorter time step next, with which the factorization may succeed.
-    const JacobianBackend* other =
-        !options_.make_solver && ++failures_ > patience ? other_backend(shape(), false) : nullptr;
+    const JacobianBackend* other = !options_.make_solver && ++failures_ > tuning.solver.patience
+                                       ? other_backend(shape(), false)
+                                       : nullptr;
     if (other == nullptr || other->name == report_.solver) {
       throw;
     }
@@ -129,13 +124,12 @@ void Jacobian::solve(const Points& B, Points& Y) {
   ++report_.solves;
 }
 
-/// Solves within the time that the rival needs for each remaining solve, plus a grace period for
-/// all solves together, because with needles the first solves take the longest. False, without a
-/// solution, if that time is too short.
+/// Solves within the time that the rival needs for each remaining solve, plus a grace period
+/// (SolverTuning::most_grace) for all solves together. False, without a solution, if that time is
+/// too short.
 bool Jacobian::solve_before_rival(const Points& B, Points& Y) {
-  constexpr double most_grace = 0.05;  // relative to the rival's time for all remaining solves
   const double all = rival_->forecast(shape(), iterations_).seconds;
-  grace_ = std::min(grace_, most_grace * all);
+  grace_ = std::min(grace_, tuning.solver.most_grace * all);
   const int left = shape().solves_left();
   double seconds = left > 0 ? all / left + grace_ : std::numeric_limits<double>::infinity();
   const bool solved = solver_->solve_within(seconds, B, Y);

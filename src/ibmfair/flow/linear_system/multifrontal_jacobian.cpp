@@ -6,27 +6,10 @@
 
 #include "ibmfair/base/errors.h"
 #include "ibmfair/base/stopwatch.h"
+#include "ibmfair/flow/tuning.h"
 
 namespace ibmfair {
 namespace {
-
-/// The largest accepted relative residual of a solve with float32. One step of iterative refinement
-/// would leave its square.
-constexpr double good_enough = 1e-3;
-
-/// If the requested relative residual is below this, the factorization uses float64.
-constexpr double float32_tolerance = 1e-4;
-
-// Seconds on one core of a machine of 2023; only their ratios matter. tools/solver_table prints the
-// measurements behind the constants here and in iterative_jacobian.cpp.
-constexpr double per_flop = 1 / 52e9;   // of the factorization, float32
-constexpr double per_entry = 8 / 16e9;  // entry of the triangular factor, read twice per solve
-
-// The fill-reducing ordering, which uses all cores, and the symbolic factorization, which uses one.
-// Seconds as on two cores, because the choice must not depend on the number of cores.
-double analysis_seconds(double n) {
-  return 2.2e-6 * n;
-}
 
 /// |B - J Y| / |B| in the norm of D^-1, with D the diagonal of J, so that every row counts alike,
 /// even if its triangles are small.
@@ -46,7 +29,7 @@ double relative_residual(const SymmetricMatrix& J, const Points& Y, const Points
 /// of these vertices is the square of the cut-off in edge lengths, and at most vertices the fourth
 /// root of diag(J) / D is proportional to the cut-off.
 bool is_too_wide_for_float32(const SymmetricMatrix& J, const Eigen::VectorXd& D) {
-  constexpr double widest = 1 << 24;  // of diag(J) / D: beyond, D is below the last digit of J
+  constexpr double widest = 1 << 24;  // exact: beyond, D is below the last digit of J
   std::vector<double> ratio(static_cast<std::size_t>(J.size()));
   double largest = 0;
   for (Index u = 0; u < J.size(); ++u) {
@@ -65,19 +48,13 @@ bool is_too_wide_for_float32(const SymmetricMatrix& J, const Eigen::VectorXd& D)
 
 SolverForecast forecast_multifrontal(const JacobianShape& shape,
                                      const IterationForecast& iterations) {
-  const double n = shape.unknowns.size(), entries = forecast_factor_entries(n);
-  return {
-      .seconds = analysis_seconds(n) +
-                 per_flop * forecast_factor_flops(n) * forecast_factorizations(shape, iterations) +
-                 per_entry * entries * shape.solves_left(),
-      .bytes = forecast_factor_bytes(n),
-      .factor_entries = entries};
+  return forecast_factor(tuning.solver.multifrontal, shape, iterations);
 }
 
 MultifrontalJacobian::MultifrontalJacobian(const JacobianShape& shape)
     : shape_(shape),
       J_(shape),
-      needs_float64_(shape.options.solver_tolerance < float32_tolerance) {}
+      needs_float64_(shape.options.solver_tolerance < tuning.solver.float32_tolerance) {}
 
 void MultifrontalJacobian::update(const JacobianParts& parts) {
   J_.update(parts);
@@ -114,7 +91,7 @@ void MultifrontalJacobian::solve(const Points& B, Points& Y) {
   {
     const Stopwatch watch(shape_.report.seconds.solve);
     cholesky_->solve(B, Y);
-    tried_ = tried_ || relative_residual(J_.matrix(), Y, B) < good_enough;
+    tried_ = tried_ || relative_residual(J_.matrix(), Y, B) < tuning.solver.float32_residual;
   }
   if (!tried_) {
     needs_float64_ = true;

@@ -7,20 +7,10 @@
 #include "ibmfair/base/stopwatch.h"
 #include "ibmfair/flow/passes/unfolding.h"
 #include "ibmfair/flow/steps/guarded_move.h"
+#include "ibmfair/flow/tuning.h"
 
 namespace ibmfair {
 namespace {
-
-// Chosen on scans with needles and folds, in the same way as the settings of the guard.
-constexpr double little_deficit = 0.1;  // relative to the time reached: smaller ones are ignored
-constexpr int rings_around = 2;  // of vertices, which these vertices have slowed down as well
-
-// The least value of `flat` (flow/passes/unfolding.h) around a folded patch. The value is 0.9 to 1
-// around folded patches made by noise, 0.6 around claws of a scan that are inside out, and 0.5
-// around folds of 60 degrees.
-constexpr double flat_enough = 0.6;
-// For energies that do not measure curvature, a lower energy does not prove a better surface.
-constexpr double flat_enough_without_curvature = 0.88;
 
 using Flags = std::vector<std::uint8_t>;  // #V
 
@@ -66,7 +56,7 @@ void clean_up(FlowProblem& problem, const CompressedRows& rings, FoldWatch& fold
 
 bool catch_up_moves(const FlowProblem& problem, const CompressedRows& rings,
                     const Eigen::VectorXd& deficit, Points& move) {
-  const double little = little_deficit * problem.report.time_reached;
+  const double little = tuning.clean_up.little_deficit * problem.report.time_reached;
   if (!problem.parts.any((deficit.array() > little).any())) {
     return false;
   }
@@ -74,7 +64,7 @@ bool catch_up_moves(const FlowProblem& problem, const CompressedRows& rings,
   for (Index u = 0; u < problem.unknowns.size(); ++u) {
     wanted[problem.unknowns.vertex[u]] = deficit[u] > little ? 1 : 0;
   }
-  for (int i = 0; i < rings_around; ++i) {
+  for (int i = 0; i < tuning.clean_up.rings_around; ++i) {
     wanted = grow_one_ring(problem.topology, wanted);
   }
   const auto longest_deficit = [&](const VertexPatch& patch) {
@@ -90,10 +80,10 @@ bool catch_up_moves(const FlowProblem& problem, const CompressedRows& rings,
 bool unfolding_moves(FlowProblem& problem, const CompressedRows& rings, Points& move) {
   const bool bends = !bending_model(problem.options.laplacian).evens_edges;
   std::vector<VertexPatch> patches;
-  if (!problem.has_no_folds(problem.energy_at(problem.X), fold_to_undo)) {
+  if (!problem.has_no_folds(problem.energy_at(problem.X), tuning.clean_up.fold)) {
     patches =
         find_folded_patches(problem.X, problem.topology, rings, problem.unknowns, problem.parts,
-                            bends ? flat_enough : flat_enough_without_curvature);
+                            bends ? tuning.clean_up.flat : tuning.clean_up.flat_without_curvature);
   }
   return even_out_and_flow(problem, rings, patches, move);
 }

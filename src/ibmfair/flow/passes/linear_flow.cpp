@@ -1,15 +1,11 @@
 #include "ibmfair/flow/passes/linear_flow.h"
 
+#include "ibmfair/flow/tuning.h"
+
 namespace ibmfair {
-namespace {
-
-constexpr double tolerance = 1e-3;  // of solves, as no later step removes their residual
-
-}  // namespace
-
 void linearise_flow(FlowProblem& problem, double time, int steps) {
   problem.jacobian().refactor(problem.X, time / steps);
-  problem.jacobian().tighten(tolerance);
+  problem.jacobian().tighten(tuning.twicing.tolerance);
 }
 
 void flow_linearly(FlowProblem& problem, int steps, Points& heights) {

@@ -5,20 +5,10 @@
 
 #include "ibmfair/base/parallel.h"
 #include "ibmfair/energy/vertex_blocks.h"
+#include "ibmfair/flow/tuning.h"
 
 namespace ibmfair {
 namespace {
-
-/// A mesh with fewer vertices fits well enough into a processor's cache.
-constexpr Index fits_the_cache = 30000;
-
-/// Vertices whose numbers differ by at most this are close in memory: lines of scans are not much
-/// longer. Of the edges of an ordered mesh hardly any is longer in memory; of a mesh in random
-/// order nine in ten are, and the flow takes two to three times as long. Of a subdivided mesh up to
-/// three in four are, but in an order that the processor can prefetch: renumbering would save a
-/// tenth of the time, at the price of a second topology in memory.
-constexpr Index near_in_memory = 2048;
-constexpr double most_far = 0.8;  // share of edges that are longer; above, the mesh is renumbered
 
 /// The vertices block by block; vertices without a triangle come last.
 std::vector<Index> blockwise(const Topology& topology) {
@@ -88,13 +78,13 @@ std::vector<Index> places_of(const std::vector<Index>& listed,
 }  // namespace
 
 bool is_scattered(const Topology& topology) {
-  if (topology.vertex_count < fits_the_cache || !topology.orientable) {
+  if (topology.vertex_count < tuning.renumbering.fits_the_cache || !topology.orientable) {
     return false;
   }
   const auto far = parallel_sum(topology.E.rows(), [&](std::int64_t e) {
-    return topology.E(e, 1) - topology.E(e, 0) > near_in_memory ? 1.0 : 0.0;
+    return topology.E(e, 1) - topology.E(e, 0) > tuning.renumbering.near_in_memory ? 1.0 : 0.0;
   });
-  return far > most_far * static_cast<double>(topology.E.rows());
+  return far > tuning.renumbering.most_far * static_cast<double>(topology.E.rows());
 }
 
 LocalMesh local_mesh(const Points& X, const Topology& topology,

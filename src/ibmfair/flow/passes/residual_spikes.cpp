@@ -9,15 +9,12 @@
 #include "ibmfair/flow/passes/unfolding.h"
 #include "ibmfair/flow/steps/fold_free_move.h"
 #include "ibmfair/flow/steps/folds.h"
+#include "ibmfair/flow/tuning.h"
 #include "ibmfair/mesh/geometry.h"
 #include "ibmfair/mesh/select.h"
 
 namespace ibmfair {
 namespace {
-
-constexpr std::size_t most_of_a_speck = 19;  // a vertex and two rings
-constexpr double half_held = 0.5;    // above this share of the sharp angle, hinges are partly kept
-constexpr double flat_around = 0.9;  // `flat` of is_flat_around
 
 /// Whether the sharp hinges of a patch form open lines without branches, as a crease does.
 /// `sharp_at`: #V, the number of sharp hinges at each vertex.
@@ -50,7 +47,7 @@ std::vector<VertexPatch> find_residual_spikes(const Points& X, const Topology& t
                                               const MeshParts& parts, double sharp_angle) {
   const Eigen::VectorXd angles = dihedral_angles(X, topology.H);
   const std::vector<Index> sharp = indices_where(topology.H.rows(), [&](Index h) {
-    return std::numbers::pi - angles[h] > half_held * sharp_angle;
+    return std::numbers::pi - angles[h] > tuning.spikes.sharp_share * sharp_angle;
   });
   std::vector<Index> sharp_at(static_cast<std::size_t>(topology.vertex_count), 0);
   std::vector<std::uint8_t> wanted(sharp_at.size(), 0);
@@ -62,9 +59,9 @@ std::vector<VertexPatch> find_residual_spikes(const Points& X, const Topology& t
   }
   std::vector<VertexPatch> found = patches_of(wanted, rings, unknowns, parts);
   std::erase_if(found, [&](const VertexPatch& patch) {
-    return patch.size() > most_of_a_speck || is_a_line(patch, sharp_at) ||
+    return patch.size() > tuning.spikes.largest || is_a_line(patch, sharp_at) ||
            leads_on(patch, rings, sharp_at) ||
-           !is_flat_around(patch, X, topology, rings, flat_around);
+           !is_flat_around(patch, X, topology, rings, tuning.spikes.flat);
   });
   return found;
 }

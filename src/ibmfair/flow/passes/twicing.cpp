@@ -6,11 +6,10 @@
 #include "ibmfair/flow/steps/fold_free_move.h"
 #include "ibmfair/flow/steps/folds.h"
 #include "ibmfair/flow/steps/unknown_normals.h"
+#include "ibmfair/flow/tuning.h"
 
 namespace ibmfair {
 namespace {
-
-constexpr int most_halvings = 2;  // of the added move, until the energy is low enough
 
 class Twicing {
  public:
@@ -69,7 +68,7 @@ class Twicing {
 
   bool put_back(Points move) {
     const Stopwatch watch(p_.report.seconds.guard);
-    for (int i = 0; i <= most_halvings; ++i, move /= 2) {
+    for (int i = 0; i <= tuning.guard.most_halvings; ++i, move /= 2) {
       const FoldFreeLanding trial = displace_without_folds(
           p_, folds_, move, Y_, [this](const Points& Y) { return p_.energy_at(Y); });
       if (trial.leads_somewhere() && trial.energy <= p_.report.energy_before) {

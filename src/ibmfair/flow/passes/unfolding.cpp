@@ -6,13 +6,11 @@
 #include <vector>
 
 #include "ibmfair/flow/steps/folds.h"
+#include "ibmfair/flow/tuning.h"
 #include "ibmfair/mesh/geometry.h"
 
 namespace ibmfair {
 namespace {
-
-constexpr std::size_t most_vertices = 200;  // of a folded patch; larger patches are noise
-constexpr int sweeps = 40;                  // over a patch of a few rings
 
 class FoldedPatchFinder {
  public:
@@ -30,7 +28,8 @@ class FoldedPatchFinder {
     want_vertices_at_folds();
     std::vector<VertexPatch> found = patches_of(wanted_, rings_, unknowns_, parts_);
     std::erase_if(found, [&](const VertexPatch& patch) {
-      return patch.size() > most_vertices || !is_flat_around(patch, X_, topology_, rings_, flat_);
+      return patch.size() > tuning.clean_up.largest_fold ||
+             !is_flat_around(patch, X_, topology_, rings_, flat_);
     });
     return found;
   }
@@ -45,7 +44,7 @@ class FoldedPatchFinder {
 
   /// Flags the vertices at foldovers and their neighbours.
   void want_vertices_at_folds() {
-    const std::vector<std::uint8_t> folded = folded_hinges(X_, topology_, fold_to_undo);
+    const std::vector<std::uint8_t> folded = folded_hinges(X_, topology_, tuning.clean_up.fold);
     for (auto fold = std::find(folded.begin(), folded.end(), 1); fold != folded.end();
          fold = std::find(fold + 1, folded.end(), 1)) {
       for (const Index v :
@@ -105,7 +104,7 @@ bool is_flat_around(const VertexPatch& patch, const Points& X, const Topology& t
 }
 
 void even_out(const VertexPatch& patch, const CompressedRows& rings, Points& X) {
-  for (int i = 0; i < sweeps; ++i) {
+  for (int i = 0; i < tuning.clean_up.sweeps; ++i) {
     for (const Index v : patch) {
       Vec3 mean = Vec3::Zero();
       for (const Index q : rings[v]) {

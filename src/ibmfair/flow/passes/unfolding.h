@@ -3,22 +3,16 @@
 // relaxation alone does not unfold it either.
 #pragma once
 
-#include <numbers>
-
 #include "ibmfair/flow/passes/patch_flow.h"
 
 namespace ibmfair {
 
-/// The largest dihedral angle (radians) of a hinge, an edge with its two triangles, at which
-/// find_folded_patches looks for a folded patch.
-inline constexpr double fold_to_undo = std::numbers::pi / 3;
-
-/// Finds folded patches: patches of the vertices of hinges that are folded over although the
-/// surface around is nearly flat, and of their neighbours. Sharp edges, the rims of thin sheets and
-/// thin tips are not folded patches, because the surface around them is not flat. Foldovers at a
-/// boundary or across parts of the mesh are left out. `flat`: the least length of the sum of the
-/// surrounding triangles' area vectors, relative to the sum of their lengths (1 for a plane).
-/// `rings`: the result of vertex_rings.
+/// Finds folded patches: patches of the vertices of hinges (edges with their two triangles) that
+/// are folded over (CleanUpTuning::fold) although the surface around is nearly flat, and of their
+/// neighbours. Sharp edges, the rims of thin sheets and thin tips are not folded patches, because
+/// the surface around them is not flat. Foldovers at a boundary or across parts of the mesh are
+/// left out. `flat`: the least length of the sum of the surrounding triangles' area vectors,
+/// relative to the sum of their lengths (1 for a plane). `rings`: the result of vertex_rings.
 std::vector<VertexPatch> find_folded_patches(const Points& X, const Topology& topology,
                                              const CompressedRows& rings, const Unknowns& unknowns,
                                              const MeshParts& parts, double flat);

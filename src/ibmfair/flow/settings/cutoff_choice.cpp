@@ -5,17 +5,11 @@
 #include <utility>
 
 #include "ibmfair/flow/settings/sample_of_mesh.h"
+#include "ibmfair/flow/tuning.h"
 #include "ibmfair/mesh/geometry.h"
 
 namespace ibmfair {
 namespace {
-
-constexpr double shortest_edges = 2;  // first cut-off, in mean edge lengths
-// Differences of risks, in variances of the noise.
-constexpr double clear_rise = 0.03;  // trials end at a risk that far above the least risk
-constexpr double clear_rise_with_creases = 0.015;
-constexpr double small_gain = 0.002;  // trials end if doubling the cut-off changes the risk by less
-constexpr double many_more = 1.5;     // a mesh with this times `enough` moving vertices is sampled
 
 std::size_t least(const std::vector<CutoffTrial>& trials) {
   const auto less = [](const CutoffTrial& a, const CutoffTrial& b) { return a.risk < b.risk; };
@@ -25,7 +19,7 @@ std::size_t least(const std::vector<CutoffTrial>& trials) {
 
 /// The cut-off at the minimum of the parabola through the least risk and its two neighbours, over
 /// the logarithm of the cut-off. If creases are kept, the risk rises more steeply when creases
-/// disappear than it fell before; so the cut-off is shortened by only half of that shift.
+/// disappear than it fell before; so the cut-off is shortened by only a part of that shift.
 double between(const std::vector<CutoffTrial>& trials, std::size_t i, bool keeps_creases) {
   if (i == 0 || i + 1 == trials.size()) {
     return trials[i].cutoff;
@@ -34,7 +28,7 @@ double between(const std::vector<CutoffTrial>& trials, std::size_t i, bool keeps
   const double right = trials[i + 1].risk - trials[i].risk;
   double shift = left + right > 0 ? (left - right) / (2 * (left + right)) : 0;
   if (keeps_creases && shift < 0) {
-    shift /= 2;
+    shift *= tuning.cutoff.shortened_shift;
   }
   return trials[i].cutoff * std::pow(trials[i + 1].cutoff / trials[i].cutoff, shift);
 }
@@ -42,10 +36,11 @@ double between(const std::vector<CutoffTrial>& trials, std::size_t i, bool keeps
 /// Whether longer cut-offs are not expected to reduce the risk.
 bool is_enough(const std::vector<CutoffTrial>& trials, double noise, bool keeps_creases) {
   const double variance = noise * noise, last = trials.back().risk;
-  const double rise = keeps_creases ? clear_rise_with_creases : clear_rise;
+  const double rise =
+      keeps_creases ? tuning.cutoff.clear_rise_with_creases : tuning.cutoff.clear_rise;
   return last - trials[least(trials)].risk > rise * variance ||
          (trials.size() > 2 &&
-          std::abs(trials[trials.size() - 3].risk - last) <= small_gain * variance);
+          std::abs(trials[trials.size() - 3].risk - last) <= tuning.cutoff.small_gain * variance);
 }
 
 }  // namespace
@@ -64,7 +59,7 @@ CutoffChooser::CutoffChooser(const Points& X, const Topology& topology,
     : mean_edge_length_(ibmfair::mean_edge_length(X, topology.E)), search_(std::move(search)) {
   FlowOptions unbound = options;
   unbound.keep_volume = unbound.keep_area = false;
-  if (std::count(fixed.begin(), fixed.end(), 0) > many_more * search_.enough) {
+  if (std::count(fixed.begin(), fixed.end(), 0) > tuning.cutoff.many_more * search_.enough) {
     take_sample(X, topology, fixed, unbound);
   }
   if (!local_ && is_scattered(topology)) {
@@ -84,7 +79,8 @@ void CutoffChooser::take_sample(const Points& X, const Topology& topology,
                                 const std::vector<std::uint8_t>& fixed,
                                 const FlowOptions& options) {
   MeshSample sample = sample_of_mesh(X, topology, fixed, options, search_.enough);
-  if (4 * std::count(sample.inner.begin(), sample.inner.end(), 1) <= search_.enough) {
+  const auto inner = std::count(sample.inner.begin(), sample.inner.end(), 1);
+  if (static_cast<double>(inner) <= tuning.cutoff.least_inner * search_.enough) {
     return;
   }
   if (is_scattered(sample.mesh.topology)) {
@@ -115,7 +111,7 @@ void CutoffChooser::try_cutoffs(double shortest, const Done& done) {
 CutoffChoice CutoffChooser::choose(double sharp_angle, double shortest) {
   const bool keeps_creases = sharp_angle > 0;
   if (keeps_creases && !trials_->know_noise()) {
-    try_cutoffs(shortest_edges * mean_edge_length_, [](double) { return true; });
+    try_cutoffs(tuning.cutoff.shortest * mean_edge_length_, [](double) { return true; });
   }
   trials_->restart(sharp_angle);
   CutoffChoice choice;
@@ -132,7 +128,7 @@ CutoffChoice choose_cutoff(const Points& X, const Topology& topology,
                            const std::vector<std::uint8_t>& fixed, const FlowOptions& options,
                            const CutoffSearch& search) {
   CutoffChooser chooser(X, topology, fixed, options, search);
-  return chooser.choose(options.sharp_angle, shortest_edges * chooser.mean_edge_length());
+  return chooser.choose(options.sharp_angle, tuning.cutoff.shortest * chooser.mean_edge_length());
 }
 
 }  // namespace ibmfair

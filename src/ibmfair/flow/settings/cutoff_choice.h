@@ -14,6 +14,7 @@
 #include "ibmfair/flow/flow_options.h"
 #include "ibmfair/flow/passes/local_mesh.h"
 #include "ibmfair/flow/settings/cutoff_trials.h"
+#include "ibmfair/flow/tuning.h"
 #include "ibmfair/mesh/topology.h"
 
 namespace ibmfair {
@@ -33,8 +34,9 @@ using TrialObserver = std::function<void(double cutoff)>;
 struct CutoffSearch {
   double largest = 0;  ///< the largest cut-off to try, length
   TrialObserver observer = {};
-  double noise = 0;       ///< as in CutoffChoice; 0: estimated from the mesh
-  Index enough = 50'000;  ///< meshes with many more moving vertices are sampled: sample size
+  double noise = 0;  ///< as in CutoffChoice; 0: estimated from the mesh
+  /// Meshes with many more moving vertices are sampled: the size of the sample.
+  Index enough = tuning.cutoff.sample;
 };
 
 /// Lets copies of a mesh flow to a sequence of cut-offs, each longer by the square root of two, up

@@ -13,18 +13,12 @@
 #include "ibmfair/flow/steps/flow_problem.h"
 #include "ibmfair/flow/steps/unknown_normals.h"
 #include "ibmfair/flow/time_scale.h"
+#include "ibmfair/flow/tuning.h"
 #include "ibmfair/mesh/geometry.h"
 #include "ibmfair/mesh/select.h"
 
 namespace ibmfair {
 namespace {
-
-constexpr int leg_steps = 4;     // of backward Euler from one cut-off to the next
-constexpr double law_edges = 8;  // cut-off in mean edge lengths, for Weyl's law
-
-/// The distance by which the mesh of the second flow is moved: relative to the noise, and at least
-/// relative to the mean edge length.
-constexpr double little_noise = 0.1, little_edge = 1e-5;
 
 double median(Eigen::VectorXd values) {
   double* const middle = values.data() + values.size() / 2;
@@ -71,7 +65,8 @@ void CutoffTrials::restart(double sharp_angle) {
   trace_falls_ = false;
   options_.sharp_angle = leg_.sharp_angle = sharp_angle;
   if (keeps_creases() && moved_.start.size() == 0) {
-    const double little = std::max(little_noise * noise_, little_edge * mean_edge_);
+    const double little =
+        std::max(tuning.cutoff.little_noise * noise_, tuning.cutoff.little_edge * mean_edge_);
     moved_.start = mesh_.start;
     moved_.start(unknowns_.vertex, Eigen::all) += little * white_noise_;
   }
@@ -96,7 +91,7 @@ void CutoffTrials::run(double cutoff) {
   }
   const Eigen::VectorXd height =
       heights_along(normals, problem.X, mesh_.start, unknowns_)(counted_);
-  if (!knows_noise_ && outcomes_.size() == noise_trial) {
+  if (!knows_noise_ && outcomes_.size() == tuning.cutoff.noise_trial) {
     noise_ = median(height.cwiseAbs()) / median(taken.reshaped().cwiseAbs());
     knows_noise_ = true;
   }
@@ -115,9 +110,10 @@ std::vector<CutoffTrial> CutoffTrials::risks() const {
 void CutoffTrials::flow_to(double cutoff) {
   options_.total_time =
       time_in_flow_units(time_for_cutoff(cutoff), mesh_.start, topology_, options_);
-  const bool goes_on = !outcomes_.empty() && options_.steps > leg_steps && !keeps_creases();
+  const bool goes_on =
+      !outcomes_.empty() && options_.steps > tuning.cutoff.leg_steps && !keeps_creases();
   leg_.total_time = options_.total_time - (goes_on ? time_ : 0);
-  leg_.steps = goes_on ? leg_steps : options_.steps;
+  leg_.steps = goes_on ? tuning.cutoff.leg_steps : options_.steps;
   if (!goes_on) {
     smooth_ = white_noise_;
   }
@@ -201,9 +197,8 @@ double CutoffTrials::trace_by_law(double cutoff) const {
 }
 
 bool CutoffTrials::falls_by_law(double cutoff, double trace) const {
-  constexpr double near = 0.15;
-  return !outcomes_.empty() && cutoff >= law_edges * mean_edge_ &&
-         std::abs(trace - trace_by_law(cutoff)) < near * trace;
+  return !outcomes_.empty() && cutoff >= tuning.cutoff.law_edges * mean_edge_ &&
+         std::abs(trace - trace_by_law(cutoff)) < tuning.cutoff.near_law * trace;
 }
 
 }  // namespace ibmfair

@@ -68,8 +68,6 @@ class CutoffTrials {
   std::vector<CutoffTrial> risks() const;
 
  private:
-  static constexpr std::size_t noise_trial = 1;  // this cut-off hardly changes the shape yet
-
   /// The result of a flow with one cut-off.
   struct Outcome {
     double cutoff;

@@ -4,17 +4,11 @@
 #include <utility>
 
 #include "ibmfair/flow/fixed_vertices.h"
+#include "ibmfair/flow/tuning.h"
 #include "ibmfair/mesh/select.h"
 
 namespace ibmfair {
 namespace {
-
-/// The number of patches. More patches would cover more regions of the mesh, but have longer rims.
-constexpr std::size_t patches = 2;
-
-/// The number of rings of vertices along a rim that the rim affects in a flow to the longest
-/// cut-off.
-constexpr int felt_rings = 32;
 
 /// Marks `count` vertices around a seed, ring by ring, or fewer if fewer are connected with the
 /// seed. Returns the number of marked vertices.
@@ -39,6 +33,7 @@ std::size_t grow(const Topology& topology, Index seed, std::size_t count,
 /// move. If a patch stays too small, another patch starts further on in the list.
 std::vector<std::uint8_t> sampled(const Topology& topology, const std::vector<Index>& free,
                                   std::size_t count) {
+  constexpr std::size_t patches = tuning.cutoff.patches;
   std::vector<std::uint8_t> taken(static_cast<std::size_t>(topology.vertex_count), 0);
   const std::size_t in_patch = (count + patches - 1) / patches;
   std::size_t all = 0;
@@ -67,7 +62,7 @@ std::vector<std::uint8_t> near_rims(const Topology& whole, const LocalMesh& samp
       return !(taken[x[0]] && taken[x[1]] && taken[x[2]]);
     });
   });
-  for (int rings = 1; rings < felt_rings; ++rings) {
+  for (int rings = 1; rings < tuning.cutoff.felt_rings; ++rings) {
     near = grow_one_ring(sample.topology, near);
   }
   return near;

@@ -36,8 +36,10 @@ constexpr std::array quantities{
     Quantity{surface_area, area_derivative, &FlowOptions::keep_area},
 };
 
+// No tuned constants: Newton's method either converges in a few corrections or not at all.
 constexpr int most_corrections = 8;
-constexpr double exact = 1e-13;  // relative to the target: rounding error of a long sum
+constexpr double exact = 1e-13;       // relative to the target: rounding error of a long sum
+constexpr double independent = 1e-6;  // least pivot: below, quantities depend on each other
 
 Points gradient_of(const Quantity& quantity, const Points& X, const Topology& topology,
                    const Unknowns& unknowns) {
@@ -81,7 +83,7 @@ Eigen::VectorXd solve_small(const std::vector<Points>& A, const std::vector<Poin
     return Eigen::VectorXd::Zero(count);
   }
   Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> scaled;
-  scaled.setThreshold(1e-6);
+  scaled.setThreshold(independent);
   scaled.compute(scale.asDiagonal() * M * scale.asDiagonal());
   return scale.asDiagonal() * scaled.solve(scale.asDiagonal() * b);
 }

@@ -2,11 +2,13 @@
 
 #include <vector>
 
+#include "ibmfair/flow/tuning.h"
+
 namespace ibmfair {
 namespace {
 
-constexpr std::size_t most_pairs = 8;
-constexpr double least_curvature = 1e-12;  // cosine between step and change
+/// Cosine between step and change: below, rounding decides. No tuned constant.
+constexpr double least_curvature = 1e-12;
 
 double dot(const Points& a, const Points& b) {
   return a.cwiseProduct(b).sum();
@@ -19,7 +21,7 @@ void CurvaturePairs::add(const Points& step, const Points& gradient_change) {
   if (!(curvature > least_curvature * step.norm() * gradient_change.norm())) {
     return;
   }
-  if (pairs_.size() == most_pairs) {
+  if (pairs_.size() == tuning.stationary.pairs) {
     pairs_.pop_front();
   }
   pairs_.push_back({step, gradient_change, curvature});

@@ -5,12 +5,10 @@
 
 #include "ibmfair/base/parallel.h"
 #include "ibmfair/flow/steps/ring_kernels.h"
+#include "ibmfair/flow/tuning.h"
 
 namespace ibmfair {
 namespace {
-
-constexpr double largest_roughness = 0.15;
-constexpr double largest_strain = 0.4;
 
 /// Sums over the unknowns, in which each edge counts once.
 using Sums = Eigen::Array2d;  // roughness, strain
@@ -77,8 +75,8 @@ double Distortion::of(const Points& step, const PerVertex& edge_length, Points& 
   if (edges == 0) {
     return 0;
   }
-  return std::max(std::sqrt(sums[0] / count) / largest_roughness,
-                  std::sqrt(sums[1] / edges) / largest_strain);
+  return std::max(std::sqrt(sums[0] / count) / tuning.distortion.largest_roughness,
+                  std::sqrt(sums[1] / edges) / tuning.distortion.largest_strain);
 }
 
 }  // namespace ibmfair

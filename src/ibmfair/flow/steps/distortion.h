@@ -13,13 +13,11 @@ namespace ibmfair {
 /// A measure of how much a step distorts the triangles; a time step should distort by at most 1.
 /// The measure is the larger of
 ///   roughness: the root mean square of the own part of each move (the part that neighbours do not
-///              share) over the edge length, divided by 0.15. Removing noise is rough;
+///              share) over the edge length, divided by its limit. Removing noise is rough;
 ///   strain:    the root mean square, over the edges, of the difference of the moves of both ends
-///              over the edge length, divided by 0.4. Large smooth moves stretch and turn the
+///              over the edge length, divided by its limit. Large smooth moves stretch and turn the
 ///              surface without being rough.
-/// With larger steps, noise grows into volume. The limits 0.15 and 0.4 were chosen on noisy
-/// spheres, tori and scans (tools/denoise_table) and on smooth shapes that change a lot
-/// (tools/paper_tables).
+/// With larger steps, noise grows into volume. The limits are in DistortionTuning.
 class Distortion {
  public:
   /// All arguments must outlive this object.

@@ -1,13 +1,14 @@
 #include "ibmfair/flow/steps/fold_free_move.h"
 
+#include "ibmfair/flow/tuning.h"
+
 namespace ibmfair {
 
 FoldFreeLanding displace_without_folds(const FlowProblem& problem, FoldWatch& folds, Points& move,
                                        Points& Y,
                                        const std::function<double(const Points&)>& energy_at) {
-  constexpr int passes = 6;
   FoldFreeLanding result;
-  for (int pass = 0; pass < passes; ++pass) {
+  for (int i = 0; i < tuning.guard.most_withholdings; ++i) {
     result.landing = problem.displace(move, Y);
     if (!result.leads_somewhere()) {
       return result;

@@ -13,19 +13,14 @@
 #include "ibmfair/flow/steps/step_control.h"
 #include "ibmfair/flow/steps/step_model.h"
 #include "ibmfair/flow/steps/tangential_relaxation.h"
+#include "ibmfair/flow/tuning.h"
 #include "ibmfair/mesh/geometry.h"
 
 namespace ibmfair {
 namespace {
 
-// The settings of the guard, chosen in the same way as the limits of Distortion. A "decrease" is
-// the actual decrease of the energy over the predicted one.
-constexpr double least_decrease = 0.1;  // a step with a smaller decrease is rejected
-constexpr double most_taken = 0.25;     // the most energy per vertex that a step should remove
-constexpr int slowings = 3;    // times that a move is slowed at uphill vertices before it is halved
-constexpr int backtracks = 2;  // halvings of a step before it is given up
-constexpr double first_step = 1e-4;  // least first time step, relative to the target
-constexpr double rounding = 1e-14;  // relative to the energy: smaller decreases are rounding errors
+// Relative to the energy: smaller decreases are rounding errors. No tuned constant.
+constexpr double rounding = 1e-14;
 
 class GuardedFlow {
  public:
@@ -53,10 +48,12 @@ class GuardedFlow {
 
  private:
   void take_steps() {
-    // Each attempt either advances the time or makes the next attempt easier. The bound is for
-    // meshes on which this takes longer than a user would wait, or longer than a patch is worth.
-    const int most_solves =
-        p_.options.clean_up ? 200 + 20 * p_.options.steps : 20 + 4 * p_.options.steps;
+    // Each attempt either advances the time or makes the next attempt easier.
+    const GuardTuning& guard = tuning.guard;
+    const int most_solves = p_.options.clean_up
+                                ? guard.solves + guard.solves_per_step * p_.options.steps
+                                : guard.solves_without_clean_up +
+                                      guard.solves_per_step_without_clean_up * p_.options.steps;
     while (!control_.has_ended()) {
       if (control_.has_failed() || p_.report.solves >= most_solves) {
         end_early();
@@ -99,18 +96,18 @@ class GuardedFlow {
     if (has_limit_) {
       p_.jacobian().update_metric(p_.X);
     }
-    control_.begin(limited_step(first_step * control_.target(), control_.target()));
+    control_.begin(limited_step(tuning.guard.first_step * control_.target(), control_.target()));
   }
 
-  /// The time step that removes `most_taken` energy per vertex, between `shortest` and `longest`;
-  /// `shortest` if the power is NaN.
+  /// The time step that removes the most energy per vertex that a step should remove, between
+  /// `shortest` and `longest`; `shortest` if the power is NaN.
   double limited_step(double shortest, double longest) {
     if (!has_limit_) {
       return longest;
     }
     p_.update_gradient();
     const Stopwatch watch(p_.report.seconds.guard);
-    return std::min(std::max(shortest, most_taken / p_.power()), longest);
+    return std::min(std::max(shortest, tuning.guard.most_taken / p_.power()), longest);
   }
 
   /// One attempt at a step; false when the observer asks to stop.
@@ -219,7 +216,7 @@ class GuardedFlow {
   bool search(StepRecord& record) {
     const Stopwatch watch(p_.report.seconds.guard);
     damping_.reset();
-    for (int i = 0; i <= backtracks; ++i, fraction_ /= 2) {
+    for (int i = 0; i <= tuning.guard.most_halvings; ++i, fraction_ /= 2) {
       move_.resize(step_.rows(), 3);
       parallel_for(step_.rows(), [&](std::int64_t u) { move_.row(u) = fraction_ * step_.row(u); });
       if (try_move(record)) {
@@ -246,11 +243,12 @@ class GuardedFlow {
       const double promised = whole ? model_.decrease(fraction_) : promised_on_the_way();
       trial_energy_ = trial.energy;
       record.decrease_ratio = (p_.energy() - trial_energy_) / promised;
-      if (record.decrease_ratio >= least_decrease) {
+      if (record.decrease_ratio >= tuning.guard.least_decrease) {
         record.held_back += count(static_cast<double>(shortened));
         return true;
       }
-      if (times == slowings || !damping_.slow(Y_, control_.is_fresh(), move_, shortened)) {
+      if (times == tuning.guard.most_slowings ||
+          !damping_.slow(Y_, control_.is_fresh(), move_, shortened)) {
         return false;
       }
     }
@@ -296,7 +294,7 @@ class GuardedFlow {
   const RingGroups ring_groups_;
   TangentialRelaxation relaxation_;
   Distortion measure_;
-  const bool has_limit_;  // most_taken limits the time step
+  const bool has_limit_;  // GuardTuning::most_taken limits the time step
   StepControl control_;
   LocalDamping damping_;
   PerVertex edge_length_;

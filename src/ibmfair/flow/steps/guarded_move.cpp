@@ -1,17 +1,13 @@
 #include "ibmfair/flow/steps/guarded_move.h"
 
 #include "ibmfair/flow/steps/fold_free_move.h"
+#include "ibmfair/flow/tuning.h"
 
 namespace ibmfair {
-namespace {
-
-constexpr int most_halvings = 2;  // before the move is given up
-
-}  // namespace
 
 bool GuardedMove::make(Points& move, double bound) {
   FlowReport& report = problem_.report;
-  for (int i = 0; i <= most_halvings; ++i, move /= 2) {
+  for (int i = 0; i <= tuning.guard.most_halvings; ++i, move /= 2) {
     const FoldFreeLanding trial = displace_without_folds(
         problem_, folds_, move, Y_, [this](const Points& Y) { return problem_.try_state(Y); });
     if (trial.leads_somewhere() && trial.energy <= bound) {

@@ -2,31 +2,23 @@
 
 #include <algorithm>
 
+#include "ibmfair/flow/tuning.h"
+
 namespace ibmfair {
-namespace {
-
-// Chosen in the same way as the settings of the guard (guarded_flow.cpp).
-constexpr double slower = 0.1;                // factor of moves near uphill vertices
-constexpr double heavier = 256, lighter = 4;  // factors by which damping grows and fades
-constexpr double standstill = 1e12;           // damping of a vertex stopped by the bound on moves
-constexpr double memory = 1.0 / 4;            // TimeDeficit's memory, relative to the total time
-
-}  // namespace
-
 LocalDamping::LocalDamping(FlowProblem& problem)
     : problem_(problem),
-      deficit_(problem.unknowns.size(), memory * problem.options.total_time),
+      deficit_(problem.unknowns.size(), tuning.damping.memory * problem.options.total_time),
       uphill_(static_cast<std::size_t>(problem.topology.vertex_count), 0) {}
 
 void LocalDamping::damp() {
   Eigen::VectorXd& damping = problem_.jacobian().damping();
   damping(stopped_).setOnes();
-  damping = (damping / lighter).cwiseMax(1.0);
-  for_each_near_uphill([&](Index u) { damping[u] *= heavier; });
+  damping = (damping / tuning.damping.lighter).cwiseMax(1.0);
+  for_each_near_uphill([&](Index u) { damping[u] *= tuning.damping.heavier; });
   std::ranges::fill(uphill_, std::uint8_t{0});
   slowed_ = problem_.parts.any((damping.array() > 1).any());
   stopped_ = problem_.stopped();
-  damping(stopped_).setConstant(standstill);
+  damping(stopped_).setConstant(tuning.damping.standstill);
 }
 
 bool LocalDamping::slow(const Points& Y, bool fresh, Points& move, std::int64_t& shortened) {
@@ -44,8 +36,8 @@ bool LocalDamping::slow(const Points& Y, bool fresh, Points& move, std::int64_t&
     return false;
   }
   for_each_near_uphill([&](Index u) {
-    move.row(u) *= slower;
-    deficit_.slow(u, slower);
+    move.row(u) *= tuning.damping.slower;
+    deficit_.slow(u, tuning.damping.slower);
     ++shortened;
   });
   slowed_ = true;

@@ -22,7 +22,7 @@ Vec3 MoveBound::within(Index v, const Vec3& p) const {
 }
 
 bool MoveBound::stops(Index v, const Vec3& x, const Vec3& direction) const {
-  constexpr double contact = 1e-6;  // relative to the radius
+  constexpr double contact = 1e-6;  // relative to the radius; above rounding errors
   const Vec3 offset = x - start_.row(v).transpose();
   return offset.norm() >= (1 - contact) * radius_ && direction.dot(offset) > 0;
 }

@@ -8,10 +8,9 @@
 namespace ibmfair {
 namespace {
 
-constexpr std::size_t longest = 12;
-
-/// Groups are formed within runs of this many consecutive vertices, which are close in memory.
-constexpr std::size_t run_length = 512;
+/// The length of the longest ring in a group, and the number of consecutive vertices, which are
+/// close in memory, among which groups are formed. Sizes of lists: they change no result.
+constexpr std::size_t longest = 12, run_length = 512;
 
 /// The unknowns' vertices and their neighbours.
 std::vector<Index> near(const Topology& topology, const Unknowns& unknowns) {

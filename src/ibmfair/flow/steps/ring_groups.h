@@ -16,7 +16,7 @@ namespace ibmfair {
 /// The number of vertices in a group: the number of lanes of a kernel (base/lanes.h).
 inline constexpr Index rings_per_group = 4;
 
-/// The largest number of groups in a part.
+/// The largest number of groups in a part. The size of a buffer: it changes no decision.
 inline constexpr std::int64_t groups_per_part = 32;
 
 struct RingGroup {

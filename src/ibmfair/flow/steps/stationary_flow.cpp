@@ -5,21 +5,10 @@
 
 #include "ibmfair/base/errors.h"
 #include "ibmfair/flow/steps/unknown_normals.h"
+#include "ibmfair/flow/tuning.h"
 #include "ibmfair/mesh/geometry.h"
 
 namespace ibmfair {
-namespace {
-
-constexpr double accepted_share = 0.1;  // least accepted decrease, relative to the predicted one
-constexpr double growing_share = 0.5;   // above this share, the time step may grow
-constexpr double leap = 256;            // the time step grows by this factor, and shrinks by it
-constexpr double longest_move = 2;      // along the normal in one step, in edge lengths
-constexpr int most_attempts = 12;
-constexpr int most_steps_with_jacobian = 10;
-constexpr int halvings = 2;  // of a step before the time step shrinks
-
-}  // namespace
-
 StationaryFlow::StationaryFlow(const Points& X, const Topology& topology,
                                const std::vector<std::uint8_t>& fixed, const FlowOptions& options,
                                double h, double h_limit, bool normal_only)
@@ -64,7 +53,7 @@ bool StationaryFlow::renew() {
   try {
     problem_.jacobian().refactor(problem_.X, h_);
   } catch (const FactorizationFailed&) {
-    h_ /= leap;
+    h_ /= tuning.stationary.leap;
     return false;
   }
   edge_length_ = local_edge_length(problem_.X, rings_)(problem_.unknowns.vertex);
@@ -74,7 +63,7 @@ bool StationaryFlow::renew() {
 }
 
 bool StationaryFlow::advance() {
-  for (int attempt = 0; attempt < most_attempts; ++attempt) {
+  for (int attempt = 0; attempt < tuning.stationary.most_attempts; ++attempt) {
     const bool fresh = stale_;
     if (fresh && !renew()) {
       continue;
@@ -84,7 +73,7 @@ bool StationaryFlow::advance() {
       return true;
     }
     if (fresh) {
-      h_ /= leap;
+      h_ /= tuning.stationary.leap;
     }
     stale_ = true;
   }
@@ -107,13 +96,13 @@ bool StationaryFlow::search(const Points& step) {
   const double move =
       along.size() > 0 ? along.cwiseAbs().cwiseQuotient(edge_length_).maxCoeff() : 0;
   Points Y, gradient;
-  double fraction = std::min(1.0, longest_move / move);
-  for (int i = 0; i <= halvings; ++i, fraction /= 2) {
+  double fraction = std::min(1.0, tuning.stationary.longest_move / move);
+  for (int i = 0; i <= tuning.guard.most_halvings; ++i, fraction /= 2) {
     problem_.displace(fraction * step, Y);
     const double trial = problem_.energy_and_gradient_at(Y, gradient);
     const double predicted = (fraction - fraction * fraction / 2) * slope;
     const double ratio = (energy_ - trial) / std::min(predicted, energy_);
-    if (ratio >= accepted_share && problem_.new_folds(folds_, Y, trial).empty()) {
+    if (ratio >= tuning.guard.least_decrease && problem_.new_folds(folds_, Y, trial).empty()) {
       last_move_ = fraction * move;
       accept(fraction * step, Y, gradient, trial);
       adapt(fraction, ratio);
@@ -135,10 +124,10 @@ void StationaryFlow::accept(const Points& step, Points& Y, Points& gradient, dou
 /// Below its limit the time step grows, and the Jacobian is renewed at each step. At the limit the
 /// Jacobian is kept for several steps, and curvature pairs make up for its age.
 void StationaryFlow::adapt(double fraction, double ratio) {
-  if (fraction < 1 || ++steps_with_jacobian_ >= most_steps_with_jacobian) {
+  if (fraction < 1 || ++steps_with_jacobian_ >= tuning.stationary.most_steps) {
     stale_ = true;
-  } else if (ratio > growing_share && h_ < h_limit_) {
-    h_ = std::min(h_limit_, h_ * leap);
+  } else if (ratio > tuning.guard.good_decrease && h_ < h_limit_) {
+    h_ = std::min(h_limit_, h_ * tuning.stationary.leap);
     stale_ = true;
   }
 }

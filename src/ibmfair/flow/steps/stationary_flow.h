@@ -19,7 +19,7 @@ namespace ibmfair {
 /// Each step solves (D + h S(X_ref)) d = -h grad E_b(X) and goes along d as far as the energy
 /// decreases sufficiently. h grows toward infinity, where the step is that of Gauss-Newton, while
 /// steps reach the predicted decrease, and shrinks when a step fails. S is renewed at X when h has
-/// changed, when a step had to be shortened or failed, and after 10 steps.
+/// changed, when a step had to be shortened or failed, and after some steps (StationaryTuning).
 ///
 /// With `normal_only` a vertex moves by d_v n_v along its normal n_v, and the same Jacobian acts on
 /// the lengths d_v: S is then the squared Laplacian, the leading part of the second variation of

@@ -2,19 +2,9 @@
 
 #include <algorithm>
 
+#include "ibmfair/flow/tuning.h"
+
 namespace ibmfair {
-namespace {
-
-// The settings of the control, chosen in the same way as the limits of Distortion. A "decrease" is
-// the actual decrease of the energy over the predicted one.
-constexpr double stale_decrease = 0.1;         // at or below, the Jacobian is renewed
-constexpr double good_decrease = 0.5;          // above, a time step that was cut may grow again
-constexpr double time_step_cut = 1.0 / 32;     // factor if a step distorts too much or fails
-constexpr double growth = 2, fast_growth = 8;  // of the time step; fast if the distortion is < 0.5
-constexpr int oldest_when_damped = 4;          // most steps with one Jacobian if regions are damped
-constexpr double smallest_time_step = 1e-12;   // relative to the target; below, the flow gives up
-
-}  // namespace
 
 StepControl::StepControl(const FlowOptions& options)
     : total_(options.total_time),
@@ -23,16 +13,16 @@ StepControl::StepControl(const FlowOptions& options)
       left_(options.total_time) {}
 
 bool StepControl::has_failed() const {
-  return h_ < smallest_time_step * target_;
+  return h_ < tuning.step_control.smallest * target_;
 }
 
 bool StepControl::is_at_last_cut() const {
-  return h_ * time_step_cut < smallest_time_step * target_;
+  return h_ * tuning.step_control.cut < tuning.step_control.smallest * target_;
 }
 
 void StepControl::give_up(bool cut) {
   stale_ = true;
-  h_ *= cut ? time_step_cut : 1;
+  h_ *= cut ? tuning.step_control.cut : 1;
 }
 
 void StepControl::advance(double time) {
@@ -43,16 +33,18 @@ void StepControl::advance(double time) {
 void StepControl::adapt(const StepRecord& made, double whole, double distortion, bool damped,
                         const std::function<double(double, double)>& limited) {
   const bool shortened = made.time_step < whole && left_ > 0;
-  if (made.decrease_ratio <= stale_decrease || shortened) {
+  if (made.decrease_ratio <= tuning.guard.least_decrease || shortened) {
     stale_ = true;
-    h_ *= made.refactored ? 0.5 : 1;
-  } else if (made.decrease_ratio > good_decrease && h_ < target_) {
-    const double longest = h_ * (distortion < 0.5 ? fast_growth : growth);
-    h_ = std::min(target_, limited(growth * h_, longest));
+    h_ *= made.refactored ? tuning.step_control.shortened : 1;
+  } else if (made.decrease_ratio > tuning.guard.good_decrease && h_ < target_) {
+    const bool fast = distortion < tuning.step_control.little_distortion;
+    const double longest =
+        h_ * (fast ? tuning.step_control.fast_growth : tuning.step_control.growth);
+    h_ = std::min(target_, limited(tuning.step_control.growth * h_, longest));
     stale_ = true;
   }
   // A new Jacobian lets regions that no longer raise the energy move at full speed again.
-  stale_ = stale_ || (damped && age_ >= oldest_when_damped);
+  stale_ = stale_ || (damped && age_ >= tuning.step_control.oldest_when_damped);
 }
 
 }  // namespace ibmfair

@@ -16,7 +16,7 @@ class StepControl {
   double time_step() const { return h_; }    ///< the length of the next one
   double left() const { return left_; }      ///< the remaining time
   double reached() const { return total_ - left_; }
-  bool has_ended() const { return left_ <= 1e-9 * total_; }
+  bool has_ended() const { return left_ <= 1e-9 * total_; }  ///< up to rounding errors
   bool is_stale() const { return stale_; }  ///< the Jacobian has to be renewed before the next step
   bool is_fresh() const { return age_ == 0; }  ///< no step was made with the Jacobian
 

@@ -5,8 +5,8 @@
 
 #include <Eigen/Eigenvalues>
 
-#include "ibmfair/base/angle.h"
 #include "ibmfair/base/parallel.h"
+#include "ibmfair/flow/tuning.h"
 #include "ibmfair/mesh/corners.h"
 #include "ibmfair/mesh/geometry.h"
 #include "ibmfair/mesh/select.h"
@@ -14,29 +14,11 @@
 namespace ibmfair {
 namespace {
 
-// Seen along the vertex normal, tilted triangles keep only a share of their area: this share if
-// they are tilted by 45 degrees. A vertex can stick out only if its share is smaller, as at folded
-// patches and spikes.
-constexpr double little_left = 0.7;
-
 /// The length of the sum of the neighbours' normals over the sum of their lengths, for a vertex
 /// with the share `left` on the edge of a wedge: two of its six neighbours lie on the edge, too.
 double left_around_edge(double left) {
   return 3 * left / (2 + left);
 }
-constexpr double more_left = 1.02;  // beyond this times that value, the surface is no wedge
-
-/// Let the triangles' unit normals n at a vertex be weighted by the triangles' angles there. This
-/// is the sum of their squared components across the mean normal, over that along the mean normal,
-/// on a crease that turns by 80 degrees. No vertex moves across such a crease, and vertices move in
-/// part across creases that turn by less. With half of this limit, folds made by noise would stay,
-/// too; with the limit for 90 degrees or more, creases would be rounded.
-constexpr double crease = 0.7;  // tan^2 of half the angle
-
-/// Normals tilted by 2 degrees have about this share; above it, there is no crease to look for.
-constexpr double all_left = 0.9995;
-
-constexpr double needle = radians(1);  // triangles with a smaller angle are needles
 
 /// The part of a step perpendicular to the normal, or 0 if the normal is 0.
 Vec3 across(const Vec3& normal, const Vec3& step) {
@@ -91,7 +73,7 @@ void TangentialRelaxation::take(const Points& X, Index v, const Surroundings& ar
     return;
   }
   const bool moves = is_oriented_interior(topology_, v);
-  const bool may_have_crease = keeps_creases_ && left_[v] < all_left;
+  const bool may_have_crease = keeps_creases_ && left_[v] < tuning.relaxation.all_left;
   if (moves && may_have_crease) {
     const Vec3 step = along_creases(X, v, around.half_way.xyz());
     move.row(u) = across(normals_.row(v), step);
@@ -101,7 +83,7 @@ void TangentialRelaxation::take(const Points& X, Index v, const Surroundings& ar
 }
 
 bool TangentialRelaxation::moves_at_needles(const Points& X, Points& move) {
-  const std::vector<Index> thin = needles(X, topology_.F, needle);
+  const std::vector<Index> thin = needles(X, topology_.F, tuning.relaxation.needle);
   if (!parts_.any(!thin.empty())) {
     return false;
   }
@@ -139,7 +121,7 @@ Surroundings TangentialRelaxation::look_around(const Points& X, Index v) const {
 }
 
 bool TangentialRelaxation::sticks_out(Index v) const {
-  if (left_[v] > little_left) {
+  if (left_[v] > tuning.relaxation.little_left) {
     return false;
   }
   Vec3 sum = Vec3::Zero();
@@ -149,7 +131,7 @@ bool TangentialRelaxation::sticks_out(Index v) const {
     sum += N;
     length += N.norm();
   }
-  return sum.norm() > more_left * left_around_edge(left_[v]) * length;
+  return sum.norm() > tuning.relaxation.more_left * left_around_edge(left_[v]) * length;
 }
 
 Vec3 TangentialRelaxation::along_creases(const Points& X, Index v, const Vec3& step) const {
@@ -169,7 +151,7 @@ Vec3 TangentialRelaxation::along_creases(const Points& X, Index v, const Vec3& s
   Vec3 along = Vec3::Zero();
   for (int i = 0; i < 2; ++i) {
     const Vec3 direction = directions.eigenvectors().col(i);
-    const double free = 1 - facing[i] / (crease * facing[2]);
+    const double free = 1 - facing[i] / (tuning.relaxation.crease * facing[2]);
     along += std::max(0.0, free) * direction.dot(step) * direction;
   }
   return along;

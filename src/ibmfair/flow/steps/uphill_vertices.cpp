@@ -3,14 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ibmfair/flow/tuning.h"
+
 namespace ibmfair {
-namespace {
-
-constexpr double uphill_share = 0.05;  // of the largest increase of the energy at an unknown
-constexpr double local_share = 0.02;   // of the unknowns: with more, trouble is global
-
-}  // namespace
-
 UphillVertices find_uphill_vertices(const FlowProblem& problem, const Points& gradient,
                                     const Points& move) {
   const Eigen::VectorXd slope = gradient.cwiseProduct(move).rowwise().sum();
@@ -21,13 +16,13 @@ UphillVertices find_uphill_vertices(const FlowProblem& problem, const Points& gr
   steepest = problem.parts.max(steepest);
   UphillVertices uphill;
   for (Index u = 0; u < problem.unknowns.size(); ++u) {
-    if (!(slope[u] <= uphill_share * steepest)) {
+    if (!(slope[u] <= tuning.damping.uphill_share * steepest)) {
       uphill.vertices.push_back(problem.unknowns.vertex[u]);
     }
   }
   const double found = problem.parts.sum(static_cast<double>(uphill.vertices.size()));
-  uphill.are_local =
-      found > 0 && found <= local_share * static_cast<double>(problem.report.unknowns);
+  const double most = tuning.damping.local_share * static_cast<double>(problem.report.unknowns);
+  uphill.are_local = found > 0 && found <= most;
   return uphill;
 }
 
