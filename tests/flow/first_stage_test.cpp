@@ -38,7 +38,9 @@ TEST(FirstStage, IsForNoiseWhereCreasesAreKept) {
   for (const char* shape : {"icosphere", "cube", "icosahedron"}) {
     const State clean = noisy(shape, 0), rough = noisy(shape, 0.2);
     const auto stage_of = [](const State& state, const FlowOptions& options) {
-      return first_stage(state.X, state.topology, options, MeshParts::one());
+      const std::vector<std::uint8_t> fixed(state.X.rows(), 0);
+      return first_stage_options(
+          FlowProblem(state.X, state.topology, fixed, options, MeshParts::one()));
     };
     EXPECT_FALSE(stage_of(clean, keeping_creases(clean, 8))) << shape;
     FlowOptions options = keeping_creases(rough, 8);

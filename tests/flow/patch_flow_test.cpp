@@ -21,10 +21,13 @@ using Flags = std::vector<std::uint8_t>;
 
 TEST(Patches, AreThePiecesOfWhatIsWantedAndMayMove) {
   const State state(make_shape("plane", {.rows = 25, .columns = 40}));
-  const Unknowns unknowns(fixed_vertices(state.topology, BoundaryCondition::fixed));
+  const Flags fixed = fixed_vertices(state.topology, BoundaryCondition::fixed);
+  const FlowOptions options;
+  const FlowProblem problem(state.X, state.topology, fixed, options, MeshParts::one());
+  const Unknowns& unknowns = problem.unknowns;
   const CompressedRows rings = vertex_rings(state.topology);
   const Flags wanted = around(state.topology, {300, 306, 330, 0}, 2);
-  const std::vector<VertexPatch> patches = patches_of(wanted, rings, unknowns, MeshParts::one());
+  const std::vector<VertexPatch> patches = patches_of(wanted, rings, problem);
   EXPECT_EQ(patches.size(), 3U);
   std::vector<int> patch_of(wanted.size(), -1);
   for (std::size_t p = 0; p < patches.size(); ++p) {
@@ -76,7 +79,7 @@ TEST(PatchFlow, GoesWhereTheMeshWouldGoWithTheRestHeld) {
     FlowProblem problem(state.X, state.topology, Flags(wanted.size(), 0), options,
                         MeshParts::one());
     problem.report.solver = options.solver;
-    const VertexPatch patch = patches_of(wanted, rings, problem.unknowns, MeshParts::one()).front();
+    const VertexPatch patch = patches_of(wanted, rings, problem).front();
     Points move = Points::Zero(state.X.rows(), 3);
     EXPECT_TRUE(PatchFlow(problem, rings).run(patch, state.X, options.total_time, move));
 
@@ -100,7 +103,7 @@ TEST(PatchFlow, LeavesAPatchAloneThatWouldHaveMoreEnergy) {
   const FlowProblem problem(state.X, state.topology, Flags(state.X.rows(), 0), options,
                             MeshParts::one());
   const Flags wanted = around(state.topology, {100}, 2);
-  const VertexPatch patch = patches_of(wanted, rings, problem.unknowns, MeshParts::one()).front();
+  const VertexPatch patch = patches_of(wanted, rings, problem).front();
   Points move = Points::Zero(state.X.rows(), 3);
   const Points rough = shaken(state, 0.3);
   EXPECT_FALSE(PatchFlow(problem, rings).run(patch, rough, 1e-9 * options.total_time, move));

@@ -22,6 +22,14 @@ namespace {
 
 constexpr double sharp_angle = radians(20);
 
+std::vector<VertexPatch> spikes_of(const Points& X, const Topology& topology,
+                                   const CompressedRows& rings,
+                                   const std::vector<std::uint8_t>& fixed) {
+  FlowOptions options;
+  options.sharp_angle = sharp_angle;
+  return find_residual_spikes(FlowProblem(X, topology, fixed, options, MeshParts::one()), rings);
+}
+
 /// A cube with a spike in the middle of a face.
 class Spike : public testing::Test {
  protected:
@@ -31,8 +39,7 @@ class Spike : public testing::Test {
   }
 
   std::vector<VertexPatch> spikes(const Points& X, const std::vector<std::uint8_t>& fixed) const {
-    return find_residual_spikes(X, cube_.topology, rings_, Unknowns(fixed), MeshParts::one(),
-                                sharp_angle);
+    return spikes_of(X, cube_.topology, rings_, fixed);
   }
 
   FlowOptions keeping_creases(double cutoff_edges) const {
@@ -75,10 +82,8 @@ TEST_F(Spike, IsLeftAtABoundary) {
   for (Index v = 0; v < plane.topology.vertex_count; ++v) {
     Points X = plane.X;
     X.row(v) += height * Vec3(0, 0, 1).transpose();
-    const auto found =
-        find_residual_spikes(X, plane.topology, rings,
-                             Unknowns(std::vector<std::uint8_t>(plane.topology.vertex_count, 0)),
-                             MeshParts::one(), sharp_angle);
+    const auto found = spikes_of(X, plane.topology, rings,
+                                 std::vector<std::uint8_t>(plane.topology.vertex_count, 0));
     const bool is_inside = plane.topology.kind[v] == VertexKind::interior &&
                            std::ranges::all_of(rings[v], [&](Index q) {
                              return plane.topology.kind[q] == VertexKind::interior;
@@ -101,7 +106,7 @@ TEST_F(Spike, OnAnEdgeIsPartOfIt) {
 TEST_F(Spike, IsEvenedOutWithNothingElse) {
   const FlowOptions options = keeping_creases(6);
   FlowProblem problem(X_, cube_.topology, free_, options, MeshParts::one());
-  flatten_residual_spikes(problem);
+  flatten_residual_spikes(problem, rings_);
   EXPECT_GT(problem.report.unfolded, 0);
   EXPECT_LT(problem.report.energy_after, problem.report.energy_before);
   EXPECT_NEAR(problem.X(middle_, 2), 1, 0.02 * edge_);

@@ -13,11 +13,11 @@ constexpr int steps = 16;
 
 class StepControlTest : public testing::Test {
  protected:
-  /// Makes the next step in full, with this decrease of the energy over the predicted one.
-  void make(double decrease, bool damped = false, double distortion = 0) {
+  /// Makes a part of the next step, with this decrease of the energy over the predicted one.
+  void make(double decrease, bool damped = false, double distortion = 0, double part = 1) {
     const double h = control_.time_step();
     StepRecord made;
-    made.time_step = std::min(h, control_.left());
+    made.time_step = std::min(part * h, control_.left());
     made.decrease_ratio = decrease;
     made.refactored = control_.is_stale();
     if (made.refactored) control_.jacobian_was_renewed();
@@ -63,12 +63,20 @@ TEST_F(StepControlTest, AFailureRenewsTheJacobianFirstAndThenCutsTheStep) {
   EXPECT_EQ(control_.time_step(), control_.target());
 }
 
-TEST_F(StepControlTest, BadPredictionsRenewTheJacobianAndShortenStepsOfANewOne) {
-  make(0.05);  // of a new Jacobian
+TEST_F(StepControlTest, ShortenedStepsRenewTheJacobianAndShortenStepsOfANewOne) {
+  make(0.3, false, 0, 0.5);  // by a new Jacobian
   EXPECT_TRUE(control_.is_stale());
   EXPECT_EQ(control_.time_step(), total / steps / 2);
-  make(0.05);
+  make(0.3, false, 0, 0.5);
   EXPECT_EQ(control_.time_step(), total / steps / 4);
+}
+
+TEST_F(StepControlTest, FailsAfterManySolves) {
+  EXPECT_FALSE(control_.has_failed(5 * steps));
+  EXPECT_TRUE(control_.has_failed(1000 * steps));
+  const StepControl patch({.steps = steps, .total_time = total, .clean_up = false});
+  EXPECT_FALSE(patch.has_failed(2 * steps));
+  EXPECT_TRUE(patch.has_failed(6 * steps));
 }
 
 TEST_F(StepControlTest, ANumberThatIsNoneNeverMakesStepsLonger) {

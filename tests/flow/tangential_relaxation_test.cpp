@@ -17,11 +17,14 @@ namespace ibmfair::test {
 namespace {
 
 Points sweep(const State& state, bool keeps_creases) {
-  const Unknowns unknowns(fixed_vertices(state.topology, BoundaryCondition::fixed));
+  const auto fixed = fixed_vertices(state.topology, BoundaryCondition::fixed);
+  FlowOptions options;
+  options.sharp_angle = keeps_creases ? 0.5 : 0;
+  const FlowProblem problem(state.X, state.topology, fixed, options, MeshParts::one());
+  const Unknowns& unknowns = problem.unknowns;
   const CompressedRows rings = vertex_rings(state.topology);
   const RingGroups groups(state.topology, rings, unknowns);
-  TangentialRelaxation relaxation(state.topology, groups, unknowns, MeshParts::one(),
-                                  keeps_creases);
+  TangentialRelaxation relaxation(problem, groups);
   Points move, by_vertex = Points::Zero(state.X.rows(), 3);
   relaxation.moves(state.X, move);
   for (Index u = 0; u < unknowns.size(); ++u) {
@@ -116,10 +119,12 @@ TEST(TangentialRelaxation, LaysSpikesDown) {
 TEST(TangentialRelaxation, FindsTheCornersOfNeedlesAlone) {
   for (const char* shape : {"icosphere", "torus"}) {
     State state = made(shape);
-    const Unknowns unknowns(fixed_vertices(state.topology, BoundaryCondition::fixed));
+    const auto fixed = fixed_vertices(state.topology, BoundaryCondition::fixed);
+    const FlowOptions options;
+    const FlowProblem problem(state.X, state.topology, fixed, options, MeshParts::one());
     const CompressedRows rings = vertex_rings(state.topology);
-    const RingGroups groups(state.topology, rings, unknowns);
-    TangentialRelaxation relaxation(state.topology, groups, unknowns, MeshParts::one(), false);
+    const RingGroups groups(state.topology, rings, problem.unknowns);
+    TangentialRelaxation relaxation(problem, groups);
     Points all, move;
     EXPECT_FALSE(relaxation.moves_at_needles(state.X, move)) << shape;
     const Index triangle = 50;

@@ -26,8 +26,9 @@ constexpr double flat = 0.6;
 Points unfolded_by(const State& state, const std::vector<std::uint8_t>& fixed) {
   const CompressedRows rings = vertex_rings(state.topology);
   Points X = state.X;
-  for (const VertexPatch& patch : find_folded_patches(state.X, state.topology, rings,
-                                                      Unknowns(fixed), MeshParts::one(), flat)) {
+  const FlowOptions options;
+  const FlowProblem problem(state.X, state.topology, fixed, options, MeshParts::one());
+  for (const VertexPatch& patch : find_folded_patches(problem, rings, flat)) {
     even_out(patch, rings, X);
   }
   return X - state.X;

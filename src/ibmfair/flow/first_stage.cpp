@@ -13,8 +13,10 @@ namespace ibmfair {
 namespace {
 
 /// The mean angle by which hinges turn. Creases, which are few, count little.
-double mean_turn(const Points& X, const Topology& topology, const MeshParts& parts) {
-  const Eigen::VectorXd angles = dihedral_angles(X, topology.H);
+double mean_turn(const FlowProblem& problem) {
+  const Topology& topology = problem.topology;
+  const MeshParts& parts = problem.parts;
+  const Eigen::VectorXd angles = dihedral_angles(problem.start(), topology.H);
   const Eigen::Array2d sums =
       parallel_sum(angles.size(), Eigen::Array2d(Eigen::Array2d::Zero()), [&](std::int64_t h) {
         const double share = own_share({topology.H.row(h).data(), 2}, parts);
@@ -27,22 +29,23 @@ double mean_turn(const Points& X, const Topology& topology, const MeshParts& par
 
 }  // namespace
 
-std::optional<FlowOptions> first_stage(const Points& X, const Topology& topology,
-                                       const FlowOptions& options, const MeshParts& parts) {
+std::optional<FlowOptions> first_stage_options(const FlowProblem& problem) {
+  const FlowOptions& options = problem.options;
   if (!options.guarded || options.sharp_angle <= 0 ||
       options.sharp_angle >= tuning.first_stage.angle) {
     return std::nullopt;
   }
-  const double turn = mean_turn(X, topology, parts) / tuning.first_stage.noisy_turn;
+  const double turn = mean_turn(problem) / tuning.first_stage.noisy_turn;
   const double edges = tuning.first_stage.edges * std::min(turn, 1.0);
   if (edges < 1) {  // such a cut-off would have no effect
     return std::nullopt;
   }
-  const double time = time_for_cutoff(edges * mean_edge_length(X, topology, parts));
+  const double edge = mean_edge_length(problem.start(), problem.topology, problem.parts);
+  const double time = time_in_flow_units(time_for_cutoff(edges * edge), problem.start(),
+                                         problem.topology, options, problem.parts);
   FlowOptions stage = options;
   stage.sharp_angle = tuning.first_stage.angle;
-  stage.total_time = std::min(time_in_flow_units(time, X, topology, options, parts),
-                              tuning.first_stage.most_time * options.total_time);
+  stage.total_time = std::min(time, tuning.first_stage.most_time * options.total_time);
   stage.steps = tuning.first_stage.steps;
   stage.relax = options.relax_first;
   stage.twicing = 0;

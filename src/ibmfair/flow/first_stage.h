@@ -7,16 +7,13 @@
 
 #include <optional>
 
-#include "ibmfair/flow/flow_options.h"
-#include "ibmfair/flow/mesh_parts.h"
-#include "ibmfair/mesh/topology.h"
+#include "ibmfair/flow/steps/flow_problem.h"
 
 namespace ibmfair {
 
-/// The options of the first stage for a flow with `options`. The time of the stage comes on top of
-/// the time of the flow and is at most a quarter of it. Returns nothing if the mesh has little
-/// noise (its hinges turn by little on the mean), or if the flow keeps no sharp hinges.
-std::optional<FlowOptions> first_stage(const Points& X, const Topology& topology,
-                                       const FlowOptions& options, const MeshParts& parts);
+/// The options of the first stage of a flow from the problem's start. The time of the stage comes
+/// on top of the time of the flow and is at most a quarter of it. Returns nothing if the mesh has
+/// little noise (its hinges turn by little on the mean), or if the flow keeps no sharp hinges.
+std::optional<FlowOptions> first_stage_options(const FlowProblem& problem);
 
 }  // namespace ibmfair

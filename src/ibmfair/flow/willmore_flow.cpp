@@ -1,64 +1,18 @@
 #include "ibmfair/flow/willmore_flow.h"
 
 #include "ibmfair/base/stopwatch.h"
+#include "ibmfair/flow/flow_passes.h"
 #include "ibmfair/flow/passes/local_mesh.h"
-#include "ibmfair/flow/passes/residual_spikes.h"
-#include "ibmfair/flow/passes/twicing.h"
-#include "ibmfair/flow/run_flow.h"
-#include "ibmfair/flow/steps/flow_problem.h"
-#include "ibmfair/flow/steps/fold_free_move.h"
-#include "ibmfair/flow/steps/folds.h"
 
 namespace ibmfair {
 namespace {
-
-/// Flattens residual spikes and applies twicing after the flow. `took_noise`: a first stage removed
-/// noise.
-void finish(FlowProblem& problem, bool took_noise) {
-  const FlowOptions& options = problem.options;
-  if (took_noise && options.clean_up) {
-    flatten_residual_spikes(problem);
-  }
-  if (options.twicing > 0) {
-    twice(problem);
-  }
-}
-
-/// Restores the volume and area that the steps did not keep. If that fails, the result is the
-/// start.
-void restore_quantities(FlowProblem& problem) {
-  FoldWatch folds(problem.X, problem.topology, problem.unknowns);
-  Points move = problem.resume_quantities(), Y;
-  const FoldFreeLanding trial = displace_without_folds(
-      problem, folds, move, Y, [&](const Points& place) { return problem.energy_at(place); });
-  FlowReport& report = problem.report;
-  if (trial.leads_somewhere() && trial.energy <= report.energy_before) {
-    report.energy_after = trial.energy;
-  } else {
-    Y = problem.start();
-    report.energy_after = report.energy_before;
-    report.time_reached = 0;
-    report.status = FlowStatus::stalled;
-  }
-  problem.move_to(Y);
-}
 
 FlowReport flow_as_numbered(Points& X, const Topology& topology,
                             const std::vector<std::uint8_t>& fixed, const FlowOptions& options,
                             const StepObserver& observer, const MeshParts& parts) {
   FlowProblem problem(X, topology, fixed, options, parts);
   if (problem.report.unknowns > 0) {
-    const FlowReport first = run_first_stage(problem, fixed, observer);
-    if (problem.report.status != FlowStatus::interrupted) {
-      run_flow(problem, observer);
-    }
-    if (problem.report.status == FlowStatus::completed) {
-      finish(problem, first.solves > 0);
-    }
-    if (problem.quantities_are_suspended() && problem.report.solves > 0) {
-      restore_quantities(problem);
-    }
-    problem.report.add_effort(first);
+    run_passes(problem, observer);
     X.swap(problem.X);
   }
   return std::move(problem.report);

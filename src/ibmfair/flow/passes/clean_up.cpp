@@ -21,8 +21,7 @@ bool flow_in_patches(const FlowProblem& problem, const CompressedRows& rings, co
                      const Points& X, const TimeOf& time_of, Points& move) {
   PatchFlow flow(problem, rings);
   move = Points::Zero(problem.unknowns.size(), 3);
-  const std::vector<VertexPatch> patches =
-      patches_of(wanted, rings, problem.unknowns, problem.parts);
+  const std::vector<VertexPatch> patches = patches_of(wanted, rings, problem);
   std::atomic<bool> moves = false;
   parallel_tasks(static_cast<std::int64_t>(patches.size()), [&](std::int64_t i) {
     if (flow.run(patches[i], X, time_of(patches[i]), move)) {
@@ -49,6 +48,7 @@ void clean_up(FlowProblem& problem, const CompressedRows& rings, FoldWatch& fold
   if (!(problem.options.sharp_angle > 0) && unfolding_moves(problem, rings, move)) {
     report.unfolded = make();
   }
+  report.shortened_relaxations += guarded_move.failures();
   if (!report.steps.empty()) {
     report.steps.back().energy = report.energy_after;
   }
@@ -78,12 +78,12 @@ bool catch_up_moves(const FlowProblem& problem, const CompressedRows& rings,
 }
 
 bool unfolding_moves(FlowProblem& problem, const CompressedRows& rings, Points& move) {
-  const bool bends = !bending_model(problem.options.laplacian).evens_edges;
+  const bool measures_curvature = !bending_model(problem.options.laplacian).evens_edges;
   std::vector<VertexPatch> patches;
   if (!problem.has_no_folds(problem.energy_at(problem.X), tuning.clean_up.fold)) {
-    patches =
-        find_folded_patches(problem.X, problem.topology, rings, problem.unknowns, problem.parts,
-                            bends ? tuning.clean_up.flat : tuning.clean_up.flat_without_curvature);
+    patches = find_folded_patches(
+        problem, rings,
+        measures_curvature ? tuning.clean_up.flat : tuning.clean_up.flat_without_curvature);
   }
   return even_out_and_flow(problem, rings, patches, move);
 }

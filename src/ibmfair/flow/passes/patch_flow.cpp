@@ -37,13 +37,12 @@ FlowOptions options_for_patches(const FlowProblem& problem) {
 }  // namespace
 
 std::vector<VertexPatch> patches_of(const std::vector<std::uint8_t>& wanted,
-                                    const CompressedRows& rings, const Unknowns& unknowns,
-                                    const MeshParts& parts) {
+                                    const CompressedRows& rings, const FlowProblem& problem) {
+  const Unknowns& unknowns = problem.unknowns;
+  const auto is_own = [&](Index v) { return problem.parts.owns_vertex(v); };
   std::vector<std::uint8_t> left(wanted.size());
   for (const Index v : unknowns.vertex) {
-    const auto ring = rings[v];
-    left[v] =
-        wanted[v] != 0 && std::ranges::all_of(ring, [&](Index q) { return parts.owns_vertex(q); });
+    left[v] = wanted[v] != 0 && std::ranges::all_of(rings[v], is_own);
   }
   std::vector<VertexPatch> patches;
   for (const Index seed : unknowns.vertex) {

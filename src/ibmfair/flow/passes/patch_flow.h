@@ -15,12 +15,11 @@ namespace ibmfair {
 /// Vertices that are unknowns, each once.
 using VertexPatch = std::vector<Index>;
 
-/// The connected components of the unknown vertices flagged in `wanted` (#V). Fixed vertices are
-/// left out, and so are neighbours of vertices that belong to another part of the mesh, because
-/// this piece does not contain all of their surroundings.
+/// The connected components of the problem's unknown vertices flagged in `wanted` (#V). Fixed
+/// vertices are left out, and so are neighbours of vertices that belong to another part of the
+/// mesh, because this piece does not contain all of their surroundings.
 std::vector<VertexPatch> patches_of(const std::vector<std::uint8_t>& wanted,
-                                    const CompressedRows& rings, const Unknowns& unknowns,
-                                    const MeshParts& parts);
+                                    const CompressedRows& rings, const FlowProblem& problem);
 
 class PatchFlow {
  public:

@@ -7,11 +7,9 @@
 #include "ibmfair/base/stopwatch.h"
 #include "ibmfair/flow/passes/clean_up.h"
 #include "ibmfair/flow/passes/unfolding.h"
-#include "ibmfair/flow/steps/fold_free_move.h"
-#include "ibmfair/flow/steps/folds.h"
+#include "ibmfair/flow/steps/guarded_move.h"
 #include "ibmfair/flow/tuning.h"
 #include "ibmfair/mesh/geometry.h"
-#include "ibmfair/mesh/select.h"
 
 namespace ibmfair {
 namespace {
@@ -42,22 +40,23 @@ bool leads_on(const VertexPatch& patch, const CompressedRows& rings,
 
 }  // namespace
 
-std::vector<VertexPatch> find_residual_spikes(const Points& X, const Topology& topology,
-                                              const CompressedRows& rings, const Unknowns& unknowns,
-                                              const MeshParts& parts, double sharp_angle) {
+std::vector<VertexPatch> find_residual_spikes(const FlowProblem& problem,
+                                              const CompressedRows& rings) {
+  const Points& X = problem.X;
+  const Topology& topology = problem.topology;
   const Eigen::VectorXd angles = dihedral_angles(X, topology.H);
-  const std::vector<Index> sharp = indices_where(topology.H.rows(), [&](Index h) {
-    return std::numbers::pi - angles[h] > tuning.spikes.sharp_share * sharp_angle;
-  });
+  const double sharp = tuning.spikes.sharp_share * problem.options.sharp_angle;
   std::vector<Index> sharp_at(static_cast<std::size_t>(topology.vertex_count), 0);
   std::vector<std::uint8_t> wanted(sharp_at.size(), 0);
-  for (const Index h : sharp) {
-    for (const Index v : {topology.H(h, 0), topology.H(h, 1)}) {
-      ++sharp_at[v];
-      wanted[v] = is_oriented_interior(topology, v) ? 1 : 0;
+  for (Index h = 0; h < topology.H.rows(); ++h) {
+    if (std::numbers::pi - angles[h] > sharp) {
+      for (const Index v : {topology.H(h, 0), topology.H(h, 1)}) {
+        ++sharp_at[v];
+        wanted[v] = is_oriented_interior(topology, v) ? 1 : 0;
+      }
     }
   }
-  std::vector<VertexPatch> found = patches_of(wanted, rings, unknowns, parts);
+  std::vector<VertexPatch> found = patches_of(wanted, rings, problem);
   std::erase_if(found, [&](const VertexPatch& patch) {
     return patch.size() > tuning.spikes.largest || is_a_line(patch, sharp_at) ||
            leads_on(patch, rings, sharp_at) ||
@@ -66,25 +65,18 @@ std::vector<VertexPatch> find_residual_spikes(const Points& X, const Topology& t
   return found;
 }
 
-void flatten_residual_spikes(FlowProblem& problem) {
-  const Stopwatch watch(problem.report.seconds.guard);
-  const CompressedRows rings = vertex_rings(problem.topology);
-  const std::vector<VertexPatch> spikes =
-      find_residual_spikes(problem.X, problem.topology, rings, problem.unknowns, problem.parts,
-                           problem.options.sharp_angle);
-  Points move, Y;
-  if (!even_out_and_flow(problem, rings, spikes, move)) {
+void flatten_residual_spikes(FlowProblem& problem, const CompressedRows& rings) {
+  FlowReport& report = problem.report;
+  const Stopwatch watch(report.seconds.guard);
+  Points move;
+  if (!even_out_and_flow(problem, rings, find_residual_spikes(problem, rings), move)) {
     return;
   }
   FoldWatch folds(problem.X, problem.topology, problem.unknowns);
-  const FoldFreeLanding landing = displace_without_folds(
-      problem, folds, move, Y, [&](const Points& X) { return problem.energy_at(X); });
-  if (landing.leads_somewhere() && landing.energy <= problem.report.energy_after) {
-    problem.move_to(Y);
-    problem.report.energy_after = landing.energy;
-    problem.report.unfolded += problem.moved(move);
-    if (!problem.report.steps.empty()) {
-      problem.report.steps.back().energy = landing.energy;
+  if (GuardedMove(problem, folds).make(move, report.energy_after, 0)) {
+    report.unfolded += problem.moved(move);
+    if (!report.steps.empty()) {
+      report.steps.back().energy = report.energy_after;
     }
   }
 }

@@ -6,18 +6,18 @@
 
 namespace ibmfair {
 
-/// The patches of vertices that are residual spikes rather than creases, which are long lines. The
-/// hinges at a residual spike turn by more than half of `sharp_angle` (radians), so that the flow
-/// keeps them sharp at least in part; they are few, they branch or form a closed loop, and the
-/// surface around them is nearly flat. `rings`: the result of vertex_rings.
-std::vector<VertexPatch> find_residual_spikes(const Points& X, const Topology& topology,
-                                              const CompressedRows& rings, const Unknowns& unknowns,
-                                              const MeshParts& parts, double sharp_angle);
+/// The patches of vertices that are residual spikes at the problem's state rather than creases,
+/// which are long lines. The hinges at a residual spike turn by more than half of the sharp angle
+/// of the options, so that the flow keeps them sharp at least in part; they are few, they branch or
+/// form a closed loop, and the surface around them is nearly flat. `rings`: the result of
+/// vertex_rings.
+std::vector<VertexPatch> find_residual_spikes(const FlowProblem& problem,
+                                              const CompressedRows& rings);
 
-/// Finds the residual spikes at the end of a problem's flow (by the sharp angle of its options),
-/// evens them out, and lets them flow again together with their neighbours. Only for meshes that
-/// were noisy: without noise, a residual spike is a detail of the shape. The promises of the
-/// guarded flow hold: the energy does not rise, and no hinge folds over.
-void flatten_residual_spikes(FlowProblem& problem);
+/// Evens out the residual spikes at the problem's state, the end of its flow, and lets them flow
+/// again together with their neighbours. Only for meshes that were noisy: without noise, a residual
+/// spike is a detail of the shape. The promises of the guarded flow hold: the energy does not rise,
+/// and no hinge folds over.
+void flatten_residual_spikes(FlowProblem& problem, const CompressedRows& rings);
 
 }  // namespace ibmfair

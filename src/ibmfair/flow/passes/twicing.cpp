@@ -3,10 +3,8 @@
 #include "ibmfair/base/errors.h"
 #include "ibmfair/base/stopwatch.h"
 #include "ibmfair/flow/passes/linear_flow.h"
-#include "ibmfair/flow/steps/fold_free_move.h"
-#include "ibmfair/flow/steps/folds.h"
+#include "ibmfair/flow/steps/guarded_move.h"
 #include "ibmfair/flow/steps/unknown_normals.h"
-#include "ibmfair/flow/tuning.h"
 
 namespace ibmfair {
 namespace {
@@ -14,7 +12,9 @@ namespace {
 class Twicing {
  public:
   explicit Twicing(FlowProblem& problem)
-      : p_(problem), folds_(problem.X, problem.topology, problem.unknowns) {
+      : p_(problem),
+        folds_(problem.X, problem.topology, problem.unknowns),
+        guarded_move_(problem, folds_) {
     p_.jacobian().damping().setOnes();
   }
 
@@ -25,7 +25,9 @@ class Twicing {
     } catch (const FactorizationFailed&) {
       return false;
     }
-    return put_back(p_.options.put_back_slides ? smooth_move() : smooth_height());
+    Points move = p_.options.put_back_slides ? smooth_move() : smooth_height();
+    const Stopwatch watch(p_.report.seconds.guard);
+    return guarded_move_.make(move, p_.report.energy_before);
   }
 
  private:
@@ -66,29 +68,15 @@ class Twicing {
     return heights.col(0).asDiagonal() * normals_;
   }
 
-  bool put_back(Points move) {
-    const Stopwatch watch(p_.report.seconds.guard);
-    for (int i = 0; i <= tuning.guard.most_halvings; ++i, move /= 2) {
-      const FoldFreeLanding trial = displace_without_folds(
-          p_, folds_, move, Y_, [this](const Points& Y) { return p_.energy_at(Y); });
-      if (trial.leads_somewhere() && trial.energy <= p_.report.energy_before) {
-        p_.report.energy_after = trial.energy;
-        p_.move_to(Y_);
-        return true;
-      }
-    }
-    return false;
-  }
-
   FlowProblem& p_;
   FoldWatch folds_;
+  GuardedMove guarded_move_;
   Points normals_;  // one row per unknown
-  Points Y_;        // the state after the move
 };
 
 }  // namespace
 
-void twice(FlowProblem& problem) {
+void apply_twicing(FlowProblem& problem) {
   Twicing twicing(problem);
   while (problem.report.twicings < problem.options.twicing && twicing.pass()) {
     ++problem.report.twicings;

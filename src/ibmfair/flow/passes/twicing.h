@@ -16,11 +16,11 @@ namespace ibmfair {
 /// the height of the start over the surface along the normals, so that no vertex slides back within
 /// the surface; with `options.put_back_slides` it is the whole move. If the flow is linear in the
 /// coordinates, as that of the umbrella operator is, whole moves make twicing the filter above for
-/// each coordinate. That needs volume and area to be restored only at the end (willmore_flow),
-/// because a flow that keeps them is not linear. The promises of the guarded flow hold: no hinge
-/// folds over that was not folded at the end of the flow, the energy stays below that at the start,
-/// and bounds on moves, volume and area are kept. If a pass fails, the passes end; the report
-/// counts the completed passes.
-void twice(FlowProblem& problem);
+/// each coordinate. That needs volume and area to be restored only at the end
+/// (flow/passes/restored_quantities.h), because a flow that keeps them is not linear. The promises
+/// of the guarded flow hold: no hinge folds over that was not folded at the end of the flow, the
+/// energy stays below that at the start, and bounds on moves, volume and area are kept. If a pass
+/// fails, the passes end; the report counts the completed passes.
+void apply_twicing(FlowProblem& problem);
 
 }  // namespace ibmfair

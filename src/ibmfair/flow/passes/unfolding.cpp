@@ -12,68 +12,39 @@
 namespace ibmfair {
 namespace {
 
-class FoldedPatchFinder {
- public:
-  FoldedPatchFinder(const Points& X, const Topology& topology, const CompressedRows& rings,
-                    const Unknowns& unknowns, const MeshParts& parts, double flat)
-      : X_(X),
-        topology_(topology),
-        rings_(rings),
-        unknowns_(unknowns),
-        parts_(parts),
-        flat_(flat),
-        wanted_(static_cast<std::size_t>(topology.vertex_count), 0) {}
-
-  std::vector<VertexPatch> patches() {
-    want_vertices_at_folds();
-    std::vector<VertexPatch> found = patches_of(wanted_, rings_, unknowns_, parts_);
-    std::erase_if(found, [&](const VertexPatch& patch) {
-      return patch.size() > tuning.clean_up.largest_fold ||
-             !is_flat_around(patch, X_, topology_, rings_, flat_);
-    });
-    return found;
-  }
-
- private:
-  bool may_move(Index v) const {
-    return is_oriented_interior(topology_, v) && unknowns_.unknown[v] >= 0 &&
-           unknowns_.unknown[v] < unknowns_.size();
-  }
-
-  void want(Index v) { wanted_[v] = may_move(v) ? 1 : 0; }
-
-  /// Flags the vertices at foldovers and their neighbours.
-  void want_vertices_at_folds() {
-    const std::vector<std::uint8_t> folded = folded_hinges(X_, topology_, tuning.clean_up.fold);
-    for (auto fold = std::find(folded.begin(), folded.end(), 1); fold != folded.end();
-         fold = std::find(fold + 1, folded.end(), 1)) {
-      for (const Index v :
-           {topology_.H(fold - folded.begin(), 0), topology_.H(fold - folded.begin(), 1)}) {
-        if (may_move(v)) {
-          want(v);
-          for (const Index q : rings_[v]) {
-            want(q);
-          }
+/// Flags (#V) of the vertices at foldovers, and of their neighbours, that may be unfolded.
+std::vector<std::uint8_t> vertices_at_folds(const FlowProblem& problem,
+                                            const CompressedRows& rings) {
+  const Topology& topology = problem.topology;
+  const auto may_move = [&](Index v) {
+    const Index u = problem.unknowns.unknown[v];
+    return is_oriented_interior(topology, v) && u >= 0 && u < problem.unknowns.size();
+  };
+  const std::vector<std::uint8_t> folded = folded_hinges(problem.X, topology, tuning.clean_up.fold);
+  std::vector<std::uint8_t> wanted(static_cast<std::size_t>(topology.vertex_count), 0);
+  for (Index h = 0; h < topology.H.rows(); ++h) {
+    for (int i = 0; i < 2; ++i) {
+      if (const Index v = topology.H(h, i); folded[h] && may_move(v)) {
+        wanted[v] = 1;
+        for (const Index q : rings[v]) {
+          wanted[q] = may_move(q) ? 1 : 0;
         }
       }
     }
   }
-
-  const Points& X_;
-  const Topology& topology_;
-  const CompressedRows& rings_;
-  const Unknowns& unknowns_;
-  const MeshParts& parts_;
-  const double flat_;
-  std::vector<std::uint8_t> wanted_;  // #V
-};
+  return wanted;
+}
 
 }  // namespace
 
-std::vector<VertexPatch> find_folded_patches(const Points& X, const Topology& topology,
-                                             const CompressedRows& rings, const Unknowns& unknowns,
-                                             const MeshParts& parts, double flat) {
-  return FoldedPatchFinder(X, topology, rings, unknowns, parts, flat).patches();
+std::vector<VertexPatch> find_folded_patches(const FlowProblem& problem,
+                                             const CompressedRows& rings, double flat) {
+  std::vector<VertexPatch> found = patches_of(vertices_at_folds(problem, rings), rings, problem);
+  std::erase_if(found, [&](const VertexPatch& patch) {
+    return patch.size() > tuning.clean_up.largest_fold ||
+           !is_flat_around(patch, problem.X, problem.topology, rings, flat);
+  });
+  return found;
 }
 
 bool is_flat_around(const VertexPatch& patch, const Points& X, const Topology& topology,

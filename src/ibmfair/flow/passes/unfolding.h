@@ -7,15 +7,15 @@
 
 namespace ibmfair {
 
-/// Finds folded patches: patches of the vertices of hinges (edges with their two triangles) that
-/// are folded over (CleanUpTuning::fold) although the surface around is nearly flat, and of their
-/// neighbours. Sharp edges, the rims of thin sheets and thin tips are not folded patches, because
-/// the surface around them is not flat. Foldovers at a boundary or across parts of the mesh are
-/// left out. `flat`: the least length of the sum of the surrounding triangles' area vectors,
-/// relative to the sum of their lengths (1 for a plane). `rings`: the result of vertex_rings.
-std::vector<VertexPatch> find_folded_patches(const Points& X, const Topology& topology,
-                                             const CompressedRows& rings, const Unknowns& unknowns,
-                                             const MeshParts& parts, double flat);
+/// Finds folded patches at the problem's state: patches of the vertices of hinges (edges with their
+/// two triangles) that are folded over (CleanUpTuning::fold) although the surface around is nearly
+/// flat, and of their neighbours. Sharp edges, the rims of thin sheets and thin tips are not folded
+/// patches, because the surface around them is not flat. Foldovers at a boundary or across parts of
+/// the mesh are left out. `flat`: the least length of the sum of the surrounding triangles' area
+/// vectors, relative to the sum of their lengths (1 for a plane). `rings`: the result of
+/// vertex_rings.
+std::vector<VertexPatch> find_folded_patches(const FlowProblem& problem,
+                                             const CompressedRows& rings, double flat);
 
 /// Whether the triangles around a patch that touch none of its vertices are flat (`flat` as above).
 bool is_flat_around(const VertexPatch& patch, const Points& X, const Topology& topology,

@@ -7,9 +7,9 @@
 #include "ibmfair/base/errors.h"
 #include "ibmfair/base/random_numbers.h"
 #include "ibmfair/flow/first_stage.h"
+#include "ibmfair/flow/flow_passes.h"
 #include "ibmfair/flow/passes/linear_flow.h"
 #include "ibmfair/flow/passes/twicing.h"
-#include "ibmfair/flow/run_flow.h"
 #include "ibmfair/flow/steps/flow_problem.h"
 #include "ibmfair/flow/steps/unknown_normals.h"
 #include "ibmfair/flow/time_scale.h"
@@ -42,6 +42,7 @@ CutoffTrials::CutoffTrials(const Points& X, const Topology& topology,
                            const std::vector<std::uint8_t>& counted, double noise)
     : topology_(topology),
       fixed_(fixed),
+      rings_(options.guarded ? vertex_rings(topology) : CompressedRows()),
       mean_edge_(mean_edge_length(X, topology.E)),
       options_(options),
       leg_(options),
@@ -131,14 +132,14 @@ void CutoffTrials::flow_on(Trajectory& trajectory, bool goes_on) const {
   if (!goes_on) {
     begin(trajectory, problem);
   }
-  run_flow(problem);
+  run_time_steps(problem, rings_);
   trajectory.state = std::move(problem.X);
 }
 
 /// Runs the first stage, or reuses its result: the stage does not depend on the sharp angle, and on
 /// the cut-off only if that is short.
 void CutoffTrials::begin(Trajectory& trajectory, FlowProblem& problem) const {
-  const auto stage = first_stage(trajectory.start, topology_, leg_, MeshParts::one());
+  const auto stage = first_stage_options(problem);
   if (!stage) {
     return;
   }
@@ -146,7 +147,7 @@ void CutoffTrials::begin(Trajectory& trajectory, FlowProblem& problem) const {
     Points state = trajectory.after_first_stage;
     problem.move_to(state);
   } else {
-    run_first_stage(problem, fixed_);
+    run_first_stage(problem, rings_);
     trajectory.after_first_stage = problem.X;
     trajectory.first_stage_time = stage->total_time;
   }
@@ -157,7 +158,7 @@ void CutoffTrials::end_at(const Trajectory& trajectory, FlowProblem& problem) co
   Points state = trajectory.state;
   problem.move_to(state);
   if (options_.twicing > 0) {
-    twice(problem);
+    apply_twicing(problem);
   }
 }
 

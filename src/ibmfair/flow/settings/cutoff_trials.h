@@ -23,6 +23,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "ibmfair/base/compressed_rows.h"
 #include "ibmfair/energy/unknowns.h"
 #include "ibmfair/flow/flow_options.h"
 #include "ibmfair/mesh/topology.h"
@@ -94,6 +95,7 @@ class CutoffTrials {
 
   const Topology& topology_;
   const std::vector<std::uint8_t>& fixed_;
+  const CompressedRows rings_;
   const double mean_edge_;
   FlowOptions options_;  // of a flow from the start to the cut-off
   FlowOptions leg_;      // of the flow from the previous cut-off to this one

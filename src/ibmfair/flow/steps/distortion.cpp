@@ -32,10 +32,10 @@ Unshared unshared(const Row4& move, std::span<const Index> ring, const std::vect
 
 Distortion::Distortion(const RingGroups& rings, const Unknowns& unknowns, const MeshParts& parts)
     : rings_(rings), unknowns_(unknowns), parts_(parts) {
-  edges_ = parallel_sum(unknowns.size(), [&](std::int64_t u) {
+  edges_ = parallel_sum(unknowns_.size(), [&](std::int64_t u) {
     double edges = 0;
-    for (const Index w : rings.rings[unknowns.vertex[u]]) {
-      edges += unknowns.unknown[w] >= 0 ? 0.5 : 1;
+    for (const Index w : rings.rings[unknowns_.vertex[u]]) {
+      edges += unknowns_.unknown[w] >= 0 ? 0.5 : 1;
     }
     return edges;
   });
@@ -77,6 +77,20 @@ double Distortion::of(const Points& step, const PerVertex& edge_length, Points& 
   }
   return std::max(std::sqrt(sums[0] / count) / tuning.distortion.largest_roughness,
                   std::sqrt(sums[1] / edges) / tuning.distortion.largest_strain);
+}
+
+std::int64_t shorten_own_moves(const Unknowns& unknowns, const Points& own,
+                               const PerVertex& edge_length, Points& step) {
+  const double shortened = parallel_sum(unknowns.size(), [&](std::int64_t u) {
+    const double limit = edge_length[unknowns.vertex[u]];
+    const double length = own.row(u).norm();
+    if (!(length > limit)) {
+      return 0;
+    }
+    step.row(u) -= (1 - limit / length) * own.row(u);
+    return 1;
+  });
+  return static_cast<std::int64_t>(shortened);
 }
 
 }  // namespace ibmfair

@@ -37,4 +37,9 @@ class Distortion {
   std::vector<Row4> moves_;
 };
 
+/// Limits the part `own` of each move of `step` that the neighbours do not share to the mean length
+/// of the edges at the vertex. Returns the number of shortened moves in this part of the mesh.
+std::int64_t shorten_own_moves(const Unknowns& unknowns, const Points& own,
+                               const PerVertex& edge_length, Points& step);
+
 }  // namespace ibmfair

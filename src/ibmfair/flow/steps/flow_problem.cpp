@@ -30,9 +30,10 @@ std::unique_ptr<BendingEnergy> bind_energy(const Topology& topology, const FlowO
 }  // namespace
 
 FlowProblem::FlowProblem(const Points& X_start, const Topology& mesh_topology,
-                         const std::vector<std::uint8_t>& fixed, const FlowOptions& flow_options,
-                         const MeshParts& mesh_parts)
+                         const std::vector<std::uint8_t>& fixed_vertices,
+                         const FlowOptions& flow_options, const MeshParts& mesh_parts)
     : topology(mesh_topology),
+      fixed(fixed_vertices),
       options(flow_options),
       parts(mesh_parts),
       unknowns(fixed, parts.own_vertices()),
@@ -51,7 +52,7 @@ FlowProblem::FlowProblem(const Points& X_start, const Topology& mesh_topology,
     throw BadMesh("the bending energy of the mesh is not finite: coordinates are too large");
   }
   report.energy_before = report.energy_after = energy_;
-  report.unknowns = static_cast<std::int64_t>(parts.sum(unknowns.size()));
+  report.unknowns = count(unknowns.size());
 }
 
 double FlowProblem::energy_at(const Points& Y) {
@@ -195,7 +196,10 @@ double FlowProblem::longest(const Points& move) const {
 }
 
 std::int64_t FlowProblem::moved(const Points& move) const {
-  const auto here = (move.array() != 0).rowwise().any().count();
+  return count((move.array() != 0).rowwise().any().count());
+}
+
+std::int64_t FlowProblem::count(std::int64_t here) const {
   return static_cast<std::int64_t>(parts.sum(static_cast<double>(here)));
 }
 

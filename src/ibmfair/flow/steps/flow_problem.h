@@ -25,6 +25,7 @@ class FlowProblem {
               const FlowOptions& options, const MeshParts& parts);
 
   const Topology& topology;
+  const std::vector<std::uint8_t>& fixed;  ///< #V flags
   const FlowOptions& options;
   const MeshParts& parts;
   const Unknowns unknowns;
@@ -106,6 +107,9 @@ class FlowProblem {
 
   /// The number of rows of a move that are not zero, over all parts.
   std::int64_t moved(const Points& move) const;
+
+  /// The sum of a count over all parts.
+  std::int64_t count(std::int64_t here) const;
 
   /// The rate of the flow, sqrt(<g, D^-1 g>).
   double gradient_norm();

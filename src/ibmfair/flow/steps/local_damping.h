@@ -28,18 +28,18 @@ class LocalDamping {
   /// false. `fresh`: no step has been made with the present Jacobian yet.
   bool slow(const Points& Y, bool fresh, Points& move, std::int64_t& shortened);
 
-  /// Whether the last trial failed because of a few uphill vertices.
+  /// Whether the last trial of the present step failed because of a few uphill vertices.
   bool failed_locally() const { return failed_locally_; }
-
-  /// To be called before another move is tried.
-  void reset() { failed_locally_ = false; }
 
   /// Whether any unknown, in any part of the mesh, has been slowed down since the Jacobian was
   /// renewed, or is damped by the Jacobian.
   bool is_active() const { return slowed_; }
 
   /// To be called when a step begins.
-  void begin_step() { deficit_.forget_step(); }
+  void begin_step() {
+    failed_locally_ = false;
+    deficit_.forget_step();
+  }
 
   /// To be called after an accepted step of length `time`.
   void end_step(double time);

@@ -5,15 +5,26 @@
 #include "ibmfair/flow/tuning.h"
 
 namespace ibmfair {
+namespace {
+
+int most_solves(const FlowOptions& options) {
+  const GuardTuning& guard = tuning.guard;
+  return options.clean_up ? guard.solves + guard.solves_per_step * options.steps
+                          : guard.solves_without_clean_up +
+                                guard.solves_per_step_without_clean_up * options.steps;
+}
+
+}  // namespace
 
 StepControl::StepControl(const FlowOptions& options)
     : total_(options.total_time),
       target_(options.total_time / options.steps),
       h_(target_),
-      left_(options.total_time) {}
+      left_(options.total_time),
+      most_solves_(most_solves(options)) {}
 
-bool StepControl::has_failed() const {
-  return h_ < tuning.step_control.smallest * target_;
+bool StepControl::has_failed(int solves) const {
+  return h_ < tuning.step_control.smallest * target_ || solves >= most_solves_;
 }
 
 bool StepControl::is_at_last_cut() const {
@@ -33,7 +44,7 @@ void StepControl::advance(double time) {
 void StepControl::adapt(const StepRecord& made, double whole, double distortion, bool damped,
                         const std::function<double(double, double)>& limited) {
   const bool shortened = made.time_step < whole && left_ > 0;
-  if (made.decrease_ratio <= tuning.guard.least_decrease || shortened) {
+  if (shortened) {
     stale_ = true;
     h_ *= made.refactored ? tuning.step_control.shortened : 1;
   } else if (made.decrease_ratio > tuning.guard.good_decrease && h_ < target_) {

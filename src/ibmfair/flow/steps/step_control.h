@@ -20,8 +20,9 @@ class StepControl {
   bool is_stale() const { return stale_; }  ///< the Jacobian has to be renewed before the next step
   bool is_fresh() const { return age_ == 0; }  ///< no step was made with the Jacobian
 
-  /// Whether time steps have become too short to go on.
-  bool has_failed() const;
+  /// Whether the flow must end early: time steps have become too short, or `solves` linear systems
+  /// are too many (GuardTuning::solves).
+  bool has_failed(int solves = 0) const;
   /// Whether they would be after the next cut.
   bool is_at_last_cut() const;
 
@@ -52,6 +53,7 @@ class StepControl {
 
  private:
   double total_, target_, h_, left_;
+  int most_solves_;
   bool stale_ = true;
   int age_ = 0;  // steps made with the Jacobian
 };

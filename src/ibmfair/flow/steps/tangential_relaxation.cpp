@@ -28,17 +28,14 @@ Vec3 across(const Vec3& normal, const Vec3& step) {
 
 }  // namespace
 
-TangentialRelaxation::TangentialRelaxation(const Topology& topology, const RingGroups& rings,
-                                           const Unknowns& unknowns, const MeshParts& parts,
-                                           bool keeps_creases)
-    : topology_(topology),
+TangentialRelaxation::TangentialRelaxation(const FlowProblem& problem, const RingGroups& rings)
+    : topology_(problem.topology),
+      unknowns_(problem.unknowns),
+      parts_(problem.parts),
       rings_(rings),
-      unknowns_(unknowns),
-      parts_(parts),
-      keeps_creases_(keeps_creases) {
-  normals_ = Points::Zero(topology.vertex_count, 3);
-  left_ = PerVertex::Zero(topology.vertex_count);
-}
+      keeps_creases_(problem.options.sharp_angle > 0),
+      normals_(Points::Zero(topology_.vertex_count, 3)),
+      left_(PerVertex::Zero(topology_.vertex_count)) {}
 
 void TangentialRelaxation::moves(const Points& X, Points& move) {
   move.resize(unknowns_.size(), 3);

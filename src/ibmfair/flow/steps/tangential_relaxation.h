@@ -7,8 +7,7 @@
 // round the crease.
 #pragma once
 
-#include "ibmfair/energy/unknowns.h"
-#include "ibmfair/flow/mesh_parts.h"
+#include "ibmfair/flow/steps/flow_problem.h"
 #include "ibmfair/flow/steps/ring_kernels.h"
 #include "ibmfair/mesh/topology.h"
 
@@ -18,9 +17,8 @@ namespace ibmfair {
 /// normal to project off and stay.
 class TangentialRelaxation {
  public:
-  /// All arguments must outlive this object.
-  TangentialRelaxation(const Topology& topology, const RingGroups& rings, const Unknowns& unknowns,
-                       const MeshParts& parts, bool keeps_creases);
+  /// Both must outlive this object. Creases are kept if the problem's options keep sharp hinges.
+  TangentialRelaxation(const FlowProblem& problem, const RingGroups& rings);
 
   /// The moves of one sweep at `X` (one row per unknown, length): half way to the mean of the
   /// neighbours, projected off the area-weighted vertex normal unless the vertex sticks out. If
@@ -47,9 +45,9 @@ class TangentialRelaxation {
   Vec3 along_creases(const Points& X, Index v, const Vec3& step) const;
 
   const Topology& topology_;
-  const RingGroups& rings_;
   const Unknowns& unknowns_;
   const MeshParts& parts_;
+  const RingGroups& rings_;
   const bool keeps_creases_;
   Points normals_;  // #V x 3, Surroundings::normal.xyz of the vertices in `rings`
   PerVertex left_;  // #V, Surroundings::normal.w of the vertices in `rings`

@@ -1,0 +1,26 @@
+#include "ibmfair/flow/steps/guarded_relaxation.h"
+
+#include "ibmfair/base/stopwatch.h"
+
+namespace ibmfair {
+
+void GuardedRelaxation::relax_needles() {
+  problem_.update_gradient();
+  if (!problem_.options.relax || problem_.energy() == 0) {
+    return;
+  }
+  const Stopwatch watch(problem_.report.seconds.relax);
+  if (relaxation_.moves_at_needles(problem_.X, moves_)) {
+    move_.make(moves_, problem_.energy());
+  }
+}
+
+void GuardedRelaxation::relax(double bound) {
+  if (problem_.options.relax) {
+    const Stopwatch watch(problem_.report.seconds.relax);
+    relaxation_.moves(problem_.X, moves_);
+    move_.make(moves_, bound);
+  }
+}
+
+}  // namespace ibmfair
