@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include <fmt/format.h>
 
+#include "commands/figure_list.h"
 #include "commands/signals.h"
 
 namespace ibmfair::commands {
@@ -46,27 +46,43 @@ bool is_nearly_done(const SmoothResult& result) {
   return length_reached(result) >= 0.99 * result.plan.cutoff;
 }
 
-/// A remark if the default cut-off has smoothed the mesh strongly; else empty.
+/// A remark if the default cut-off is longer than the mesh is large; else empty.
 std::string remark_on_default_cutoff(const SmoothResult& result) {
-  if (result.plan.cutoff > result.plan.diagonal / 2) {
-    return fmt::format(
-        "the cut-off {:.4g} is more than half of the mesh's diagonal {:.4g}, so that the whole "
-        "shape is smoothed; a shorter --cutoff LENGTH keeps the shape",
-        result.plan.cutoff, result.plan.diagonal);
+  if (result.plan.cutoff <= result.plan.diagonal / 2) {
+    return {};
   }
-  constexpr double large_change = 0.01;
-  constexpr double solid = 0.05;  // share of the volume of a ball of equal area; below: a sheet
-  const double volume = std::abs(result.before.volume);
-  const double ball = std::pow(result.before.area, 1.5) / (6 * std::sqrt(std::numbers::pi));
-  const double change = std::abs(result.after.volume) / volume - 1;
-  if (volume > solid * ball && std::abs(change) > large_change) {
-    return fmt::format(
-        "the volume has changed by {:+.2g} %: the mesh has features that are shorter than the "
-        "cut-off {:.4g}; --denoise removes noise only, and a shorter --cutoff LENGTH keeps longer "
-        "features",
-        100 * change, result.plan.cutoff);
+  return fmt::format(
+      "the cut-off {:.4g} is more than half of the mesh's diagonal {:.4g}, so that the whole shape "
+      "is smoothed; a shorter --cutoff LENGTH keeps the shape",
+      result.plan.cutoff, result.plan.diagonal);
+}
+
+/// Why the volume has changed: 2 V / A is the thickness of a plate, and at most 2/3 of the radius
+/// of a solid.
+std::string cause_of_volume_change(const MeshStatistics& before, double cutoff) {
+  const double thickness = 2 * std::abs(before.volume) / before.area;
+  return thickness < cutoff / 4
+             ? fmt::format(
+                   "walls that are thinner than the cut-off {:.4g} swell or shrink (here "
+                   "the mean thickness is about {:.2g})",
+                   cutoff, thickness)
+             : fmt::format("the mesh has features that are shorter than the cut-off {:.4g}",
+                           cutoff);
+}
+
+/// What keeps the volume better.
+std::string remedies_for_volume(const SmoothArguments& arguments, const FlowOptions& options) {
+  std::vector<std::string> remedies{"a shorter --cutoff LENGTH"};
+  if (!std::isfinite(options.max_move)) {
+    remedies.emplace_back("--keep-volume");
   }
-  return {};
+  if (options.twicing == 0) {
+    remedies.emplace_back("--twicing 1");
+  }
+  if (!arguments.denoise) {
+    remedies.emplace_back("--denoise (which removes noise only)");
+  }
+  return fmt::format("{}", fmt::join(remedies, ", or "));
 }
 
 /// A remark about the texture coordinates; empty if there is nothing to say.
@@ -99,6 +115,20 @@ std::vector<std::string> notes_on(const SmoothArguments& arguments, const Smooth
   }
   std::erase(notes, "");
   return notes;
+}
+
+std::string warning_on_volume(const SmoothArguments& arguments, const SmoothResult& result) {
+  constexpr double large_change = 0.01;
+  constexpr double rounding = 1e-9;  // of the volume of a cube of this area
+  const double before = std::abs(result.before.volume), after = std::abs(result.after.volume);
+  if (!result.closed || !(before > rounding * std::pow(result.before.area, 1.5)) ||
+      !(std::abs(after / before - 1) > large_change)) {
+    return {};
+  }
+  return fmt::format("the volume has changed from {:.4g} to {:.4g} ({}): {}; what helps: {}",
+                     before, after, change_text(before, after),
+                     cause_of_volume_change(result.before, result.plan.cutoff),
+                     remedies_for_volume(arguments, result.plan.flow));
 }
 
 std::string warning_on_end(const SmoothResult& result, const std::string& output) {

@@ -10,9 +10,13 @@
 
 namespace ibmfair::commands {
 
-/// Remarks about texture coordinates that shift, and about a default cut-off that has smoothed the
-/// mesh strongly.
+/// Remarks about texture coordinates that shift, and about a default cut-off that is longer than
+/// the mesh is large.
 std::vector<std::string> notes_on(const SmoothArguments& arguments, const SmoothResult& result);
+
+/// A warning with the cause and what helps if the volume of a closed mesh has changed by more than
+/// 1 %; else empty.
+std::string warning_on_volume(const SmoothArguments& arguments, const SmoothResult& result);
 
 /// A warning if the flow did not end as requested; else empty. The final state of the flow is in
 /// the file `output`.

@@ -337,9 +337,12 @@ void print_result(const SmoothArguments& arguments, const SmoothResult& result,
   console.note(fmt::format("{} -> {}, {} of {} vertices moved{}", arguments.input, output,
                            written.moved_vertices, result.vertices, by),
                smooth_table(result, console.level() == Console::Level::verbose));
-  if (const std::string warning = warning_on_end(result, output); !warning.empty()) {
-    console.warning(warning);
-    report.warnings.push_back({warning});
+  for (const std::string& warning :
+       {warning_on_volume(arguments, result), warning_on_end(result, output)}) {
+    if (!warning.empty()) {
+      console.warning(warning);
+      report.warnings.push_back({warning});
+    }
   }
 }
 

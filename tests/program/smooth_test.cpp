@@ -3,6 +3,7 @@
 #include <string>
 #include <utility>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
@@ -158,23 +159,69 @@ TEST(Smooth, TellsWhereTheDefaultCutoffIsAsLongAsTheMesh) {
   EXPECT_FALSE(contains(run_program(asked, {.input = few}).err, told));
 }
 
-TEST(Smooth, TellsWhereTheDefaultCutoffTakesShapeWithTheNoise) {
-  const std::string told = "the volume has changed by";
-  const std::string thin =
-      made({"torus", "--ratio", "8", "--rows", "8", "--columns", "100", "--noise", "0.1"});
-  const std::string thick = made({"torus", "--rows", "48", "--columns", "120", "--noise", "0.1"});
-  const std::string sheet = made({"plane", "--rows", "32", "--columns", "32", "--noise", "0.1"});
-  const auto says = [&](const std::string& mesh, const Words& options) {
-    const RunResult run =
-        run_program(Words{"smooth", "-", "-", "--format", "off"} + options, {.input = mesh});
-    EXPECT_EQ(run.exit_code, 0) << run.err;
-    return contains(run.err, told);
+/// A closed plate of 13 x 13 x 0.1 with edges of 1: two sheets of squares, and a rim.
+std::string thin_plate() {
+  constexpr int n = 14;
+  std::string vertices, faces;
+  const auto at = [](int sheet, int i, int j) { return (sheet * n + i) * n + j; };
+  int count = 0;
+  const auto face = [&](int a, int b, int c, int d) {
+    faces += fmt::format("4 {} {} {} {}\n", a, b, c, d);
+    ++count;
   };
-  EXPECT_TRUE(says(thin, {}));
-  EXPECT_FALSE(says(thin, {"--cutoff", "8"}));
-  EXPECT_FALSE(says(thin, {"--denoise"}));
-  EXPECT_FALSE(says(thick, {}));
-  EXPECT_FALSE(says(sheet, {}));
+  for (int sheet = 0; sheet < 2; ++sheet) {
+    for (int i = 0; i < n; ++i) {
+      for (int j = 0; j < n; ++j) {
+        vertices += fmt::format("{} {} {}\n", i, j, sheet == 0 ? -0.05 : 0.05);
+      }
+    }
+  }
+  for (int i = 0; i + 1 < n; ++i) {
+    face(at(0, i + 1, 0), at(1, i + 1, 0), at(1, i, 0), at(0, i, 0));
+    face(at(0, i, n - 1), at(1, i, n - 1), at(1, i + 1, n - 1), at(0, i + 1, n - 1));
+    face(at(0, 0, i), at(1, 0, i), at(1, 0, i + 1), at(0, 0, i + 1));
+    face(at(0, n - 1, i + 1), at(1, n - 1, i + 1), at(1, n - 1, i), at(0, n - 1, i));
+    for (int j = 0; j + 1 < n; ++j) {
+      face(at(0, i, j), at(0, i, j + 1), at(0, i + 1, j + 1), at(0, i + 1, j));
+      face(at(1, i, j), at(1, i + 1, j), at(1, i + 1, j + 1), at(1, i, j + 1));
+    }
+  }
+  return fmt::format("OFF\n{} {} 0\n", 2 * n * n, count) + vertices + faces;
+}
+
+TEST(Smooth, WarnsOfEveryClosedMeshWhoseVolumeChangesByMoreThanOnePerCent) {
+  const std::string warning = "the volume has changed from";
+  const std::string open_sheet =
+      made({"plane", "--rows", "32", "--columns", "32", "--noise", "0.1"});
+  const std::vector<std::string> meshes{
+      made({"torus", "--ratio", "8", "--rows", "8", "--columns", "100", "--noise", "0.1"}),
+      made({"torus", "--rows", "48", "--columns", "120", "--noise", "0.1"}),
+      made({"cube", "--subdivide", "3"}),
+      made({"icosahedron", "--subdivide", "2"}),
+      open_sheet,
+      thin_plate()};
+  const std::vector<Words> options{
+      {}, {"--cutoff", "2"}, {"--cutoff", "8", "--twicing", "1"}, {"--keep-volume"}, {"--denoise"}};
+  int warned = 0;
+  for (const std::string& mesh : meshes) {
+    const bool closed = mesh != open_sheet;
+    for (const Words& more : options) {
+      if (!closed && more == Words{"--keep-volume"}) continue;
+      SCOPED_TRACE(fmt::format("{} {}", mesh.size(), fmt::join(more, " ")));
+      const TemporaryDirectory directory;
+      const RunResult run = run_program(
+          Words{"smooth", "-", directory / "out.off", "--json"} + more, {.input = mesh});
+      ASSERT_EQ(run.exit_code, 0) << run.err;
+      const json report = json::parse(run.out);
+      const double change =
+          report["after"]["volume"].get<double>() / report["before"]["volume"].get<double>() - 1;
+      const bool warns = contains(run.err, warning);
+      warned += warns ? 1 : 0;
+      EXPECT_EQ(warns, closed && std::abs(change) > 0.01) << run.err;
+      EXPECT_EQ(contains(report["warnings"].dump(), warning), warns);
+    }
+  }
+  EXPECT_GT(warned, 4);
 }
 
 TEST(Smooth, TellsWhatBecomesOfTextureCoordinates) {
