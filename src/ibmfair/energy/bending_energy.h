@@ -62,11 +62,11 @@ struct EnergyOptions {
   /// The sign convention is that of H, which is positive on a sphere whose triangles are oriented
   /// outward. Only for members with BendingModel::takes_spontaneous_curvature.
   Eigen::VectorXd spontaneous_curvature = {};
-  /// #V and #F, or empty for all: the vertices and triangles that belong to this part of a mesh
-  /// that is split into parts (flow/mesh_parts.h). Only the energy of this part is summed: the
-  /// stencil of a vertex counts if its centre belongs to the part, and half the energy of a hinge
-  /// counts for each of its two triangles that belongs to the part. Only for members with
-  /// BendingModel::knows_parts.
+  /// #V and #F, or empty for all: the vertices and triangles of one part of the mesh, whose energy
+  /// alone is summed. The energies of parts that have every vertex and triangle once add up to that
+  /// of the mesh: the stencil of a vertex counts if its centre belongs to the part, and half the
+  /// energy of a hinge counts for each of its two triangles that belongs to the part. Only for
+  /// members with BendingModel::knows_parts.
   std::vector<std::uint8_t> own_vertices = {}, own_triangles = {};
 };
 
@@ -123,7 +123,7 @@ struct BendingModel {
   bool takes_material_directions = false;    ///< supports EnergyOptions::material_directions
   bool keeps_sharp = false;                  ///< supports EnergyOptions::sharp_angle
   bool takes_spontaneous_curvature = false;  ///< supports EnergyOptions::spontaneous_curvature
-  bool evens_edges = false;                  ///< its flow also moves vertices within the surface
+  bool evens_edges = false;  ///< its gradient also has a part within the surface, even on planes
   /// Supports EnergyOptions::own_vertices: the energy at a vertex depends only on nearby vertices.
   bool knows_parts = false;
 

@@ -7,14 +7,14 @@
 //   E_hinge = 3/(2A) |c0 x0 + c1 x1 + c2 x2 + c3 x3|^2 = 3 |e0|^2 / A (1 + cos theta)
 //
 // The limit of the energy under refinement depends on the triangulation (equilateral triangles: 3/4
-// of the integral of H^2 minus the integral of K). Its force does not vanish at folded triangles
-// and so unfolds them.
+// of the integral of H^2 minus the integral of K). Its gradient does not vanish at folded
+// triangles.
 //
 // With EnergyOptions::sharp_angle, u = E_hinge is replaced by u / (1 + u / u0), where u0 is the
-// energy of a hinge of two equilateral triangles that turns by this angle. Hinges with u much below
-// u0 bend as before; on sharper hinges the force and the contribution to the Hessian decrease as
-// 1/u^2. Bounding u, and not only 1 + cos theta, also removes the force within the surface at
-// sharp hinges.
+// energy of a hinge of two equilateral triangles that turns by this angle. Where u is much below
+// u0, nothing changes; on sharper hinges the gradient and the contribution to the Hessian decrease
+// as 1/u^2. Bounding u, and not only 1 + cos theta, also bounds the part of the gradient within the
+// surface.
 #pragma once
 
 #include <vector>

@@ -13,8 +13,8 @@
 // whose triangles are oriented outward. Its Hessian is approximated by the Hessian of the energy
 // without H0, which is positive semi-definite.
 //
-// The energy is consistent with 1/2 * integral of H^2 on any regular triangulation, and its flow
-// has a stationary limit. At a fully folded hinge its force vanishes.
+// The energy is consistent with 1/2 * integral of H^2 on any regular triangulation. Its gradient
+// vanishes at a fully folded hinge.
 #pragma once
 
 #include <cstdint>

@@ -12,7 +12,7 @@ namespace ibmfair {
 struct Unknowns {
   std::vector<Index> vertex;  ///< the vertex of each unknown, in increasing order
   /// #V, the unknown of each vertex, or -1 if the vertex is fixed. Numbers >= size() belong to
-  /// vertices of other parts of the mesh (flow/mesh_parts.h).
+  /// vertices of other parts of the mesh.
   std::vector<Index> unknown;
 
   Unknowns() = default;

@@ -15,17 +15,14 @@
 namespace ibmfair {
 
 /// The Hessian from `linearise` is the Hessian under isometry, L^T M^-1 L, except for two members
-/// for which it has no fixed sparse stencils. A Jacobian is inexact by design ([W07] section 3.2);
-/// the approximations for these two members are too stiff rather than too soft, so that steps
-/// become shorter and do not overshoot:
+/// for which it has no fixed sparse stencils. For these it is that of a similar member:
 ///
 /// - Intrinsic Delaunay: the cotangent Laplacian of the mesh's own triangles with their mixed
 ///   Voronoi mass is used. It agrees with the exact one on a Delaunay mesh; on other meshes its
 ///   Dirichlet energy is larger (S. Rippa, "Minimal roughness property of the Delaunay
 ///   triangulation", 1990).
 /// - Consistent mass, whose inverse is dense: its diagonal is used instead, which is half the
-///   lumped mass. M^-1 lies between half and twice the inverse of this diagonal, so that no full
-///   step goes beyond the mirror image.
+///   lumped mass. M^-1 lies between half and twice the inverse of this diagonal.
 class VertexEnergy final : public BendingEnergy {
  public:
   VertexEnergy(const Topology& topology, const EnergyOptions& options,
