@@ -8,21 +8,6 @@
 
 namespace ibmfair {
 
-Points multiply(const SymmetricMatrix& J, const Points& X) {
-  Points Y = Points::Zero(X.rows(), 3);
-  for (std::int64_t j = 0; j < J.size(); ++j) {
-    const std::int64_t diagonal = J.column_first[j];
-    const Vec3 x = X.row(j);
-    Vec3 y = J.value[diagonal] * x;  // in registers
-    for (std::int64_t k = diagonal + 1; k < J.column_first[j + 1]; ++k) {
-      Y.row(J.row[k]) += J.value[k] * x;
-      y += J.value[k] * X.row(J.row[k]);
-    }
-    Y.row(j) += y;
-  }
-  return Y;
-}
-
 HessianAssembler::HessianAssembler(const StencilTerms& terms, const Unknowns& unknowns)
     : sums_(terms, unknowns, RowSums::Others::later) {}
 

@@ -3,29 +3,13 @@
 // place.
 #pragma once
 
-#include <cstdint>
-#include <vector>
-
+#include "ibmfair/base/symmetric_matrix.h"
 #include "ibmfair/energy/bending_energy.h"
 #include "ibmfair/energy/row_sums.h"
 #include "ibmfair/energy/stencil_terms.h"
 #include "ibmfair/energy/unknowns.h"
 
 namespace ibmfair {
-
-/// The lower triangle of a symmetric n x n matrix in compressed column format. The rows of a column
-/// are sorted; every diagonal entry is present and is the first in its column. All indices have 64
-/// bits.
-struct SymmetricMatrix {
-  std::vector<std::int64_t> column_first{0};  ///< n + 1
-  std::vector<std::int64_t> row;
-  std::vector<double> value;
-
-  std::int64_t size() const { return static_cast<std::int64_t>(column_first.size()) - 1; }
-};
-
-/// J X for X n x 3.
-Points multiply(const SymmetricMatrix& J, const Points& X);
 
 /// Assembles S for one set of stencils and unknowns.
 class HessianAssembler {

@@ -4,8 +4,8 @@
 
 #include <vector>
 
+#include "ibmfair/base/symmetric_matrix.h"
 #include "ibmfair/energy/bending_energy.h"
-#include "ibmfair/energy/hessian.h"
 #include "ibmfair/energy/mass_matrices.h"
 #include "ibmfair/energy/vertex_laplacians.h"
 

@@ -5,8 +5,8 @@
 
 #include <memory>
 
+#include "ibmfair/base/symmetric_matrix.h"
 #include "ibmfair/base/types.h"
-#include "ibmfair/energy/hessian.h"
 #include "ibmfair/solve/cholesky.h"
 #include "ibmfair/solve/ordering.h"
 

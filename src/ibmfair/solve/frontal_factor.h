@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "ibmfair/base/huge_pages.h"
-#include "ibmfair/energy/hessian.h"
+#include "ibmfair/base/symmetric_matrix.h"
 #include "ibmfair/solve/supernodes.h"
 
 namespace ibmfair {

@@ -6,8 +6,8 @@
 #include <memory>
 #include <string_view>
 
+#include "ibmfair/base/symmetric_matrix.h"
 #include "ibmfair/base/types.h"
-#include "ibmfair/energy/hessian.h"
 #include "ibmfair/solve/cholesky.h"
 
 namespace ibmfair {

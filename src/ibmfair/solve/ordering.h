@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "ibmfair/base/compressed_rows.h"
+#include "ibmfair/base/symmetric_matrix.h"
 #include "ibmfair/base/types.h"
-#include "ibmfair/energy/hessian.h"
 
 namespace ibmfair {
 

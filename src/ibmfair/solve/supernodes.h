@@ -7,8 +7,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "ibmfair/base/symmetric_matrix.h"
 #include "ibmfair/base/types.h"
-#include "ibmfair/energy/hessian.h"
 #include "ibmfair/mesh/topology.h"
 
 namespace ibmfair {
