@@ -40,7 +40,7 @@ void BytePatcher::write_pieces() {
   run_tasks(static_cast<std::int64_t>(tasks), tasks > 1, [&](std::int64_t task) {
     const std::size_t begin = static_cast<std::size_t>(task) * pieces_per_task;
     const std::size_t count = std::min(pieces_per_task, pieces_.size() - begin);
-    join({pieces_.data() + begin, count}, texts_[static_cast<std::size_t>(task)]);
+    join({pieces_.data() + begin, count}, texts_[task]);
   });
   for (std::size_t task = 0; task < tasks; ++task)
     out_.write(texts_[task]);

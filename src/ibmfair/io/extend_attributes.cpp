@@ -61,8 +61,7 @@ void extend_colours(MeshAttributes& attributes, const Extension& extension) {
   Eigen::MatrixXd at_rim(extension.rim.size(), 4);
   for (std::size_t i = 0; i < extension.rim.size(); ++i) {
     const auto v = static_cast<std::size_t>(extension.rim[i]);
-    at_rim.row(static_cast<Eigen::Index>(i)) =
-        Eigen::RowVector4d::Map(attributes.colours[v].data());
+    at_rim.row(i) = Eigen::RowVector4d::Map(attributes.colours[v].data());
   }
   const Eigen::MatrixXd values = extend_values(extension, at_rim);
   for (Eigen::Index v = 0; v < values.rows(); ++v) {
@@ -82,7 +81,7 @@ SourceCorners find_source_corners(const Mesh& mesh, const Extension& extension) 
   // For each vertex, its first corner in the source.
   std::vector<std::int64_t> any(static_cast<std::size_t>(vertices), -1);
   for (std::size_t i = faces.corner.size(); i-- > 0;)
-    any[static_cast<std::size_t>(faces.corner[i])] = static_cast<std::int64_t>(i);
+    any[faces.corner[i]] = static_cast<std::int64_t>(i);
 
   SourceCorners result;
   result.of_face.assign(static_cast<std::size_t>(extension.F.size()), -1);
@@ -99,7 +98,7 @@ SourceCorners find_source_corners(const Mesh& mesh, const Extension& extension) 
         found != polygon.end() ? faces.first[model] + (found - polygon.begin()) : any[at];
   }
   for (const Index v : extension.rim)
-    result.of_rim.push_back(of_vertex[static_cast<std::size_t>(v)]);
+    result.of_rim.push_back(of_vertex[v]);
   return result;
 }
 
@@ -109,12 +108,12 @@ NewRows number_new_rows(const Extension& extension, Index source_vertices,
   std::vector<Index> row(static_cast<std::size_t>(values.rows()), -1);
   for (Eigen::Index v = 0; v < values.rows(); ++v) {
     if (!values.row(v).allFinite()) continue;
-    row[static_cast<std::size_t>(v)] = count + static_cast<Index>(result.vertex.size());
+    row[v] = count + static_cast<Index>(result.vertex.size());
     result.vertex.push_back(static_cast<Index>(v));
   }
   for (std::size_t i = 0; i < corner.size(); ++i) {
     const Index v = extension.F.data()[i];
-    if (v >= source_vertices) corner[i] = row[static_cast<std::size_t>(v - source_vertices)];
+    if (v >= source_vertices) corner[i] = row[v - source_vertices];
   }
   for (auto face = corner.begin(); face != corner.end(); face += 3) {
     if (std::count(face, face + 3, -1) > 0) std::fill(face, face + 3, -1);
@@ -128,15 +127,14 @@ void extend_corner_texture(MeshAttributes& attributes, const Mesh& mesh,
   std::vector<std::array<double, 2>>& coordinates = attributes.texture_coordinates;
   const SourceCorners corners = find_source_corners(mesh, extension);
   const auto row = [&](std::int64_t corner) {
-    return corner < 0 ? -1 : attributes.corner_texture[static_cast<std::size_t>(corner)];
+    return corner < 0 ? -1 : attributes.corner_texture[corner];
   };
   Eigen::MatrixXd at_rim =
       Eigen::MatrixXd::Constant(static_cast<Eigen::Index>(extension.rim.size()), 2, unknown);
   for (std::size_t i = 0; i < extension.rim.size(); ++i) {
     const Index t = row(corners.of_rim[i]);
     if (t < 0) continue;
-    at_rim.row(static_cast<Eigen::Index>(i)) =
-        Eigen::RowVector2d::Map(coordinates[static_cast<std::size_t>(t)].data());
+    at_rim.row(i) = Eigen::RowVector2d::Map(coordinates[t].data());
   }
   std::vector<Index> corner;
   for (const std::int64_t c : corners.of_face)

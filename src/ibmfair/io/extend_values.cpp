@@ -59,12 +59,12 @@ Incidence faces_around_new_vertices(const Extension& extension, Index source_ver
 Eigen::VectorXd sides(const Mesh& mesh, const Extension& extension, const Points& at_rim) {
   std::vector<Index> place(static_cast<std::size_t>(mesh.X.rows()), -1);
   for (std::size_t i = 0; i < extension.rim.size(); ++i) {
-    place[static_cast<std::size_t>(extension.rim[i])] = static_cast<Index>(i);
+    place[extension.rim[i]] = static_cast<Index>(i);
   }
   Points around = Points::Zero(at_rim.rows(), 3);
   for (Index f = 0; f < mesh.faces.size(); ++f) {
     for (const Index v : mesh.faces[f]) {
-      const Index i = place[static_cast<std::size_t>(v)];
+      const Index i = place[v];
       if (i >= 0) around.row(i) += polygon_area_vector(mesh.X, mesh.faces[f]);
     }
   }
@@ -147,7 +147,7 @@ Eigen::MatrixXd in_order_of_rim(const Extension& extension, const std::vector<In
   if (values.cols() == 0) return result;  // copying rows without columns would be invalid
   for (std::size_t i = 0; i < extension.rim.size(); ++i) {
     const std::size_t place = position_in(sorted_rim, extension.rim[i]);
-    result.row(static_cast<Eigen::Index>(i)) = values.row(static_cast<Eigen::Index>(place));
+    result.row(i) = values.row(place);
   }
   return result;
 }

@@ -10,12 +10,10 @@ namespace ibmfair {
 bool texture_is_per_vertex(const Mesh& mesh, const MeshAttributes& attributes) {
   const std::vector<Index>& corner = mesh.faces.corner;
   std::vector<Index> first(static_cast<std::size_t>(mesh.X.rows()), -1);
-  const auto coordinate = [&](Index t) {
-    return attributes.texture_coordinates[static_cast<std::size_t>(t)];
-  };
+  const auto coordinate = [&](Index t) { return attributes.texture_coordinates[t]; };
   for (std::size_t i = 0; i < attributes.corner_texture.size(); ++i) {
     const Index t = attributes.corner_texture[i];
-    Index& known = first[static_cast<std::size_t>(corner[i])];
+    Index& known = first[corner[i]];
     if (t < 0 || t == known) continue;
     if (known >= 0 && coordinate(t) != coordinate(known)) return false;
     known = t;
@@ -29,8 +27,7 @@ std::vector<std::array<double, 2>> texture_per_vertex(const Mesh& mesh,
   for (std::size_t i = 0; i < attributes.corner_texture.size(); ++i) {
     const Index t = attributes.corner_texture[i];
     if (t < 0) continue;
-    texture[static_cast<std::size_t>(mesh.faces.corner[i])] =
-        attributes.texture_coordinates[static_cast<std::size_t>(t)];
+    texture[mesh.faces.corner[i]] = attributes.texture_coordinates[t];
   }
   return texture;
 }

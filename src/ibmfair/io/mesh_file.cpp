@@ -114,7 +114,7 @@ std::vector<std::uint8_t> MeshFile::vertex_mask(const std::string& name) const {
   const std::vector<std::uint8_t> own = format().vertex_mask(bytes(), contents_->unwelded(), name);
   std::vector<std::uint8_t> mask(static_cast<std::size_t>(mesh().X.rows()), 0);
   for (std::size_t v = 0; v < own.size(); ++v) {
-    if (own[v] != 0) mask[static_cast<std::size_t>(contents_->weld->vertex[v])] = 1;
+    if (own[v] != 0) mask[contents_->weld->vertex[v]] = 1;
   }
   return mask;
 }
@@ -125,7 +125,7 @@ std::optional<std::vector<double>> MeshFile::vertex_values(const std::string& na
   if (!own || !welded()) return own;
   std::vector<double> values(static_cast<std::size_t>(mesh().X.rows()));
   for (std::size_t v = own->size(); v-- > 0;) {
-    values[static_cast<std::size_t>(contents_->weld->vertex[v])] = (*own)[v];
+    values[contents_->weld->vertex[v]] = (*own)[v];
   }
   return values;
 }
@@ -137,7 +137,7 @@ MeshAttributes MeshFile::attributes() const {
     std::vector<std::array<double, 4>> colours;
     colours.reserve(contents_->weld->first.size());
     for (const Index v : contents_->weld->first) {
-      colours.push_back(attributes.colours[static_cast<std::size_t>(v)]);
+      colours.push_back(attributes.colours[v]);
     }
     attributes.colours = std::move(colours);
   }

@@ -33,7 +33,7 @@ std::vector<std::uint8_t> faces_touching(const Polygons& faces,
   std::vector<std::uint8_t> touching(static_cast<std::size_t>(faces.size()), 0);
   for (Index f = 0; f < faces.size(); ++f) {
     for (const Index v : faces[f]) {
-      if (vertices[static_cast<std::size_t>(v)] != 0) touching[static_cast<std::size_t>(f)] = 1;
+      if (vertices[v] != 0) touching[f] = 1;
     }
   }
   return touching;
@@ -46,9 +46,9 @@ RenewedNormals::RenewedNormals(const Polygons& faces, const Points& before, cons
       after_(vertex_normals(faces, after)) {
   const std::vector<std::uint8_t> changed = faces_touching(faces, moved);
   for (Index f = 0; f < faces.size(); ++f) {
-    if (changed[static_cast<std::size_t>(f)] == 0) continue;
+    if (changed[f] == 0) continue;
     for (const Index v : faces[f])
-      stale_[static_cast<std::size_t>(v)] = 1;
+      stale_[v] = 1;
   }
 }
 

@@ -28,7 +28,7 @@ class RenewedNormals {
                  const std::vector<std::uint8_t>& moved);
 
   /// Whether a face at the vertex has changed, so that the vertex needs a new normal.
-  bool is_stale(std::int64_t vertex) const { return stale_[static_cast<std::size_t>(vertex)] != 0; }
+  bool is_stale(std::int64_t vertex) const { return stale_[vertex] != 0; }
 
   /// The new normal, oriented so that it is on the same side of the surface as `old`, the normal in
   /// the file, was before the move. If the faces at the vertex have no area, the result is `old`.

@@ -75,7 +75,7 @@ class Appender {
         static_cast<Eigen::Index>(corners_.of_rim.size()), columns, unknown);
     for (std::size_t i = 0; i < corners_.of_rim.size(); ++i) {
       const Index row = row_of(rows, corners_.of_rim[i]);
-      if (row >= 0) values.row(static_cast<Eigen::Index>(i)) = read(row);
+      if (row >= 0) values.row(i) = read(row);
     }
     return values;
   }
@@ -127,7 +127,7 @@ class Appender {
                                                         request_.mesh.faces.size(), notes);
     auto statement = statements.begin();
     const auto row = [](const AppendedRows& appended, Eigen::Index i) {
-      return appended.rows.corner.empty() ? -1 : appended.rows.corner[static_cast<std::size_t>(i)];
+      return appended.rows.corner.empty() ? -1 : appended.rows.corner[i];
     };
     for (Eigen::Index f = 0; f < extension_.F.rows(); ++f) {
       for (; statement != statements.end() && statement->first - request_.mesh.faces.size() == f;

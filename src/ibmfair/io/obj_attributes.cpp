@@ -26,7 +26,7 @@ void read_colour(ObjScanner& scan, Index vertex, MeshAttributes& attributes) {
   int columns = 0;
   for (; !scan.at_statement_end(); ++columns) {
     const double value = scan.any_real();
-    if (columns < 4) rgba[static_cast<std::size_t>(columns)] = value;
+    if (columns < 4) rgba[columns] = value;
   }
   if (columns != 3 && columns != 4) return;
   attributes.opacity = attributes.opacity || columns == 4;
@@ -55,7 +55,7 @@ class MaskReader {
       } else if (keyword == "f") {
         if (in_group_ || in_object_ || in_material_) {
           for (const Index v : mesh_.faces[face])
-            mask[static_cast<std::size_t>(v)] = 1;
+            mask[v] = 1;
         }
         ++face;
       }

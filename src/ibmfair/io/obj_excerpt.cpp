@@ -53,14 +53,13 @@ Excerpt::Excerpt(const SourceBytes& source, const Mesh& mesh, const std::vector<
   for (; scan.next_statement(); plain ? scan.skip_plain_line() : void()) {
     const std::string_view keyword = scan.keyword();
     if (keyword == "v") {
-      if (next_vertex < wanted_vertices &&
-          vertices[static_cast<std::size_t>(next_vertex)] == vertex) {
+      if (next_vertex < wanted_vertices && vertices[next_vertex] == vertex) {
         colours.row(next_vertex++) = read_colour(scan);
       }
       ++vertex;
     } else if (keyword == "f") {
-      std::int64_t corner = mesh.faces.first[static_cast<std::size_t>(face)];
-      const std::int64_t stop = mesh.faces.first[static_cast<std::size_t>(++face)];
+      std::int64_t corner = mesh.faces.first[face];
+      const std::int64_t stop = mesh.faces.first[++face];
       for (; texture.size() < corners.size() && corners[texture.size()] < stop; ++corner) {
         const RawCorner raw = scan.corner();
         if (corners[texture.size()] != corner) continue;
@@ -80,14 +79,14 @@ Excerpt::Excerpt(const SourceBytes& source, const Mesh& mesh, const std::vector<
 }
 
 Eigen::RowVector2d Excerpt::texture_coordinate(Index row) const {
-  ObjScanner scan(source_, textures_[static_cast<std::size_t>(row)]);
+  ObjScanner scan(source_, textures_[row]);
   scan.next_statement();
   const double u = any_number(scan);
   return {u, scan.at_statement_end() ? 0.0 : any_number(scan)};
 }
 
 Eigen::RowVector3d Excerpt::normal_vector(Index row) const {
-  ObjScanner scan(source_, normals_[static_cast<std::size_t>(row)]);
+  ObjScanner scan(source_, normals_[row]);
   scan.next_statement();
   Eigen::RowVector3d normal;
   for (int c = 0; c < 3; ++c)

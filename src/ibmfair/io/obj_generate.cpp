@@ -37,7 +37,7 @@ std::vector<std::string> generate(const GenerateRequest& request, ByteSink& out)
     if (attributes.colours.empty()) {
       lines.row("v", {X.row(v).data(), 3});
     } else {
-      const auto& rgba = attributes.colours[static_cast<std::size_t>(v)];
+      const auto& rgba = attributes.colours[v];
       lines.row("v", std::array{X(v, 0), X(v, 1), X(v, 2), rgba[0], rgba[1], rgba[2]});
     }
   }

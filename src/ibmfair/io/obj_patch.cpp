@@ -32,15 +32,15 @@ NormalPlan plan_normals(const PatchRequest& request, const CornerReferences& ref
     const Vec3 area_before = polygon_area_vector(request.mesh.X, faces[f]);
     const Vec3 area_after = polygon_area_vector(request.X, faces[f]);
     for (std::int64_t i = faces.first[f]; i < faces.first[f + 1]; ++i) {
-      const Index n = references.corner_normal[static_cast<std::size_t>(i)];
+      const Index n = references.corner_normal[i];
       if (n < 0) continue;
       const auto at = static_cast<std::size_t>(n);
-      const Index vertex = faces.corner[static_cast<std::size_t>(i)];
+      const Index vertex = faces.corner[i];
       if (owner[at] >= 0 && owner[at] != vertex) shared[at] = 1;
       owner[at] = vertex;
       before.row(n) += area_before;
       plan.renewed.row(n) += area_after;
-      if (changed[static_cast<std::size_t>(f)] != 0) plan.stale[at] = 1;
+      if (changed[f] != 0) plan.stale[at] = 1;
     }
   }
   for (std::size_t n = 0; n < count; ++n) {
@@ -93,7 +93,7 @@ void patch_text(const PatchRequest& request, const NormalPlan& normals, ByteSink
     const std::string_view keyword = scan.keyword();
     if (keyword == "v") {
       const Points& before = request.mesh.X;
-      if (request.moved[static_cast<std::size_t>(vertex)] != 0) {
+      if (request.moved[vertex] != 0) {
         replace_numbers(scan, text, request.X, vertex,
                         [&](int c) { return request.X(vertex, c) != before(vertex, c); });
       }

@@ -110,7 +110,7 @@ void patch_vertices(const PatchRequest& request, const Layout& layout,
       for (int c = 0; c < 3; ++c)
         store(out, static_cast<float>(value[c]), layout.swapped);
     };
-    store_row(row, request.X.row(v), request.moved[static_cast<std::size_t>(v)] != 0);
+    store_row(row, request.X.row(v), request.moved[v] != 0);
     std::size_t written = 3 * word;
     if (normals) {
       const char* old = row + written;
@@ -163,7 +163,7 @@ const char* append_faces(const PatchRequest& request, const Layout& layout, Byte
     store(out, std::int32_t{3}, layout.swapped);
     for (const Index v : extension.F.row(f))
       store(out, v, layout.swapped);
-    const Index model = extension.model_face[static_cast<std::size_t>(f)];
+    const Index model = extension.model_face[f];
     out.write(colours[position_in(models, model)]);
   }
   return p;

@@ -21,14 +21,13 @@ std::int64_t count_new_edges(const Mesh& mesh, const Extension& extension) {
     for (int i = 0; i < 3; ++i) {
       const Index v = extension.F(f, i);
       edges.insert(edge(v, extension.F(f, (i + 1) % 3)));
-      if (v < mesh.X.rows()) touched[static_cast<std::size_t>(v)] = 1;
+      if (v < mesh.X.rows()) touched[v] = 1;
     }
   }
   for (Index f = 0; f < mesh.faces.size(); ++f) {
     Index previous = mesh.faces[f].back();
     for (const Index v : mesh.faces[f]) {
-      const bool near = touched[static_cast<std::size_t>(v)] != 0 &&
-                        touched[static_cast<std::size_t>(previous)] != 0;
+      const bool near = touched[v] != 0 && touched[previous] != 0;
       if (near) edges.erase(edge(previous, v));
       previous = v;
     }

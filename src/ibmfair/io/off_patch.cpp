@@ -74,7 +74,7 @@ class TextPatcher {
   void patch_vertex(std::int64_t v) {
     for (int c = 0; c < 3; ++c) {
       if (request_.X(v, c) != request_.mesh.X(v, c)) {
-        replace(row_[static_cast<std::size_t>(c)], request_.X(v, c));
+        replace(row_[c], request_.X(v, c));
       }
     }
     if (!normals_ || !normals_->is_stale(v)) return;
@@ -154,7 +154,7 @@ class TextPatcher {
     read_text_faces(cursor_, layout_, unused, [&](Index face, Token colour) {
       const auto model = std::lower_bound(models.begin(), models.end(), face);
       if (model != models.end() && *model == face) {
-        colours[static_cast<std::size_t>(model - models.begin())] = colour;
+        colours[model - models.begin()] = colour;
       }
     });
     insert_rows(extension.F.rows(), layout_.faces_end_lines,
@@ -164,7 +164,7 @@ class TextPatcher {
                     line += ' ';
                     append_integer(line, v);
                   }
-                  const Index model = extension.model_face[static_cast<std::size_t>(f)];
+                  const Index model = extension.model_face[f];
                   const Token colour = colours[position_in(models, model)];
                   if (layout_.faces_end_lines && !colour.empty()) line.append(" ").append(colour);
                 });

@@ -89,7 +89,7 @@ void read_vertex_attributes(const SourceBytes& source, const Layout& layout,
       std::array<double, 4> rgba{0, 0, 0, 1};
       for (int c = 0; c < layout.colour_channels; ++c) {
         const std::string_view text = cursor.token();
-        rgba[static_cast<std::size_t>(c)] = real_or_zero(text);
+        rgba[c] = real_or_zero(text);
         // Colours with a decimal point are in 0 .. 1, others in 0 .. 255.
         if (text.find('.') != std::string_view::npos) attributes.byte_colours = false;
       }
@@ -159,7 +159,7 @@ MeshAttributes read_attributes(const SourceBytes& source, const Mesh& mesh) {
   if (attributes.byte_colours) {
     for (std::array<double, 4>& rgba : attributes.colours) {
       for (int c = 0; c < layout.colour_channels; ++c)
-        rgba[static_cast<std::size_t>(c)] /= 255.0;
+        rgba[c] /= 255.0;
     }
   }
   if (layout.texture) attributes.corner_texture = mesh.faces.corner;

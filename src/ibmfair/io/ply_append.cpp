@@ -61,7 +61,7 @@ VertexAppender::Source VertexAppender::source_of(std::size_t i) const {
 }
 
 Eigen::RowVectorXd VertexAppender::values_of(Index vertex) const {
-  return values_.row(static_cast<Eigen::Index>(position_in(wanted_, vertex)));
+  return values_.row(position_in(wanted_, vertex));
 }
 
 void VertexAppender::write(const std::vector<std::optional<Type>>& stored, RowWriter& row) const {
@@ -70,12 +70,12 @@ void VertexAppender::write(const std::vector<std::optional<Type>>& stored, RowWr
   Eigen::MatrixXd at_rim = Eigen::MatrixXd::Constant(rim, values_.cols(), unknown);
   Points normals_at_rim = Points::Constant(rim, 3, unknown);
   for (Eigen::Index i = 0; i < rim; ++i) {
-    const Eigen::RowVectorXd values = values_of(extension.rim[static_cast<std::size_t>(i)]);
+    const Eigen::RowVectorXd values = values_of(extension.rim[i]);
     for (Eigen::Index c = 0; c < values.size(); ++c) {
       if (source_of(static_cast<std::size_t>(c)) == Source::extended) at_rim(i, c) = values[c];
     }
     for (int c = 0; c < 3 && layout_.normal[0] >= 0; ++c)
-      normals_at_rim(i, c) = values[layout_.normal[static_cast<std::size_t>(c)]];
+      normals_at_rim(i, c) = values[layout_.normal[c]];
   }
   const Eigen::MatrixXd extended = extend_values(extension, at_rim);
   Points normals;
@@ -87,7 +87,7 @@ void VertexAppender::write(const std::vector<std::optional<Type>>& stored, RowWr
     return std::find(axes.begin(), axes.end(), static_cast<int>(i)) - axes.begin();
   };
   for (Eigen::Index v = 0; v < extension.X.rows(); ++v) {
-    const Eigen::RowVectorXd near = values_of(nearest_[static_cast<std::size_t>(v)]);
+    const Eigen::RowVectorXd near = values_of(nearest_[v]);
     for (std::size_t i = 0; i < stored.size(); ++i) {
       if (!stored[i]) continue;
       const auto column = static_cast<Eigen::Index>(i);
@@ -143,7 +143,7 @@ std::vector<std::string> FaceAppender::write(Type index_type, RowWriter& row) co
   const Extension& extension = *request_.extension;
   const std::vector<Property>& properties = layout_.faces().properties;
   for (Eigen::Index f = 0; f < extension.F.rows(); ++f) {
-    const Index model = extension.model_face[static_cast<std::size_t>(f)];
+    const Index model = extension.model_face[f];
     for (std::size_t i = 0; i < properties.size(); ++i) {
       if (static_cast<int>(i) == layout_.indices) {
         row.number(properties[i].count_type, 3.0);
@@ -172,7 +172,7 @@ void FaceAppender::write_texture(const Property& property, Eigen::Index face,
   if (rows[0] < 0) return write_empty_list(property, row);
   row.number(property.count_type, 6.0);
   for (int corner = 0; corner < 3; ++corner) {
-    for (const double value : texture_.texture_coordinates[static_cast<std::size_t>(rows[corner])])
+    for (const double value : texture_.texture_coordinates[rows[corner]])
       row.number(property.type, value);
   }
 }

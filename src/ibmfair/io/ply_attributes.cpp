@@ -69,7 +69,7 @@ void read_colours(const SourceBytes& source, const Layout& layout, MeshAttribute
   // 1 for reals.
   std::array<double, 4> full{1, 1, 1, 1};
   for (std::size_t c = 0; c < channels; ++c) {
-    const Type type = layout.vertices().properties[static_cast<std::size_t>(columns[c])].type;
+    const Type type = layout.vertices().properties[columns[c]].type;
     if (!is_real(type)) full[c] = size_of(type) == 1 ? 255.0 : 65535.0;
     if (size_of(type) == 1) attributes.byte_colours = true;
   }
@@ -166,7 +166,7 @@ std::optional<std::vector<double>> vertex_values(const SourceBytes& source, std:
   const Layout layout = read_layout(source);
   const Element& vertex = layout.vertices();
   const int column = vertex.find(source, name);
-  if (column < 0 || vertex.properties[static_cast<std::size_t>(column)].is_list) {
+  if (column < 0 || vertex.properties[column].is_list) {
     return std::nullopt;
   }
   return read_columns(source, layout, {column});

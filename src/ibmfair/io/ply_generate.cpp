@@ -110,10 +110,9 @@ void write_faces(const GenerateRequest& request, const Contents& contents, RowWr
     if (contents.corner_texture) {
       count(2 * faces[f].size());
       for (std::int64_t i = faces.first[f]; i < faces.first[f + 1]; ++i) {
-        const Index t = request.attributes.corner_texture[static_cast<std::size_t>(i)];
+        const Index t = request.attributes.corner_texture[i];
         for (std::size_t c = 0; c < 2; ++c) {
-          row.value(t < 0 ? 0.0
-                          : request.attributes.texture_coordinates[static_cast<std::size_t>(t)][c]);
+          row.value(t < 0 ? 0.0 : request.attributes.texture_coordinates[t][c]);
         }
       }
     }

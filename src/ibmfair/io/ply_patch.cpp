@@ -60,15 +60,13 @@ class Patcher {
   }
 
  private:
-  const Property& property(int i) const {
-    return layout_.vertices().properties[static_cast<std::size_t>(i)];
-  }
+  const Property& property(int i) const { return layout_.vertices().properties[i]; }
 
   void plan_positions() {
     bool rounded = false;
     bool promoted = false;
     for (int c = 0; c < 3; ++c) {
-      const int i = layout_.position[static_cast<std::size_t>(c)];
+      const int i = layout_.position[c];
       const Type declared = property(i).type;
       // An integer cannot hold a moved coordinate, so `keep` applies to float only.
       const bool keep =
@@ -76,8 +74,7 @@ class Patcher {
           (declared == Type::float32 && request_.ply_real == WriteOptions::PlyReal::keep);
       rounded = rounded || (keep && declared == Type::float32);
       promoted = promoted || !keep;
-      treatments_[static_cast<std::size_t>(i)] = {Treatment::Kind::position, c,
-                                                  keep ? declared : Type::float64};
+      treatments_[i] = {Treatment::Kind::position, c, keep ? declared : Type::float64};
     }
     if (promoted)
       notes_.emplace_back("the coordinates are declared double now, to keep them exact");
@@ -90,9 +87,9 @@ class Patcher {
     const bool real =
         std::all_of(normal.begin(), normal.end(), [&](int i) { return is_real(property(i).type); });
     for (int c = 0; c < 3; ++c) {
-      const int i = normal[static_cast<std::size_t>(c)];
-      treatments_[static_cast<std::size_t>(i)] = {
-          real ? Treatment::Kind::normal : Treatment::Kind::drop, c, property(i).type};
+      const int i = normal[c];
+      treatments_[i] = {real ? Treatment::Kind::normal : Treatment::Kind::drop, c,
+                        property(i).type};
     }
     if (real) {
       normals_.emplace(request_.mesh.faces, request_.mesh.X, request_.X, request_.moved);
@@ -115,9 +112,7 @@ class Patcher {
                     indices.type_text, last));
   }
 
-  const Property& index_property() const {
-    return layout_.faces().properties[static_cast<std::size_t>(layout_.indices)];
-  }
+  const Property& index_property() const { return layout_.faces().properties[layout_.indices]; }
 
   void patch_header(BytePatcher& file) const {
     const std::vector<Element>& elements = layout_.header.elements;
@@ -183,7 +178,7 @@ class Patcher {
                     [&](RowWriter& row) { new_vertices_->write(stored_types(), row); });
       } else if (e == layout_.face && request_.extension) {
         walk_rows(body, elements[e], [&](std::int64_t row, const std::vector<Span>& spans) {
-          widen_indices(spans[static_cast<std::size_t>(layout_.indices)], file);
+          widen_indices(spans[layout_.indices], file);
           new_faces_->see(row, spans);
         });
         insert_rows(body, file, out, [&](RowWriter& row) {
@@ -254,7 +249,7 @@ class Patcher {
 
   void patch_row(std::int64_t row, const std::vector<Span>& spans, BytePatcher& file) const {
     const bool binary = layout_.header.encoding != Encoding::ascii;
-    const bool moved = request_.moved[static_cast<std::size_t>(row)] != 0;
+    const bool moved = request_.moved[row] != 0;
     const bool stale = normals_ && normals_->is_stale(row);
     const Vec3 normal = stale ? normals_->renew(row, old_normal(spans)) : Vec3::Zero();
     for (std::size_t i = 0; i < spans.size(); ++i) {
@@ -275,9 +270,8 @@ class Patcher {
   Vec3 old_normal(const std::vector<Span>& spans) const {
     Vec3 normal;
     for (int c = 0; c < 3; ++c) {
-      const int i = layout_.normal[static_cast<std::size_t>(c)];
-      const double value =
-          number_at(spans[static_cast<std::size_t>(i)], property(i).type, layout_.header.encoding);
+      const int i = layout_.normal[c];
+      const double value = number_at(spans[i], property(i).type, layout_.header.encoding);
       normal[c] = std::isnan(value) ? 0.0 : value;
     }
     return normal;

@@ -14,7 +14,7 @@ constexpr std::size_t largest_index = std::numeric_limits<Index>::max();
 int find_scalar(const SourceBytes& source, const Element& element, std::string_view name) {
   const int found = element.find(source, name);
   if (found < 0) return -1;
-  const Property& property = element.properties[static_cast<std::size_t>(found)];
+  const Property& property = element.properties[found];
   return property.is_list ? -1 : found;
 }
 
@@ -55,7 +55,7 @@ bool find_indices(const SourceBytes& source, const Element& element, Layout& lay
   for (const std::string_view name : {"vertex_indices", "vertex_index"}) {
     const int found = element.find(source, name);
     if (found < 0) continue;
-    const Property& property = element.properties[static_cast<std::size_t>(found)];
+    const Property& property = element.properties[found];
     if (!property.is_list || is_real(property.type)) {
       fail_in_text(source, property.line.data(), "vertex numbers must be a list of integers;");
     }
@@ -85,7 +85,7 @@ void read_vertices(const Layout& layout, Body& body, Points& X) {
   body.start_element(vertex);
   std::vector<int> axis(vertex.properties.size(), -1);
   for (int c = 0; c < 3; ++c)
-    axis[static_cast<std::size_t>(layout.position[c])] = c;
+    axis[layout.position[c]] = c;
   for (std::int64_t row = 0; row < vertex.count; ++row) {
     body.start_row(row);
     for (std::size_t i = 0; i < axis.size(); ++i) {

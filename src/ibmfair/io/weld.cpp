@@ -29,8 +29,7 @@ Weld find_coincident_vertices(const Points& X) {
   for (std::size_t v = 0; v < count; ++v) {
     const auto row = static_cast<Eigen::Index>(v);
     std::size_t slot = hash_position(X, row) & (size - 1);
-    while (table[slot] >= 0 &&
-           X.row(weld.first[static_cast<std::size_t>(table[slot])]) != X.row(row)) {
+    while (table[slot] >= 0 && X.row(weld.first[table[slot]]) != X.row(row)) {
       slot = (slot + 1) & (size - 1);
     }
     if (table[slot] < 0) {
@@ -45,11 +44,11 @@ Weld find_coincident_vertices(const Points& X) {
 void apply(const Weld& weld, Mesh& mesh) {
   Points X(static_cast<Eigen::Index>(weld.first.size()), 3);
   for (std::size_t v = 0; v < weld.first.size(); ++v) {
-    X.row(static_cast<Eigen::Index>(v)) = mesh.X.row(weld.first[v]);
+    X.row(v) = mesh.X.row(weld.first[v]);
   }
   mesh.X = std::move(X);
   for (Index& v : mesh.faces.corner)
-    v = weld.vertex[static_cast<std::size_t>(v)];
+    v = weld.vertex[v];
 }
 
 }  // namespace ibmfair

@@ -46,7 +46,7 @@ void require_finite(const Points& X) {
 std::vector<std::uint8_t> find_moved(const Points& before, const Points& after) {
   std::vector<std::uint8_t> moved(static_cast<std::size_t>(before.rows()));
   for (Eigen::Index v = 0; v < before.rows(); ++v) {
-    moved[static_cast<std::size_t>(v)] = before.row(v) != after.row(v) ? 1 : 0;
+    moved[v] = before.row(v) != after.row(v) ? 1 : 0;
   }
   return moved;
 }

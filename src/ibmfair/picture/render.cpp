@@ -74,7 +74,7 @@ Image develop(const Visibility& seen, const std::vector<Light>& triangle_light,
       return background;
     }
     const bool on_line = options.silhouettes && silhouette.passes(column, row);
-    return on_line ? line : triangle_light[static_cast<std::size_t>(t)];
+    return on_line ? line : triangle_light[t];
   };
 
   Image image(options.width, options.height);

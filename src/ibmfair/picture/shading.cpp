@@ -34,7 +34,7 @@ std::vector<std::int64_t> pixels_of_triangles(const Visibility& seen, Eigen::Ind
   std::vector<std::int64_t> pixels(static_cast<std::size_t>(triangles), 0);
   for (const Index t : seen.triangle) {
     if (t != Visibility::nothing) {
-      ++pixels[static_cast<std::size_t>(t)];
+      ++pixels[t];
     }
   }
   return pixels;

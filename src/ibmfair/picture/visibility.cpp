@@ -78,9 +78,7 @@ Visibility find_visible(const Points& X, const Triangles& F, const Camera& camer
     projected.push_back(camera.project(x.transpose()));
   }
   for (Eigen::Index t = 0; t < F.rows(); ++t) {
-    draw(static_cast<Index>(t), projected[static_cast<std::size_t>(F(t, 0))],
-         projected[static_cast<std::size_t>(F(t, 1))], projected[static_cast<std::size_t>(F(t, 2))],
-         seen);
+    draw(static_cast<Index>(t), projected[F(t, 0)], projected[F(t, 1)], projected[F(t, 2)], seen);
   }
   return seen;
 }

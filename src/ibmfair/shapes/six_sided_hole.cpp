@@ -60,11 +60,11 @@ TriangleMesh control_mesh() {
   TriangleMesh mesh;
   mesh.X.resize(static_cast<Eigen::Index>(points.size()), 3);
   for (std::size_t v = 0; v < points.size(); ++v) {
-    mesh.X.row(static_cast<Eigen::Index>(v)) = points[v];
+    mesh.X.row(v) = points[v];
   }
   mesh.F.resize(static_cast<Eigen::Index>(triangles.size()), 3);
   for (std::size_t t = 0; t < triangles.size(); ++t) {
-    mesh.F.row(static_cast<Eigen::Index>(t)) << triangles[t][0], triangles[t][1], triangles[t][2];
+    mesh.F.row(t) << triangles[t][0], triangles[t][1], triangles[t][2];
   }
   return mesh;
 }

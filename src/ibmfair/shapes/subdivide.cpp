@@ -20,16 +20,16 @@ class Midpoints {
 
   /// The midpoint of edge a b, or `none`.
   Index find(Index a, Index b) const {
-    Index e = first_[static_cast<std::size_t>(std::min(a, b))];
-    while (e != none && edges_[static_cast<std::size_t>(e)].larger != std::max(a, b)) {
-      e = edges_[static_cast<std::size_t>(e)].next;
+    Index e = first_[std::min(a, b)];
+    while (e != none && edges_[e].larger != std::max(a, b)) {
+      e = edges_[e].next;
     }
     return e == none ? none : vertex_count_ + e;
   }
 
   void add(Index a, Index b) {
     if (find(a, b) == none) {
-      Index& first = first_[static_cast<std::size_t>(std::min(a, b))];
+      Index& first = first_[std::min(a, b)];
       edges_.push_back({std::min(a, b), std::max(a, b), first});
       first = static_cast<Index>(edges_.size()) - 1;
     }
@@ -81,7 +81,7 @@ void close(const Triangles& F, std::vector<std::uint8_t>& marked, Midpoints& mid
     changed = false;
     for (Eigen::Index f = 0; f < F.rows(); ++f) {
       const Triple t = corners_of(F, f);
-      std::uint8_t& mark = marked[static_cast<std::size_t>(f)];
+      std::uint8_t& mark = marked[f];
       if (mark == 0 && split_count(midpoints_of(midpoints, t)) >= 2) {
         mark = 1;
         changed = true;
