@@ -12,21 +12,10 @@
 namespace ibmfair::ply {
 namespace {
 
-/// Calls f with a body of the file's encoding.
-template <class F>
-void with_body(const SourceBytes& source, const Layout& layout, F&& f) {
-  if (layout.header.encoding == Encoding::ascii) {
-    f(AsciiBody(source, layout.header));
-  } else {
-    f(BinaryBody(source, layout.header));
-  }
-}
-
 template <class Body>
 void skip_elements_before(const Layout& layout, std::size_t element, Body& body) {
   for (std::size_t e = 0; e < element; ++e)
     body.skip_rows(layout.header.elements[e]);
-  body.start_element(layout.header.elements[element]);
 }
 
 /// Attributes must be finite, because not every format that they are written to can hold NaN or
@@ -40,22 +29,15 @@ std::vector<double> read_columns(const SourceBytes& source, const Layout& layout
                                  const std::vector<int>& columns) {
   const Element& vertex = layout.vertices();
   std::vector<double> values(columns.size() * static_cast<std::size_t>(vertex.count));
-  with_body(source, layout, [&](auto body) {
+  with_body(source, layout.header, [&](auto body) {
     skip_elements_before(layout, layout.vertex, body);
-    for (std::int64_t row = 0; row < vertex.count; ++row) {
-      body.start_row(row);
-      for (std::size_t i = 0; i < vertex.properties.size(); ++i) {
-        const auto column = std::find(columns.begin(), columns.end(), static_cast<int>(i));
-        if (column == columns.end()) {
-          body.skip(vertex.properties[i]);
-        } else {
-          const auto at = static_cast<std::size_t>(row) * columns.size() +
-                          static_cast<std::size_t>(column - columns.begin());
-          values[at] = body.any_real(vertex.properties[i].type);
-        }
-      }
-      body.end_row();
-    }
+    read_rows(body, vertex, [&](std::int64_t row, std::size_t i) {
+      const auto column = std::find(columns.begin(), columns.end(), static_cast<int>(i));
+      if (column == columns.end()) return false;
+      values[row * std::ssize(columns) + (column - columns.begin())] =
+          body.any_real(vertex.properties[i].type);
+      return true;
+    });
   });
   return values;
 }
@@ -117,34 +99,24 @@ void list_uncarried(const Layout& layout, MeshAttributes& attributes) {
 
 void read_face_texture(const SourceBytes& source, const Layout& layout, const Mesh& mesh,
                        MeshAttributes& attributes) {
-  const Element& face = layout.faces();
+  const Property& list = layout.faces().properties[layout.face_texture];
   attributes.corner_texture.assign(mesh.faces.corner.size(), -1);
-  with_body(source, layout, [&](auto body) {
+  with_body(source, layout.header, [&](auto body) {
     skip_elements_before(layout, layout.face, body);
-    for (std::int64_t row = 0; row < face.count; ++row) {
-      body.start_row(row);
-      const auto f = static_cast<std::size_t>(row);
-      const std::int64_t corners = mesh.faces.first[f + 1] - mesh.faces.first[f];
-      for (std::size_t i = 0; i < face.properties.size(); ++i) {
-        const Property& property = face.properties[i];
-        if (static_cast<int>(i) != layout.face_texture) {
-          body.skip(property);
-          continue;
-        }
-        const std::int64_t count = body.count(property);
-        std::vector<double> values(static_cast<std::size_t>(count));
-        for (double& value : values)
-          value = finite_or_zero(body.any_real(property.type));
-        if (count != 2 * corners) continue;
-        for (std::int64_t c = 0; c < corners; ++c) {
-          const auto at = static_cast<std::size_t>(c);
-          attributes.corner_texture[static_cast<std::size_t>(mesh.faces.first[f]) + at] =
-              static_cast<Index>(attributes.texture_coordinates.size());
-          attributes.texture_coordinates.push_back({values[2 * at], values[2 * at + 1]});
-        }
+    read_rows(body, layout.faces(), [&](std::int64_t f, std::size_t i) {
+      if (static_cast<int>(i) != layout.face_texture) return false;
+      std::vector<double> values(body.count(list));
+      for (double& value : values)
+        value = finite_or_zero(body.any_real(list.type));
+      const std::int64_t first = mesh.faces.first[f], corners = mesh.faces.first[f + 1] - first;
+      if (std::ssize(values) != 2 * corners) return true;
+      for (std::int64_t c = 0; c < corners; ++c) {
+        attributes.corner_texture[first + c] =
+            static_cast<Index>(attributes.texture_coordinates.size());
+        attributes.texture_coordinates.push_back({values[2 * c], values[2 * c + 1]});
       }
-      body.end_row();
-    }
+      return true;
+    });
   });
 }
 

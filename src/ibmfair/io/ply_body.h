@@ -145,4 +145,28 @@ class AsciiBody : public BodyBase {
   TokenCursor cursor_;
 };
 
+/// Calls f(body) with the body of the file, before its first row.
+template <class F>
+void with_body(const SourceBytes& source, const Header& header, F&& f) {
+  if (header.encoding == Encoding::ascii) {
+    f(AsciiBody(source, header));
+  } else {
+    f(BinaryBody(source, header));
+  }
+}
+
+/// Reads all rows of an element: calls read(row, i) for each property i, which returns false,
+/// having read nothing, if its value is to be skipped.
+template <class Body, class Read>
+void read_rows(Body& body, const Element& element, const Read& read) {
+  body.start_element(element);
+  for (std::int64_t row = 0; row < element.count; ++row) {
+    body.start_row(row);
+    for (std::size_t i = 0; i < element.properties.size(); ++i) {
+      if (!read(row, i)) body.skip(element.properties[i]);
+    }
+    body.end_row();
+  }
+}
+
 }  // namespace ibmfair::ply

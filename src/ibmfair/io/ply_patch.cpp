@@ -50,11 +50,8 @@ class Patcher {
   std::vector<std::string> run(ByteSink& out) {
     BytePatcher file(request_.source, out);
     patch_header(file);
-    if (layout_.header.encoding == Encoding::ascii) {
-      patch_body(AsciiBody(request_.source, layout_.header), file, out);
-    } else {
-      patch_body(BinaryBody(request_.source, layout_.header), file, out);
-    }
+    with_body(request_.source, layout_.header,
+              [&](auto body) { patch_body(std::move(body), file, out); });
     file.finish();
     return std::move(notes_);
   }

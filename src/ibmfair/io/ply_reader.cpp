@@ -82,47 +82,30 @@ void find_in_faces(const SourceBytes& source, Layout& layout) {
 template <class Body>
 void read_vertices(const Layout& layout, Body& body, Points& X) {
   const Element& vertex = layout.vertices();
-  body.start_element(vertex);
   std::vector<int> axis(vertex.properties.size(), -1);
   for (int c = 0; c < 3; ++c)
     axis[layout.position[c]] = c;
-  for (std::int64_t row = 0; row < vertex.count; ++row) {
-    body.start_row(row);
-    for (std::size_t i = 0; i < axis.size(); ++i) {
-      const Property& property = vertex.properties[i];
-      if (axis[i] >= 0) {
-        X(row, axis[i]) = body.real(property.type);
-      } else {
-        body.skip(property);
-      }
-    }
-    body.end_row();
-  }
+  read_rows(body, vertex, [&](std::int64_t row, std::size_t i) {
+    if (axis[i] >= 0) X(row, axis[i]) = body.real(vertex.properties[i].type);
+    return axis[i] >= 0;
+  });
 }
 
 template <class Body>
 void read_faces(const Layout& layout, Body& body, Polygons& faces) {
-  const Element& face = layout.faces();
   const std::int64_t vertex_count = layout.vertices().count;
-  body.start_element(face);
-  for (std::int64_t row = 0; row < face.count; ++row) {
-    body.start_row(row);
-    for (std::size_t i = 0; i < face.properties.size(); ++i) {
-      const Property& property = face.properties[i];
-      if (static_cast<int>(i) != layout.indices) {
-        body.skip(property);
-        continue;
-      }
-      const std::int64_t count = body.count(property);
-      if (count < 3) body.fail("a face needs at least three corners");
-      if (faces.corner.size() + static_cast<std::size_t>(count) > largest_index) {
-        body.fail("too many face corners");
-      }
-      body.indices(property.type, count, 0, vertex_count, faces.corner);
-      faces.first.push_back(static_cast<std::int64_t>(faces.corner.size()));
+  const Property& indices = layout.faces().properties[layout.indices];
+  read_rows(body, layout.faces(), [&](std::int64_t /*row*/, std::size_t i) {
+    if (static_cast<int>(i) != layout.indices) return false;
+    const std::int64_t count = body.count(indices);
+    if (count < 3) body.fail("a face needs at least three corners");
+    if (faces.corner.size() + static_cast<std::size_t>(count) > largest_index) {
+      body.fail("too many face corners");
     }
-    body.end_row();
-  }
+    body.indices(indices.type, count, 0, vertex_count, faces.corner);
+    faces.first.push_back(static_cast<std::int64_t>(faces.corner.size()));
+    return true;
+  });
 }
 
 /// Cuts a strip into triangles and reverses every other one, as strips require. Triangles with a
@@ -141,28 +124,20 @@ void add_strip(std::span<const Index> strip, Polygons& faces) {
 
 template <class Body>
 void read_strips(const Layout& layout, Body& body, Polygons& faces) {
-  const Element& element = layout.faces();
-  body.start_element(element);
+  const Property& list = layout.faces().properties[layout.indices];
   std::vector<Index> indices;
-  for (std::int64_t row = 0; row < element.count; ++row) {
-    body.start_row(row);
-    for (std::size_t i = 0; i < element.properties.size(); ++i) {
-      const Property& property = element.properties[i];
-      if (static_cast<int>(i) != layout.indices) {
-        body.skip(property);
-        continue;
-      }
-      indices.clear();
-      body.indices(property.type, body.count(property), -1, layout.vertices().count, indices);
-      for (auto start = indices.begin(); start != indices.end();) {
-        const auto stop = std::find(start, indices.end(), -1);
-        add_strip({start, stop}, faces);
-        start = stop == indices.end() ? stop : stop + 1;
-      }
-      if (faces.corner.size() > largest_index) body.fail("too many face corners");
+  read_rows(body, layout.faces(), [&](std::int64_t /*row*/, std::size_t i) {
+    if (static_cast<int>(i) != layout.indices) return false;
+    indices.clear();
+    body.indices(list.type, body.count(list), -1, layout.vertices().count, indices);
+    for (auto start = indices.begin(); start != indices.end();) {
+      const auto stop = std::find(start, indices.end(), -1);
+      add_strip({start, stop}, faces);
+      start = stop == indices.end() ? stop : stop + 1;
     }
-    body.end_row();
-  }
+    if (faces.corner.size() > largest_index) body.fail("too many face corners");
+    return true;
+  });
 }
 
 template <class Body>
@@ -207,11 +182,8 @@ bool recognises(std::string_view bytes) {
 ParsedMesh read(const SourceBytes& source, std::string_view /*extension*/) {
   const Layout layout = read_layout(source);
   ParsedMesh parsed;
-  if (layout.header.encoding == Encoding::ascii) {
-    read_body(layout, AsciiBody(source, layout.header), parsed.mesh);
-  } else {
-    read_body(layout, BinaryBody(source, layout.header), parsed.mesh);
-  }
+  with_body(source, layout.header,
+            [&](auto body) { read_body(layout, std::move(body), parsed.mesh); });
   parsed.has_normals = layout.normal[0] >= 0;
   parsed.has_texture_coordinates = layout.texture[0] >= 0 || layout.face_texture >= 0;
   return parsed;
