@@ -29,42 +29,25 @@ Jitter jitter_of(const ShapeSettings& settings) {
 }
 
 template <TriangleMesh (*make)(const Subdivision&)>
-Mesh polyhedron(const ShapeSettings& settings) {
-  TriangleMesh mesh = make({settings.subdivide.value_or(0), settings.refine_face});
-  return mesh_from_triangles(std::move(mesh.X), mesh.F);
+TriangleMesh polyhedron(const ShapeSettings& settings) {
+  return make({settings.subdivide.value_or(0), settings.refine_face});
 }
 
 template <TriangleMesh (*make)(const Subdivision&)>
-Mesh sphere(const ShapeSettings& settings) {
-  TriangleMesh mesh = make({settings.subdivide.value_or(0), settings.refine_face});
+TriangleMesh sphere(const ShapeSettings& settings) {
+  TriangleMesh mesh = polyhedron<make>(settings);
   jitter_on_unit_sphere(mesh.X, mesh.F, jitter_of(settings));
-  return mesh_from_triangles(std::move(mesh.X), mesh.F);
+  return mesh;
 }
 
-Mesh rows_of(TriangleMesh (*make)(double, const GridSize&), double default_ratio,
-             const ShapeSettings& settings) {
-  TriangleMesh mesh =
-      make(settings.ratio.value_or(default_ratio),
-           {settings.rows, settings.columns, settings.straight, jitter_of(settings)});
-  return mesh_from_triangles(std::move(mesh.X), mesh.F);
+TriangleMesh six_sided_hole(const ShapeSettings& settings) {
+  return make_six_sided_hole(settings.subdivide.value_or(4));
 }
 
-Mesh six_sided_hole(const ShapeSettings& settings) {
-  TriangleMesh mesh = make_six_sided_hole(settings.subdivide.value_or(4));
-  return mesh_from_triangles(std::move(mesh.X), mesh.F);
-}
-
-Mesh torus(const ShapeSettings& settings) {
-  return rows_of(make_torus, std::sqrt(2.0), settings);
-}
-Mesh cylinder(const ShapeSettings& settings) {
-  return rows_of(make_cylinder, 2.0, settings);
-}
-Mesh catenoid(const ShapeSettings& settings) {
-  return rows_of(make_catenoid, 2.0, settings);
-}
-Mesh plane(const ShapeSettings& settings) {
-  return rows_of(make_plane, 1.0, settings);
+TriangleMesh rows(TriangleMesh (*make)(double, const GridSize&), double default_ratio,
+                  const ShapeSettings& settings) {
+  return make(settings.ratio.value_or(default_ratio),
+              {settings.rows, settings.columns, settings.straight, jitter_of(settings)});
 }
 
 void require_applicable(const Shape& shape, const ShapeSettings& settings) {
@@ -99,12 +82,14 @@ std::span<const Shape> shapes() {
       Shape{"hexagon", "flat and six-sided, radius 1", split, polyhedron<make_hexagon>},
       Shape{"six-sided-hole", "two rings of a smooth surface around a trivial filling", levels,
             six_sided_hole},
-      Shape{"torus", "about the z axis, radii 1 and 1/RATIO (sqrt 2)", jittered_grid, torus},
+      Shape{"torus", "about the z axis, radii 1 and 1/RATIO (sqrt 2)", jittered_grid,
+            [](const ShapeSettings& s) { return rows(make_torus, std::sqrt(2.0), s); }},
       Shape{"cylinder", "open, about the z axis, radius 1, height RATIO (2)", jittered_grid,
-            cylinder},
+            [](const ShapeSettings& s) { return rows(make_cylinder, 2.0, s); }},
       Shape{"catenoid", "open, about the z axis, smallest radius 1, height RATIO (2)",
-            jittered_grid, catenoid},
-      Shape{"plane", "flat, width 1, height RATIO (1)", grid, plane},
+            jittered_grid, [](const ShapeSettings& s) { return rows(make_catenoid, 2.0, s); }},
+      Shape{"plane", "flat, width 1, height RATIO (1)", grid,
+            [](const ShapeSettings& s) { return rows(make_plane, 1.0, s); }},
   };
   return table;
 }
@@ -112,7 +97,8 @@ std::span<const Shape> shapes() {
 Mesh make_shape(std::string_view name, const ShapeSettings& settings) {
   const Shape& shape = row_named(shapes(), "shape", name);
   require_applicable(shape, settings);
-  return shape.make(settings);
+  TriangleMesh mesh = shape.make(settings);
+  return mesh_from_triangles(std::move(mesh.X), mesh.F);
 }
 
 }  // namespace ibmfair

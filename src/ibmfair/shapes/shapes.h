@@ -11,6 +11,8 @@
 
 namespace ibmfair {
 
+struct TriangleMesh;  // shapes/subdivide.h
+
 /// The settings of shapes. Each shape takes some of these; Shape::settings lists them by the names
 /// given here.
 struct ShapeSettings {
@@ -29,7 +31,7 @@ struct Shape {
   std::string_view name;
   std::string_view summary;                    ///< one line, with the meaning of `ratio`
   std::span<const std::string_view> settings;  ///< the names of the settings that it takes
-  Mesh (*make)(const ShapeSettings& settings);
+  TriangleMesh (*make)(const ShapeSettings& settings);
 };
 
 /// All shapes.

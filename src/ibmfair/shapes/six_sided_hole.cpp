@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <numbers>
 
 #include "ibmfair/base/errors.h"
@@ -57,16 +58,8 @@ TriangleMesh control_mesh() {
       add({{{q + 1, r}, {q + 1, r + 1}, {q, r + 1}}});
     }
   }
-  TriangleMesh mesh;
-  mesh.X.resize(static_cast<Eigen::Index>(points.size()), 3);
-  for (std::size_t v = 0; v < points.size(); ++v) {
-    mesh.X.row(v) = points[v];
-  }
-  mesh.F.resize(static_cast<Eigen::Index>(triangles.size()), 3);
-  for (std::size_t t = 0; t < triangles.size(); ++t) {
-    mesh.F.row(t) << triangles[t][0], triangles[t][1], triangles[t][2];
-  }
-  return mesh;
+  return {Eigen::Map<const Points>(points.front().data(), std::ssize(points), 3),
+          Eigen::Map<const Triangles>(triangles.front().data(), std::ssize(triangles), 3)};
 }
 
 /// The part of the mesh within the hexagon with the given side length.
