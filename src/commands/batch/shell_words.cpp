@@ -47,11 +47,7 @@ std::string quoted(const std::string& word) {
 std::string in_single_quotes(const std::string& text) {
   std::string quoted = "'";
   for (const char c : text) {
-    if (c == '\'') {
-      quoted += "'\\''";
-    } else {
-      quoted += c;
-    }
+    quoted.append(c == '\'' ? "'\\'" : "") += c;
   }
   return quoted + "'";
 }

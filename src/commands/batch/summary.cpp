@@ -75,19 +75,8 @@ std::string page_of(const Item& item, const Outcome& outcome) {
 }  // namespace
 
 const char* name_of(Status status) {
-  switch (status) {
-    case Status::ok:
-      return "ok";
-    case Status::failed:
-      return "failed";
-    case Status::skipped:
-      return "skipped";
-    case Status::interrupted:
-      return "interrupted";
-    case Status::not_run:
-      return "not run";
-  }
-  return "unknown";
+  static constexpr std::array names{"ok", "failed", "skipped", "interrupted", "not run"};
+  return names[static_cast<std::size_t>(status)];
 }
 
 std::string status_line(const Item& item, const Outcome& outcome, std::size_t total) {

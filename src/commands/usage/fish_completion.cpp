@@ -31,14 +31,7 @@ complete -c ibmfair -n __fish_use_subcommand -a help -d 'tell all about a comman
 
 /// The text in single quotes, within which fish requires quotes and backslashes to be escaped.
 std::string fish_text(const std::string& text) {
-  std::string quoted = "'";
-  for (const char c : text) {
-    if (c == '\'' || c == '\\') {
-      quoted += '\\';
-    }
-    quoted += c;
-  }
-  return quoted + "'";
+  return "'" + with_backslashes(text, "'\\") + "'";
 }
 
 /// The arguments of `complete` that offer the values of an option or argument; files with the

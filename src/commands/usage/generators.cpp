@@ -27,6 +27,14 @@ const std::vector<std::string>& offered_words(const OptionUsage& option) {
   return option.choices.empty() ? option.offers : option.choices;
 }
 
+std::string with_backslashes(const std::string& text, std::string_view characters) {
+  std::string result;
+  for (const char c : text) {
+    result.append(characters.find(c) == std::string_view::npos ? "" : "\\") += c;
+  }
+  return result;
+}
+
 std::string short_help_of(const OptionUsage& option) {
   std::size_t end = option.help.size();
   for (const char* mark : {"; ", ": ", " (", ", as ", ", and "}) {

@@ -31,6 +31,9 @@ std::string fish_completion(const ProgramUsage& program, const CommandUsage* com
 /// The values that a shell offers for an option: the choices if there are any, else the offers.
 const std::vector<std::string>& offered_words(const OptionUsage& option);
 
+/// The text with a backslash before each of these characters.
+std::string with_backslashes(const std::string& text, std::string_view characters);
+
 /// The help up to its first remark, for a list with one line per option.
 std::string short_help_of(const OptionUsage& option);
 

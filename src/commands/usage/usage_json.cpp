@@ -65,28 +65,27 @@ ordered_json option_json(const OptionUsage& option) {
       {"help", option.help}};
 }
 
-ordered_json options_json(const std::vector<OptionUsage>& options) {
+/// The list of json_of(row) for all rows.
+template <class Row, class JsonOf>
+ordered_json list_of(const std::vector<Row>& rows, const JsonOf& json_of) {
   ordered_json list = ordered_json::array();
-  for (const OptionUsage& option : options) {
-    list.push_back(option_json(option));
+  for (const Row& row : rows) {
+    list.push_back(json_of(row));
   }
   return list;
 }
 
+ordered_json example_json(const Example& example) {
+  return {{"command", example.command}, {"meaning", example.meaning}};
+}
+
 ordered_json command_json(const CommandUsage& command) {
-  ordered_json arguments = ordered_json::array(), examples = ordered_json::array();
-  for (const OptionUsage& argument : command.arguments) {
-    arguments.push_back(argument_json(argument));
-  }
-  for (const Example& example : command.examples) {
-    examples.push_back({{"command", example.command}, {"meaning", example.meaning}});
-  }
   return {{"name", command.name},
           {"summary", command.summary},
           {"usage", synopsis_of(command)},
-          {"arguments", arguments},
-          {"options", options_json(command.options)},
-          {"examples", examples}};
+          {"arguments", list_of(command.arguments, argument_json)},
+          {"options", list_of(command.options, option_json)},
+          {"examples", list_of(command.examples, example_json)}};
 }
 
 /// An exit code of digits becomes a number; the code `128 + n` stays a text.
@@ -96,37 +95,32 @@ ordered_json code_json(const std::string& code) {
   return number ? ordered_json(std::stoi(code)) : ordered_json(code);
 }
 
-ordered_json program_json(const ProgramUsage& program) {
-  ordered_json codes = ordered_json::array(), variables = ordered_json::array();
-  for (const ExitCodeUsage& row : program.exit_codes) {
-    codes.push_back({{"code", code_json(row.code)}, {"meaning", row.meaning}});
-  }
-  for (const VariableUsage& variable : program.variables) {
-    variables.push_back({{"name", variable.name}, {"meaning", variable.meaning}});
-  }
+ordered_json exit_code_json(const ExitCodeUsage& row) {
+  return {{"code", code_json(row.code)}, {"meaning", row.meaning}};
+}
+
+ordered_json variable_json(const VariableUsage& variable) {
+  return {{"name", variable.name}, {"meaning", variable.meaning}};
+}
+
+ordered_json program_json(const ProgramUsage& program, const std::vector<CommandUsage>& commands) {
   return {{"version", usage_version},
           {"program", "ibmfair " + program.version},
           {"summary", program.summary},
-          {"options", options_json(program.options)},
-          {"exit_codes", codes},
-          {"environment", variables},
-          {"commands", ordered_json::array()}};
+          {"options", list_of(program.options, option_json)},
+          {"exit_codes", list_of(program.exit_codes, exit_code_json)},
+          {"environment", list_of(program.variables, variable_json)},
+          {"commands", list_of(commands, command_json)}};
 }
 
 }  // namespace
 
 std::string usage_json(const ProgramUsage& program) {
-  ordered_json json = program_json(program);
-  for (const CommandUsage& command : program.commands) {
-    json["commands"].push_back(command_json(command));
-  }
-  return text_of(json);
+  return text_of(program_json(program, program.commands));
 }
 
 std::string usage_json(const ProgramUsage& program, const CommandUsage& command) {
-  ordered_json json = program_json(program);
-  json["commands"].push_back(command_json(command));
-  return text_of(json);
+  return text_of(program_json(program, {command}));
 }
 
 }  // namespace ibmfair::commands

@@ -17,14 +17,7 @@ _ibmfair() {
 
 /// Escapes the text for a specification, in which brackets and colons have a meaning.
 std::string zsh_text(const std::string& text) {
-  std::string result;
-  for (const char c : text) {
-    if (c == '[' || c == ']' || c == ':' || c == '\\') {
-      result += '\\';
-    }
-    result += c;
-  }
-  return result;
+  return with_backslashes(text, "[]:\\");
 }
 
 /// The action that offers the values of an option or argument. If no file has one of the
