@@ -48,9 +48,9 @@ struct Edits {
     for (const auto& [first, size, what, value] : edits) {
       result.append(text, copied, first - copied);
       copied = first + size;
-      char buffer[real_text_capacity];
-      if (what == What::real) result += real_text(value, buffer);
-      if (what == What::single) result += real_text(static_cast<float>(value), buffer);
+      char buffer[number_text_capacity];
+      if (what == What::real) result += number_text(value, buffer);
+      if (what == What::single) result += number_text(static_cast<float>(value), buffer);
       if (what == What::text) result += fmt::format("<{}>", first);
     }
     return result.append(text, copied);

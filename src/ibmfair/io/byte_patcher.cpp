@@ -51,12 +51,12 @@ void BytePatcher::write_pieces() {
 void BytePatcher::join(std::span<const Piece> pieces, std::string& text) {
   std::size_t room = 0;
   for (const Piece& piece : pieces)
-    room += piece.copied.size() + real_text_capacity;
+    room += piece.copied.size() + number_text_capacity;
   text.resize(room);
   char* to = text.data();
   for (const auto& [copied, value, single] : pieces) {
     to = std::copy_n(copied.data(), copied.size(), to);
-    char* const end = to + real_text_capacity;
+    char* const end = to + number_text_capacity;
     to =
         (single ? std::to_chars(to, end, static_cast<float>(value)) : std::to_chars(to, end, value))
             .ptr;

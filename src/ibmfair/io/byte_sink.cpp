@@ -5,8 +5,8 @@
 namespace ibmfair {
 
 void ByteSink::write_real(double value) {
-  char buffer[real_text_capacity];
-  write(real_text(value, buffer));
+  char buffer[number_text_capacity];
+  write(number_text(value, buffer));
 }
 
 void ByteSink::flush() {

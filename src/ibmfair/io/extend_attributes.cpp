@@ -92,10 +92,11 @@ SourceCorners find_source_corners(const Mesh& mesh, const Extension& extension) 
     const Index model = extension.model_face[i / 3];
     const std::span<const Index> polygon = faces[model];
     const auto found = std::find(polygon.begin(), polygon.end(), v);
-    const auto at = static_cast<std::size_t>(v);
-    if (found != polygon.end()) of_vertex[at] = faces.first[model] + (found - polygon.begin());
-    result.of_face[i] =
-        found != polygon.end() ? faces.first[model] + (found - polygon.begin()) : any[at];
+    if (found == polygon.end()) {
+      result.of_face[i] = any[v];
+    } else {
+      of_vertex[v] = result.of_face[i] = faces.first[model] + (found - polygon.begin());
+    }
   }
   for (const Index v : extension.rim)
     result.of_rim.push_back(of_vertex[v]);

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "ibmfair/base/errors.h"
+#include "ibmfair/base/sort_into_rows.h"
 #include "ibmfair/io/normals.h"
 
 namespace ibmfair {
@@ -26,32 +27,15 @@ void require_numbers(const std::vector<Index>& numbers, Index limit, std::string
   }
 }
 
-/// The faces around each new vertex, in one list after the other.
-struct Incidence {
-  std::vector<std::size_t> first;
-  std::vector<Index> face;
-};
-
-Incidence faces_around_new_vertices(const Extension& extension, Index source_vertices) {
-  Incidence around;
-  around.first.assign(static_cast<std::size_t>(extension.X.rows()) + 2, 0);
-  const auto each_new_corner = [&](auto&& visit) {
-    for (Eigen::Index f = 0; f < extension.F.rows(); ++f) {
-      for (const Index v : extension.F.row(f)) {
-        if (v >= source_vertices) {
-          visit(static_cast<std::size_t>(v - source_vertices), static_cast<Index>(f));
-        }
-      }
-    }
-  };
-  // Counts are stored two places ahead: entry v + 1 is first the start of list v, and filling the
-  // lists turns it into the end.
-  each_new_corner([&](std::size_t v, Index) { ++around.first[v + 2]; });
-  for (std::size_t v = 2; v < around.first.size(); ++v)
-    around.first[v] += around.first[v - 1];
-  around.face.resize(around.first.back());
-  each_new_corner([&](std::size_t v, Index f) { around.face[around.first[v + 1]++] = f; });
-  return around;
+/// The faces around each new vertex.
+CompressedRows faces_around_new_vertices(const Extension& extension, Index source_vertices) {
+  return sort_into_rows(static_cast<Index>(extension.X.rows()), extension.F.size(),
+                        [&](const auto& put) {
+                          for (Eigen::Index f = 0; f < extension.F.rows(); ++f) {
+                            for (const Index v : extension.F.row(f))
+                              put(std::int64_t{v} - source_vertices, static_cast<Index>(f));
+                          }
+                        });
 }
 
 /// For each vertex of the rim, 1 if the file's normal is on the side of the area vectors of its
@@ -153,14 +137,12 @@ Eigen::MatrixXd in_order_of_rim(const Extension& extension, const std::vector<In
 }
 
 std::vector<Index> nearest_source_vertices(const Extension& extension, Index source_vertices) {
-  const Incidence around = faces_around_new_vertices(extension, source_vertices);
-  std::vector<Index> nearest(static_cast<std::size_t>(extension.X.rows()), -1);
-  std::vector<std::size_t> queue;
+  const CompressedRows around = faces_around_new_vertices(extension, source_vertices);
+  std::vector<Index> nearest(static_cast<std::size_t>(extension.X.rows()), -1), queue;
   const auto reach = [&](Eigen::Index face, Index from) {
     for (const Index v : extension.F.row(face)) {
-      if (v < source_vertices) continue;
-      const auto at = static_cast<std::size_t>(v - source_vertices);
-      if (nearest[at] >= 0) continue;
+      const Index at = v - source_vertices;
+      if (at < 0 || nearest[at] >= 0) continue;
       nearest[at] = from;
       queue.push_back(at);
     }
@@ -171,9 +153,9 @@ std::vector<Index> nearest_source_vertices(const Extension& extension, Index sou
     }
   }
   for (std::size_t done = 0; done < queue.size();) {
-    const std::size_t v = queue[done++];
-    for (std::size_t k = around.first[v]; k < around.first[v + 1]; ++k)
-      reach(around.face[k], nearest[v]);
+    const Index v = queue[done++];
+    for (const Index face : around[v])
+      reach(face, nearest[v]);
   }
   std::replace(nearest.begin(), nearest.end(), -1, 0);
   return nearest;

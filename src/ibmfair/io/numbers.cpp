@@ -76,14 +76,13 @@ std::string_view describe_bad_real(const char* p, const char* end) {
 }
 
 void append_real(std::string& text, double value) {
-  char buffer[real_text_capacity];
-  text += real_text(value, buffer);
+  char buffer[number_text_capacity];
+  text += number_text(value, buffer);
 }
 
 void append_integer(std::string& text, std::int64_t value) {
-  char buffer[24];
-  const auto result = std::to_chars(buffer, buffer + sizeof buffer, value);
-  text.append(buffer, result.ptr);
+  char buffer[number_text_capacity];
+  text += number_text(value, buffer);
 }
 
 }  // namespace ibmfair

@@ -56,16 +56,13 @@ inline const char* parse_integer(const char* p, const char* end, std::int64_t& v
 /// The reason why parse_real rejected the number at `p`, as a message for the user.
 std::string_view describe_bad_real(const char* p, const char* end);
 
-/// The space for the longest text that real_text() returns, "-2.2250738585072014e-308".
-constexpr std::size_t real_text_capacity = 32;
+/// The space for the longest text that number_text() returns, "-2.2250738585072014e-308".
+constexpr std::size_t number_text_capacity = 32;
 
 /// The shortest text that reads back as the same number. The result points into `buffer`.
-inline std::string_view real_text(double value, char (&buffer)[real_text_capacity]) {
-  const auto result = std::to_chars(buffer, buffer + real_text_capacity, value);
-  return {buffer, static_cast<std::size_t>(result.ptr - buffer)};
-}
-inline std::string_view real_text(float value, char (&buffer)[real_text_capacity]) {
-  const auto result = std::to_chars(buffer, buffer + real_text_capacity, value);
+template <class Number>
+std::string_view number_text(Number value, char (&buffer)[number_text_capacity]) {
+  const auto result = std::to_chars(buffer, buffer + number_text_capacity, value);
   return {buffer, static_cast<std::size_t>(result.ptr - buffer)};
 }
 

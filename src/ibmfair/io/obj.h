@@ -27,6 +27,9 @@ CornerReferences read_corner_references(const SourceBytes& source);
 /// been read; -1 if there is no reference or no such row.
 Index resolve_reference(std::int64_t raw, std::size_t count_so_far);
 
+/// Replaces references to rows that the file does not have, because it has only `count`, by -1.
+void drop_dangling(std::vector<Index>& references, std::int64_t count);
+
 /// Whether a statement sets the group, object, material (also its library) or smoothing group of
 /// the faces that follow.
 bool is_face_statement(std::string_view keyword);

@@ -12,12 +12,6 @@
 namespace ibmfair::obj {
 namespace {
 
-void drop_dangling(std::vector<Index>& references, std::size_t count) {
-  for (Index& reference : references) {
-    if (reference >= 0 && static_cast<std::size_t>(reference) >= count) reference = -1;
-  }
-}
-
 /// Reads the numbers after x, y and z of a vertex, which are a colour if there are three or four.
 void read_colour(ObjScanner& scan, Index vertex, MeshAttributes& attributes) {
   for (int c = 0; c < 3; ++c)
@@ -105,6 +99,11 @@ Index resolve_reference(std::int64_t raw, std::size_t count_so_far) {
   return raw == 0 || row < 0 || row >= std::int64_t{1} << 31 ? -1 : static_cast<Index>(row);
 }
 
+void drop_dangling(std::vector<Index>& references, std::int64_t count) {
+  std::replace_if(
+      references.begin(), references.end(), [&](Index row) { return row >= count; }, -1);
+}
+
 bool is_face_statement(std::string_view keyword) {
   return keyword == "g" || keyword == "o" || keyword == "usemtl" || keyword == "mtllib" ||
          keyword == "s";
@@ -131,8 +130,8 @@ CornerReferences read_corner_references(const SourceBytes& source) {
       }
     }
   }
-  drop_dangling(result.corner_texture, result.texture_coordinates.size());
-  drop_dangling(result.corner_normal, result.normals.size());
+  drop_dangling(result.corner_texture, std::ssize(result.texture_coordinates));
+  drop_dangling(result.corner_normal, std::ssize(result.normals));
   return result;
 }
 

@@ -33,12 +33,6 @@ Eigen::RowVector4d read_colour(ObjScanner& scan) {
   return columns == 3 || columns == 4 ? colour : Eigen::RowVector4d::Constant(missing);
 }
 
-void drop_dangling(std::vector<Index>& references, Index count) {
-  for (Index& reference : references) {
-    if (reference >= count) reference = -1;
-  }
-}
-
 }  // namespace
 
 Excerpt::Excerpt(const SourceBytes& source, const Mesh& mesh, const std::vector<Index>& vertices,

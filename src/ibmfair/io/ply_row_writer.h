@@ -27,9 +27,8 @@ class RowWriter {
   template <class T>
   void value(T value) {
     if (!ascii_) return store(out_, value, swapped_);
-    char buffer[real_text_capacity];
-    const auto result = std::to_chars(buffer, buffer + sizeof buffer, value);
-    verbatim({buffer, static_cast<std::size_t>(result.ptr - buffer)});
+    char buffer[number_text_capacity];
+    verbatim(number_text(value, buffer));
   }
 
   /// Writes a number in the given type; an integer type gets the nearest value in its range, and 0

@@ -42,11 +42,7 @@ Weld find_coincident_vertices(const Points& X) {
 }
 
 void apply(const Weld& weld, Mesh& mesh) {
-  Points X(static_cast<Eigen::Index>(weld.first.size()), 3);
-  for (std::size_t v = 0; v < weld.first.size(); ++v) {
-    X.row(v) = mesh.X.row(weld.first[v]);
-  }
-  mesh.X = std::move(X);
+  mesh.X = mesh.X(weld.first, Eigen::all).eval();
   for (Index& v : mesh.faces.corner)
     v = weld.vertex[v];
 }
