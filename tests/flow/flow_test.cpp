@@ -64,7 +64,7 @@ TEST_P(GuardedFlow, EnergyNeverRisesAndNothingFoldsOnAnyMesh) {
     options = options_for(state, cutoff, options);
     const auto fixed = hold(state);
     const Unknowns unknowns(fixed);
-    FoldWatch folds(state.X, state.topology, unknowns);
+    const FoldWatch folds(state.X, state.topology);
     Points X = state.X;
     const FlowReport report = willmore_flow(X, state.topology, fixed, options);
     EXPECT_TRUE(X.allFinite());

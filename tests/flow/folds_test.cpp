@@ -7,7 +7,6 @@
 #include <gtest/gtest.h>
 
 #include "ibmfair/energy/bending_energy.h"
-#include "ibmfair/energy/unknowns.h"
 #include "ibmfair/flow/tuning.h"
 #include "ibmfair/mesh/geometry.h"
 #include "ibmfair/shapes/shapes.h"
@@ -50,8 +49,7 @@ TEST(Folds, AreNeverRuledOutWhereThereAreAnyAndMostlyWhereThereAreNone) {
 TEST(Folds, AreSeenWhereTheEnergyHasSeenTurns) {
   const State state(make_shape("icosphere", {.subdivide = 5}));
   const auto energy = bending_model("crouzeix-raviart").create(state.topology, {});
-  const Unknowns unknowns(std::vector<std::uint8_t>(state.X.rows(), 0));
-  FoldWatch folds(state.X, state.topology, unknowns), near_folds(state.X, state.topology, unknowns);
+  const FoldWatch folds(state.X, state.topology);
   const double edge = mean_edge_length(state.X, state.topology.E);
   std::mt19937 random(3);
   std::uniform_int_distribution<Index> any(0, static_cast<Index>(state.X.rows()) - 1);
@@ -64,7 +62,7 @@ TEST(Folds, AreSeenWhereTheEnergyHasSeenTurns) {
     energy->energy(X);
     const std::vector<std::uint8_t> near = energy->near_turns(least_turn());
     const std::vector<Index> expected = folds.new_folds(X);
-    EXPECT_EQ(near_folds.new_folds(X, near), expected);
+    EXPECT_EQ(folds.new_folds(X, near), expected);
     EXPECT_EQ(expected.empty(), moved == 0);
     EXPECT_GT(std::count(near.begin(), near.end(), 0), moved == 10 ? 0 : state.X.rows() / 4);
   }

@@ -88,7 +88,7 @@ TEST(PatchFlow, GoesWhereTheMeshWouldGoWithTheRestHeld) {
     FlowOptions options_alone = options;
     options_alone.clean_up = false;
     FlowProblem alone(state.X, state.topology, fixed, options_alone, MeshParts::one());
-    FoldWatch folds(alone.X, alone.topology, alone.unknowns);
+    const FoldWatch folds(alone.X, alone.topology);
     run_guarded(alone, rings, folds, {});  // patches come last, after any first stage
     EXPECT_GT(move.norm(), 0.01 * edge);
     EXPECT_LT((state.X + move - alone.X).rowwise().norm().maxCoeff(), 1e-6 * edge);

@@ -183,7 +183,7 @@ TEST(Twicing, KeepsThePromisesOfTheFlowOnEveryMesh) {
       EXPECT_LE(result.report.energy_after, result.report.energy_before) << name;
       const auto fixed = fixed_vertices(state.topology, BoundaryCondition::fixed);
       const Unknowns unknowns(fixed);
-      FoldWatch folds(state.X, state.topology, unknowns);
+      const FoldWatch folds(state.X, state.topology);
       EXPECT_TRUE(folds.new_folds(result.X).empty()) << name << " " << laplacian;
       for (Eigen::Index v = 0; v < state.X.rows(); ++v) {
         if (fixed[v]) {

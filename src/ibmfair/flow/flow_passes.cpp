@@ -36,7 +36,7 @@ void run_time_steps(FlowProblem& problem, const CompressedRows& rings,
     run_plain(problem, observer);
     return;
   }
-  FoldWatch folds(problem.X, problem.topology, problem.unknowns);
+  const FoldWatch folds(problem.X, problem.topology);
   const Eigen::VectorXd missed = run_guarded(problem, rings, folds, observer);
   if (problem.options.clean_up) clean_up(problem, rings, folds, missed);
 }
@@ -48,7 +48,7 @@ FlowReport run_first_stage(FlowProblem& problem, const CompressedRows& rings,
     return {};
   }
   FlowProblem stage(problem.start(), problem.topology, problem.fixed, *options, problem.parts);
-  FoldWatch folds(stage.X, stage.topology, stage.unknowns);
+  const FoldWatch folds(stage.X, stage.topology);
   run_guarded(stage, rings, folds, [&](StepRecord record) {
     record.step = 0;
     record.time = 0;

@@ -7,6 +7,7 @@
 
 namespace ibmfair {
 
+/// The lower triangle of J, updated in place (energy/hessian.h).
 class AssembledJacobian {
  public:
   /// Finds the pattern. Keeps references to what `shape` refers to.

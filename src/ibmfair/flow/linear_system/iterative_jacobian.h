@@ -8,6 +8,7 @@
 
 namespace ibmfair {
 
+/// Conjugate gradients with the diagonal of J as preconditioner (solve/conjugate_gradients.h).
 class IterativeJacobian final : public JacobianSolver {
  public:
   explicit IterativeJacobian(const JacobianShape& shape);

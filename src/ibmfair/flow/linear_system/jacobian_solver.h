@@ -23,6 +23,7 @@ struct JacobianParts {
   double h;                       ///< positive
 };
 
+/// Solves systems with one Jacobian after another, all with the same stencils.
 class JacobianSolver {
  public:
   JacobianSolver() = default;

@@ -33,7 +33,7 @@ bool flow_in_patches(const FlowProblem& problem, const CompressedRows& rings, co
 
 }  // namespace
 
-void clean_up(FlowProblem& problem, const CompressedRows& rings, FoldWatch& folds,
+void clean_up(FlowProblem& problem, const CompressedRows& rings, const FoldWatch& folds,
               const Eigen::VectorXd& missed) {
   FlowReport& report = problem.report;
   const Stopwatch watch(report.seconds.guard);

@@ -11,7 +11,7 @@ namespace ibmfair {
 /// The promises of the guarded flow hold: the energy does not rise, and no hinge folds over. Where
 /// creases are kept, a sharp fold may be a crease, and nothing is unfolded. `rings`: the result of
 /// vertex_rings; `missed`: that of run_guarded.
-void clean_up(FlowProblem& problem, const CompressedRows& rings, FoldWatch& folds,
+void clean_up(FlowProblem& problem, const CompressedRows& rings, const FoldWatch& folds,
               const Eigen::VectorXd& missed);
 
 // The following functions only compute moves.

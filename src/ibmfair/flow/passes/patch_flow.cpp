@@ -87,7 +87,7 @@ bool PatchFlow::run(const VertexPatch& patch, const Points& X, double time, Poin
   Y = X(local.vertex, Eigen::all);
   problem.move_to(Y);
   try {
-    FoldWatch folds(problem.X, problem.topology, problem.unknowns);
+    const FoldWatch folds(problem.X, problem.topology);
     run_guarded(problem, vertex_rings(problem.topology), folds, {});
   } catch (const FactorizationFailed&) {
     return false;

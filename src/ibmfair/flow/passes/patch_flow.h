@@ -21,6 +21,7 @@ using VertexPatch = std::vector<Index>;
 std::vector<VertexPatch> patches_of(const std::vector<std::uint8_t>& wanted,
                                     const CompressedRows& rings, const FlowProblem& problem);
 
+/// Cuts patches out of the mesh of a problem, and lets each flow by the steps of the guarded flow.
 class PatchFlow {
  public:
   /// `problem` and `rings` (the result of vertex_rings) must outlive this object. The patches flow

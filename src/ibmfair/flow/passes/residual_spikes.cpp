@@ -72,7 +72,7 @@ void flatten_residual_spikes(FlowProblem& problem, const CompressedRows& rings) 
   if (!even_out_and_flow(problem, rings, find_residual_spikes(problem, rings), move)) {
     return;
   }
-  FoldWatch folds(problem.X, problem.topology, problem.unknowns);
+  const FoldWatch folds(problem.X, problem.topology);
   if (GuardedMove(problem, folds).make(move, report.energy_after, 0)) {
     report.unfolded += problem.moved(move);
     if (!report.steps.empty()) {

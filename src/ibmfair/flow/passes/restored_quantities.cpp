@@ -6,7 +6,7 @@ namespace ibmfair {
 
 void restore_quantities(FlowProblem& problem) {
   FlowReport& report = problem.report;
-  FoldWatch folds(problem.X, problem.topology, problem.unknowns);
+  const FoldWatch folds(problem.X, problem.topology);
   Points move = problem.resume_quantities();
   if (!GuardedMove(problem, folds).make(move, report.energy_before, 0)) {
     Points start = problem.start();

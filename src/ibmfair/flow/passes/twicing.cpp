@@ -12,9 +12,7 @@ namespace {
 class Twicing {
  public:
   explicit Twicing(FlowProblem& problem)
-      : p_(problem),
-        folds_(problem.X, problem.topology, problem.unknowns),
-        guarded_move_(problem, folds_) {
+      : p_(problem), folds_(problem.X, problem.topology), guarded_move_(problem, folds_) {
     p_.jacobian().damping().setOnes();
   }
 

@@ -17,6 +17,7 @@
 
 namespace ibmfair {
 
+/// The quantities that the options of a flow name, with their values at its start.
 class ConservedQuantities {
  public:
   /// Keeps the quantities that the options name, with their values at `X` as targets. `topology`

@@ -1,5 +1,6 @@
 #include "ibmfair/flow/steps/flow_problem.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "ibmfair/base/errors.h"
@@ -9,19 +10,12 @@
 namespace ibmfair {
 namespace {
 
-std::vector<std::uint8_t> opposite(const std::vector<std::uint8_t>& flags) {
-  std::vector<std::uint8_t> result(flags.size());
-  for (std::size_t i = 0; i < flags.size(); ++i) {
-    result[i] = flags[i] ? 0 : 1;
-  }
-  return result;
-}
-
 std::unique_ptr<BendingEnergy> bind_energy(const Topology& topology, const FlowOptions& options,
                                            const std::vector<std::uint8_t>& fixed,
                                            const MeshParts& parts) {
   EnergyOptions energy = options.energy_options();
-  energy.active = opposite(fixed);
+  energy.active.resize(fixed.size());
+  std::ranges::transform(fixed, energy.active.begin(), [](auto flag) { return flag ? 0 : 1; });
   energy.own_vertices = parts.own_vertices();
   energy.own_triangles = parts.own_triangles();
   return bending_model(options.laplacian).create(topology, energy);
@@ -63,7 +57,8 @@ bool FlowProblem::has_no_folds(double energy, double angle) const {
   return std::isfinite(energy) && bending_->max_dihedral_turn() < least_turn(angle);
 }
 
-std::vector<Index> FlowProblem::new_folds(FoldWatch& folds, const Points& Y, double energy) const {
+std::vector<Index> FlowProblem::new_folds(const FoldWatch& folds, const Points& Y,
+                                          double energy) const {
   if (has_no_folds(energy)) {
     return {};
   }

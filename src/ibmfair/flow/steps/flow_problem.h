@@ -18,6 +18,8 @@
 
 namespace ibmfair {
 
+/// The state of a flow of one mesh (or of the piece of a mesh that belongs to one process), with
+/// all that its steps and passes need.
 class FlowProblem {
  public:
   /// All arguments must outlive the problem and must not change. The flow starts at `X` (#V x 3).
@@ -46,7 +48,7 @@ class FlowProblem {
 
   /// The vertices of hinges that have folded over at Y (FoldWatch::new_folds). Precondition: the
   /// energy was last evaluated at Y, with the result `energy`.
-  std::vector<Index> new_folds(FoldWatch& folds, const Points& Y, double energy) const;
+  std::vector<Index> new_folds(const FoldWatch& folds, const Points& Y, double energy) const;
 
   /// Evaluates the energy and its gradient at the state, unless they are known.
   void update_gradient();

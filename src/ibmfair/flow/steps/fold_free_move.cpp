@@ -4,8 +4,8 @@
 
 namespace ibmfair {
 
-FoldFreeLanding displace_without_folds(const FlowProblem& problem, FoldWatch& folds, Points& move,
-                                       Points& Y,
+FoldFreeLanding displace_without_folds(const FlowProblem& problem, const FoldWatch& folds,
+                                       Points& move, Points& Y,
                                        const std::function<double(const Points&)>& energy_at) {
   FoldFreeLanding result;
   for (int i = 0; i < tuning.guard.most_withholdings; ++i) {

@@ -23,8 +23,8 @@ struct FoldFreeLanding {
 /// rows of `move` for vertices whose hinges would fold over are set to zero. If foldovers remain
 /// after several attempts, the landing is infeasible. `energy_at` must evaluate the energy of the
 /// problem: energies that use hinges also tell whether any hinge may have folded over.
-FoldFreeLanding displace_without_folds(const FlowProblem& problem, FoldWatch& folds, Points& move,
-                                       Points& Y,
+FoldFreeLanding displace_without_folds(const FlowProblem& problem, const FoldWatch& folds,
+                                       Points& move, Points& Y,
                                        const std::function<double(const Points&)>& energy_at);
 
 }  // namespace ibmfair

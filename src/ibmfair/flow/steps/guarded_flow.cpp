@@ -21,7 +21,7 @@ constexpr double rounding = 1e-14;
 
 class GuardedFlow {
  public:
-  GuardedFlow(FlowProblem& problem, const CompressedRows& rings, FoldWatch& folds,
+  GuardedFlow(FlowProblem& problem, const CompressedRows& rings, const FoldWatch& folds,
               const StepObserver& observer)
       : p_(problem),
         observer_(observer),
@@ -202,8 +202,8 @@ class GuardedFlow {
 
 }  // namespace
 
-Eigen::VectorXd run_guarded(FlowProblem& problem, const CompressedRows& rings, FoldWatch& folds,
-                            const StepObserver& observer) {
+Eigen::VectorXd run_guarded(FlowProblem& problem, const CompressedRows& rings,
+                            const FoldWatch& folds, const StepObserver& observer) {
   return GuardedFlow(problem, rings, folds, observer).run();
 }
 

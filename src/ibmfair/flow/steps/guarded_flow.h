@@ -10,7 +10,7 @@ namespace ibmfair {
 /// Takes the problem's state through `options.total_time`. `rings`: the result of vertex_rings;
 /// `folds` must have been made at the state. Returns the flow time that each unknown has missed
 /// where steps were shortened (flow/steps/time_deficit.h).
-Eigen::VectorXd run_guarded(FlowProblem& problem, const CompressedRows& rings, FoldWatch& folds,
-                            const StepObserver& observer);
+Eigen::VectorXd run_guarded(FlowProblem& problem, const CompressedRows& rings,
+                            const FoldWatch& folds, const StepObserver& observer);
 
 }  // namespace ibmfair

@@ -8,10 +8,11 @@
 
 namespace ibmfair {
 
+/// Makes moves of one problem, and counts its failures.
 class GuardedMove {
  public:
   /// Both must outlive this object. The state of `folds` is that of the problem.
-  GuardedMove(FlowProblem& problem, FoldWatch& folds) : problem_(problem), folds_(folds) {}
+  GuardedMove(FlowProblem& problem, const FoldWatch& folds) : problem_(problem), folds_(folds) {}
 
   /// Moves the state by `move` (one row per unknown, length), halved until the energy is at most
   /// `bound`. Leaves the move that was made in `move`. Returns false, without a move, if even the
@@ -23,7 +24,7 @@ class GuardedMove {
 
  private:
   FlowProblem& problem_;
-  FoldWatch& folds_;
+  const FoldWatch& folds_;
   int failures_ = 0;
   Points Y_;  // the state after `move`; reused
 };

@@ -11,7 +11,7 @@ namespace ibmfair {
 class GuardedRelaxation {
  public:
   /// All arguments must outlive this object. The state of `folds` is that of the problem.
-  GuardedRelaxation(FlowProblem& problem, FoldWatch& folds, const RingGroups& rings)
+  GuardedRelaxation(FlowProblem& problem, const FoldWatch& folds, const RingGroups& rings)
       : problem_(problem), move_(problem, folds), relaxation_(problem, rings) {}
 
   /// Relaxes the corners of needles. Needles make entries of the Jacobian so large that rounding

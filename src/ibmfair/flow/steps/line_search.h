@@ -12,10 +12,11 @@
 
 namespace ibmfair {
 
+/// Searches along the Newton steps of one problem.
 class LineSearch {
  public:
   /// All arguments must outlive this object. The state of `folds` is that of the problem.
-  LineSearch(FlowProblem& problem, FoldWatch& folds, LocalDamping& damping)
+  LineSearch(FlowProblem& problem, const FoldWatch& folds, LocalDamping& damping)
       : problem_(problem), folds_(folds), damping_(damping) {}
 
   /// The accepted move.
@@ -46,7 +47,7 @@ class LineSearch {
   double predicted_on_the_way(const StepModel& model) const;
 
   FlowProblem& problem_;
-  FoldWatch& folds_;
+  const FoldWatch& folds_;
   LocalDamping& damping_;
   Result result_;
   Points Y_;  // the state after the move

@@ -12,6 +12,7 @@
 
 namespace ibmfair {
 
+/// The damping of all unknowns, and the flow time that they have missed.
 class LocalDamping {
  public:
   explicit LocalDamping(FlowProblem& problem);

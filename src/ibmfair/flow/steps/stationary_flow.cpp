@@ -14,7 +14,7 @@ StationaryFlow::StationaryFlow(const Points& X, const Topology& topology,
                                double h, double h_limit, bool normal_only)
     : problem_(X, topology, fixed, options, MeshParts::one()),
       rings_(vertex_rings(topology)),
-      folds_(X, topology, problem_.unknowns),
+      folds_(X, topology),
       h_(h),
       h_limit_(h_limit),
       normal_only_(normal_only) {

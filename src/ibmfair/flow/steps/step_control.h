@@ -1,4 +1,6 @@
-// How long the time steps of a guarded flow are, and when its Jacobian is renewed.
+// How long the time steps of a guarded flow are, and when its Jacobian is renewed: both adapt to
+// the agreement between the actual and the predicted decrease of the energy, as the radius of a
+// trust region does (J. Nocedal, S. J. Wright, "Numerical Optimization", chapter 4).
 #pragma once
 
 #include <functional>
@@ -7,6 +9,7 @@
 
 namespace ibmfair {
 
+/// The time that is left, the next time step, and the age of the Jacobian.
 class StepControl {
  public:
   /// Time is in the flow's unit. Begins with `options.steps` steps of equal length as the target.
