@@ -12,8 +12,9 @@
 namespace ibmfair {
 
 /// The options of the first stage of a flow from the problem's start. The time of the stage comes
-/// on top of the time of the flow and is at most a quarter of it. Returns nothing if the mesh has
-/// little noise (its hinges turn by little on the mean), or if the flow keeps no sharp hinges.
+/// on top of the time of the flow and is at most a part of it (FirstStageTuning::most_time).
+/// Returns nothing if the mesh has little noise (its hinges turn by little on the mean), or if the
+/// flow keeps no sharp hinges.
 std::optional<FlowOptions> first_stage_options(const FlowProblem& problem);
 
 }  // namespace ibmfair

@@ -11,7 +11,7 @@ namespace ibmfair {
 
 /// Throws BadOption or BadMesh if a flow cannot start at `X` (flow/willmore_flow.h).
 void require_usable(const Points& X, const std::vector<std::uint8_t>& fixed,
-                    const FlowOptions& options, const MeshParts& parts);
+                    const FlowOptions& options, const MeshParts& parts = MeshParts::one());
 
 /// Runs all passes of a flow from the problem's start. Precondition: there are unknowns.
 void run_passes(FlowProblem& problem, const StepObserver& observer = {});

@@ -35,7 +35,7 @@ FlowReport flow_by_places(Points& X, const Topology& topology,
 FlowForecast forecast_as_numbered(const Points& X, const Topology& topology,
                                   const std::vector<std::uint8_t>& fixed,
                                   const FlowOptions& options) {
-  FlowProblem problem(X, topology, fixed, options, MeshParts::one());
+  FlowProblem problem(X, topology, fixed, options);
   FlowForecast forecast;
   forecast.unknowns = problem.unknowns.size();
   if (forecast.unknowns > 0) {
@@ -63,7 +63,7 @@ FlowReport willmore_flow(Points& X, const Topology& topology,
 
 FlowForecast forecast_flow(const Points& X, const Topology& topology,
                            const std::vector<std::uint8_t>& fixed, const FlowOptions& options) {
-  require_usable(X, fixed, options, MeshParts::one());
+  require_usable(X, fixed, options);
   if (!is_scattered(topology)) {
     return forecast_as_numbered(X, topology, fixed, options);
   }

@@ -79,7 +79,7 @@ bool PatchFlow::run(const VertexPatch& patch, const Points& X, double time, Poin
   local.options.steps =
       std::max(1, static_cast<int>(std::lround(whole.steps * time / whole.total_time)));
   // FlowProblem measures the bound on moves from the positions that it is constructed with.
-  FlowProblem problem(local.X, local.topology, local.fixed, local.options, MeshParts::one());
+  FlowProblem problem(local.X, local.topology, local.fixed, local.options);
   Points Y = problem_.X(local.vertex, Eigen::all);
   problem.move_to(Y);
   problem.update_gradient();

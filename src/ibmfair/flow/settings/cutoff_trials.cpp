@@ -75,7 +75,7 @@ void CutoffTrials::restart(double sharp_angle) {
 
 void CutoffTrials::run(double cutoff) {
   flow_to(cutoff);
-  FlowProblem problem(mesh_.start, topology_, fixed_, options_, MeshParts::one());
+  FlowProblem problem(mesh_.start, topology_, fixed_, options_);
   end_at(mesh_, problem);
   const Points normals = unknown_normals(problem.X, topology_, unknowns_);
   Points taken;  // of white noise
@@ -127,8 +127,8 @@ void CutoffTrials::flow_to(double cutoff) {
 
 void CutoffTrials::flow_on(Trajectory& trajectory, bool goes_on) const {
   const Points& start = goes_on ? trajectory.state : trajectory.start;
-  require_usable(start, fixed_, leg_, MeshParts::one());
-  FlowProblem problem(start, topology_, fixed_, leg_, MeshParts::one());
+  require_usable(start, fixed_, leg_);
+  FlowProblem problem(start, topology_, fixed_, leg_);
   if (!goes_on) {
     begin(trajectory, problem);
   }
@@ -182,7 +182,7 @@ Points CutoffTrials::taken_of_noise(FlowProblem& problem) {
 /// tr F / n from the difference of two flows, in heights along the normals at the end of the first
 /// flow.
 double CutoffTrials::trace_by_second_flow(const Points& end, const Points& normals) const {
-  FlowProblem second(moved_.start, topology_, fixed_, options_, MeshParts::one());
+  FlowProblem second(moved_.start, topology_, fixed_, options_);
   end_at(moved_, second);
   const Eigen::VectorXd put_in =
       heights_along(normals, moved_.start, mesh_.start, unknowns_)(counted_);

@@ -13,7 +13,8 @@ namespace ibmfair {
 /// A measure of how much a step distorts the triangles; a time step should distort by at most 1.
 /// The measure is the larger of
 ///   roughness: the root mean square of the own part of each move (the part that neighbours do not
-///              share) over the edge length, divided by its limit. Removing noise is rough;
+///              share: the umbrella Laplacian of the moves, with the opposite sign) over the edge
+///              length, divided by its limit. Removing noise is rough;
 ///   strain:    the root mean square, over the edges, of the difference of the moves of both ends
 ///              over the edge length, divided by its limit. Large smooth moves stretch and turn the
 ///              surface without being rough.

@@ -172,7 +172,7 @@ FlowProblem::Landing FlowProblem::displace(const Points& move, Points& Y) const 
   if (!conserved_.empty() && !conserved_.restore(move, Y)) {
     return Landing::infeasible;
   }
-  return parts.sum(stopped) > 0 ? Landing::short_of_it : Landing::as_asked;
+  return parts.sum(stopped) > 0 ? Landing::bounded : Landing::complete;
 }
 
 std::vector<Index> FlowProblem::stopped() const {

@@ -24,7 +24,7 @@ class FlowProblem {
  public:
   /// All arguments must outlive the problem and must not change. The flow starts at `X` (#V x 3).
   FlowProblem(const Points& X, const Topology& topology, const std::vector<std::uint8_t>& fixed,
-              const FlowOptions& options, const MeshParts& parts);
+              const FlowOptions& options, const MeshParts& parts = MeshParts::one());
 
   const Topology& topology;
   const std::vector<std::uint8_t>& fixed;  ///< #V flags
@@ -90,9 +90,9 @@ class FlowProblem {
 
   /// How a move ended.
   enum class Landing : std::uint8_t {
-    as_asked,
-    short_of_it,  ///< a vertex was stopped by the bound on moves
-    infeasible,   ///< the volume or area constraint cannot be met there
+    complete,
+    bounded,     ///< a vertex was stopped by the bound on moves
+    infeasible,  ///< the volume or area constraint cannot be met there
   };
 
   /// Y = the state moved by `move` (one row per unknown), with no vertex further from the start

@@ -10,7 +10,7 @@ FoldFreeLanding displace_without_folds(const FlowProblem& problem, const FoldWat
   FoldFreeLanding result;
   for (int i = 0; i < tuning.guard.most_withholdings; ++i) {
     result.landing = problem.displace(move, Y);
-    if (!result.leads_somewhere()) {
+    if (!result.is_feasible()) {
       return result;
     }
     result.energy = energy_at(Y);

@@ -12,11 +12,11 @@ namespace ibmfair {
 
 /// The result of a foldover-free move.
 struct FoldFreeLanding {
-  FlowProblem::Landing landing = FlowProblem::Landing::as_asked;
+  FlowProblem::Landing landing = FlowProblem::Landing::complete;
   std::int64_t withheld = 0;  ///< vertices that were not moved, to avoid foldovers
   double energy = 0;          ///< at the end of the move
 
-  bool leads_somewhere() const { return landing != FlowProblem::Landing::infeasible; }
+  bool is_feasible() const { return landing != FlowProblem::Landing::infeasible; }
 };
 
 /// Writes the state displaced by `move` (one row per unknown) to Y (FlowProblem::displace). The

@@ -76,7 +76,7 @@ class GuardedFlow {
     p_.update_gradient();
     const bool fresh = control_.is_stale();
     if (p_.energy() == 0) {  // flat
-      stay_to_the_end();
+      end_at_rest();
     } else if (!fresh || renew_jacobian()) {
       p_.newton_step(step_);
       try_step(fresh);
@@ -117,7 +117,7 @@ class GuardedFlow {
     record.held_back = p_.count((p_.jacobian().damping().array() > 1).count());
     // g^T (D/h + S)^-1 g grows at most linearly with h.
     if (control_.target() / h * model.decrease(whole) <= rounding * p_.energy()) {
-      stay_to_the_end();
+      end_at_rest();
       return;
     }
     const double distortion = whole * distortion_of_step();
@@ -135,7 +135,7 @@ class GuardedFlow {
     control_.adapt(
         record, h, distortion, damping_.is_active(),
         [this](double shortest, double longest) { return limited_step(shortest, longest); });
-    tell(record);
+    record_step(record);
   }
 
   double distortion_of_step() {
@@ -160,7 +160,7 @@ class GuardedFlow {
     relaxation_.relax(energy_before);
   }
 
-  void tell(StepRecord& record) {
+  void record_step(StepRecord& record) {
     record.energy = p_.report.energy_after;
     p_.report.steps.push_back(record);
     if (observer_ && !observer_(record)) {
@@ -169,7 +169,7 @@ class GuardedFlow {
   }
 
   /// Ends the flow at a stationary state: no vertex would move in the remaining time.
-  void stay_to_the_end() {
+  void end_at_rest() {
     control_.end();
     p_.report.time_reached = p_.options.total_time;
   }
@@ -179,7 +179,7 @@ class GuardedFlow {
   void end_early() {
     const auto free = p_.unknowns.size() - static_cast<Index>(p_.stopped().size());
     if (p_.count(free) == 0) {
-      stay_to_the_end();
+      end_at_rest();
     } else {
       p_.report.status = FlowStatus::stalled;
     }

@@ -31,12 +31,12 @@ bool LineSearch::try_move(const StepModel& model, bool fresh) {
     const FoldFreeLanding trial =
         displace_without_folds(problem_, folds_, result_.move, Y_,
                                [this](const Points& Y) { return problem_.energy_at(Y); });
-    if (!trial.leads_somewhere()) {
+    if (!trial.is_feasible()) {
       return false;
     }
     shortened += trial.withheld;
     const bool whole =
-        trial.landing == FlowProblem::Landing::as_asked && !problem_.parts.any(shortened > 0);
+        trial.landing == FlowProblem::Landing::complete && !problem_.parts.any(shortened > 0);
     const double predicted = whole ? model.decrease(result_.fraction) : predicted_on_the_way(model);
     result_.energy = trial.energy;
     result_.decrease_ratio = (problem_.energy() - trial.energy) / predicted;

@@ -12,7 +12,7 @@ namespace ibmfair {
 StationaryFlow::StationaryFlow(const Points& X, const Topology& topology,
                                const std::vector<std::uint8_t>& fixed, const FlowOptions& options,
                                double h, double h_limit, bool normal_only)
-    : problem_(X, topology, fixed, options, MeshParts::one()),
+    : problem_(X, topology, fixed, options),
       rings_(vertex_rings(topology)),
       folds_(X, topology),
       h_(h),
