@@ -18,20 +18,6 @@ FlowReport flow_as_numbered(Points& X, const Topology& topology,
   return std::move(problem.report);
 }
 
-/// Renumbers the mesh for the flow if neighbours are far apart in memory.
-FlowReport flow_by_places(Points& X, const Topology& topology,
-                          const std::vector<std::uint8_t>& fixed, const FlowOptions& options,
-                          const StepObserver& observer, const MeshParts& parts) {
-  if (!parts.is_whole() || !is_scattered(topology)) {
-    return flow_as_numbered(X, topology, fixed, options, observer, parts);
-  }
-  LocalMesh local = local_mesh(X, topology, fixed, options);
-  FlowReport report =
-      flow_as_numbered(local.X, local.topology, local.fixed, local.options, observer, parts);
-  X(local.vertex, Eigen::all) = local.X;
-  return report;
-}
-
 FlowForecast forecast_as_numbered(const Points& X, const Topology& topology,
                                   const std::vector<std::uint8_t>& fixed,
                                   const FlowOptions& options) {
@@ -55,7 +41,14 @@ FlowReport willmore_flow(Points& X, const Topology& topology,
   {
     const Stopwatch watch(seconds);
     require_usable(X, fixed, options, parts);
-    report = flow_by_places(X, topology, fixed, options, observer, parts);
+    if (parts.is_whole() && is_scattered(topology)) {
+      LocalMesh local = local_mesh(X, topology, fixed, options);
+      report =
+          flow_as_numbered(local.X, local.topology, local.fixed, local.options, observer, parts);
+      X(local.vertex, Eigen::all) = local.X;
+    } else {
+      report = flow_as_numbered(X, topology, fixed, options, observer, parts);
+    }
   }
   report.seconds.other = seconds - report.seconds.named();
   return report;

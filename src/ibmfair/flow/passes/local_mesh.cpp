@@ -34,23 +34,12 @@ std::vector<Index> inverse(const std::vector<Index>& order) {
   return place;
 }
 
-/// The rows or entries of `list` with the numbers in `order`; an empty list stays empty.
+/// The entries of `list` with the numbers in `order`; an empty list stays empty.
 template <class List>
 List picked(const List& list, const std::vector<Index>& order) {
-  const auto count = list.size() > 0 ? static_cast<std::int64_t>(order.size()) : 0;
-  List result;
-  if constexpr (requires { result.row(0); }) {
-    result.resize(count, list.cols());
-  } else {
-    result.resize(static_cast<std::size_t>(count));
-  }
-  parallel_for(count, [&](std::int64_t i) {
-    if constexpr (requires { result.row(i); }) {
-      result.row(i) = list.row(order[i]);
-    } else {
-      result[i] = list[order[i]];
-    }
-  });
+  List result(list.size() > 0 ? order.size() : 0);
+  parallel_for(static_cast<std::int64_t>(result.size()),
+               [&](std::int64_t i) { result[i] = list[order[i]]; });
   return result;
 }
 
@@ -101,12 +90,12 @@ LocalMesh local_mesh(const Points& X, const Topology& topology,
 
 LocalMesh some_of_mesh(const Points& X, const Topology& topology, std::vector<Index> vertices,
                        const std::vector<Index>& triangles, const std::vector<Index>& place) {
-  Triangles F = picked(topology.F, triangles);
+  Triangles F = topology.F(triangles, Eigen::all);
   for (Index& corner : F.reshaped()) {
     corner = place[corner];
   }
   LocalMesh mesh;
-  mesh.X = picked(X, vertices);
+  mesh.X = X(vertices, Eigen::all);
   mesh.topology = build_topology(static_cast<Index>(vertices.size()), std::move(F),
                                  places_of(topology.defects.zero_area, triangles));
   mesh.fixed.assign(vertices.size(), 1);

@@ -1,5 +1,7 @@
 #include "ibmfair/flow/passes/twicing.h"
 
+#include <vector>
+
 #include "ibmfair/base/errors.h"
 #include "ibmfair/base/stopwatch.h"
 #include "ibmfair/flow/passes/linear_flow.h"
@@ -48,11 +50,8 @@ class Twicing {
 
   /// The move from the state to the start, smoothed by the linearised flow.
   Points smooth_move() {
-    Points move(p_.unknowns.size(), 3);
-    for (Index u = 0; u < p_.unknowns.size(); ++u) {
-      const Index v = p_.unknowns.vertex[u];
-      move.row(u) = p_.start().row(v) - p_.X.row(v);
-    }
+    const std::vector<Index>& free = p_.unknowns.vertex;
+    Points move = p_.start()(free, Eigen::all) - p_.X(free, Eigen::all);
     flow_linearly(p_, p_.options.twicing_steps(), move);
     return move;
   }

@@ -160,13 +160,9 @@ FlowProblem::Landing FlowProblem::displace(const Points& move, Points& Y) const 
       return 0;
     }
     const Vec3 to = from + move.row(u).transpose();
-    if (!bounded) {
-      Y.row(v) = to;
-      return 0;
-    }
-    const Vec3 reached = bound_.within(static_cast<Index>(v), to);
+    const Vec3 reached = bounded ? bound_.within(static_cast<Index>(v), to) : to;
     Y.row(v) = reached;
-    return reached != to ? 1 : 0;
+    return bounded && reached != to ? 1 : 0;
   });
   parts.refresh(Y);
   if (!conserved_.empty() && !conserved_.restore(move, Y)) {

@@ -19,6 +19,9 @@ namespace {
 /// Relative to the energy: smaller decreases are rounding errors. No tuned constant.
 constexpr double rounding = 1e-14;
 
+/// Makes steps until the time is up: StepControl says how long they are, LineSearch how far along
+/// the Newton step they go, LocalDamping which vertices are slowed down, and GuardedRelaxation evens
+/// the vertices out after each step.
 class GuardedFlow {
  public:
   GuardedFlow(FlowProblem& problem, const CompressedRows& rings, const FoldWatch& folds,
