@@ -20,8 +20,8 @@ namespace {
 constexpr double rounding = 1e-14;
 
 /// Makes steps until the time is up: StepControl says how long they are, LineSearch how far along
-/// the Newton step they go, LocalDamping which vertices are slowed down, and GuardedRelaxation evens
-/// the vertices out after each step.
+/// the Newton step they go, LocalDamping which vertices are slowed down, and GuardedRelaxation
+/// evens the vertices out after each step.
 class GuardedFlow {
  public:
   GuardedFlow(FlowProblem& problem, const CompressedRows& rings, const FoldWatch& folds,
