@@ -45,13 +45,30 @@ ordered_json seam_json(const SeamAudit& seam) {
           {"folded_hinges", seam.folds}};
 }
 
+ordered_json rejected_json(const std::vector<RejectedPatch>& rejected) {
+  ordered_json json = ordered_json::array();
+  for (const RejectedPatch& patch : rejected) {
+    json.push_back({{"method", patch.method}, {"reason", patch.reason}});
+  }
+  return json;
+}
+
 ordered_json filled_hole_json(const Hole& rim, const HoleReport& hole) {
   ordered_json json = hole_json(rim);
   json["status"] = name_of(hole.status);
   json["reason"] = hole.reason;
   json["new_vertices"] = hole.new_vertices;
   json["new_triangles"] = hole.new_triangles;
+  if (!hole.protruding.empty()) {
+    json["protruding"] = hole.protruding;
+  }
+  if (!hole.rejected.empty()) {
+    json["rejected"] = rejected_json(hole.rejected);
+  }
   if (hole.new_triangles > 0) {
+    json["method"] = hole.method;
+    json["diameter_ratio"] = hole.diameter_ratio;
+    json["area_ratio"] = hole.area_ratio;
     json.update(seam_json(hole.seam));
     json["intersections"] = hole.intersections;
     json["fairing"] = fairing_json(hole.fairing);
@@ -67,13 +84,25 @@ Warning warning_of(const Points& X, const Hole& rim, const HoleReport& hole) {
   return {fmt::format("hole {}: {}, {}", hole.hole, name_of(hole.status), hole.reason), place};
 }
 
-constexpr const char* hole_columns = "  {:>6}  {:<14}{:>9}{:>10}{:>11}{:>10}{:>10}{:>8}{:>8}  {}";
+constexpr const char* hole_columns =
+    "  {:>6}  {:<14}{:>9}{:>10}{:>9}{:>8}{:>11}{:>10}{:>10}{:>8}{:>8}  {}";
 
 /// The reason why the hole is not filled, or the flaws of its filling.
 std::string remarks(const HoleReport& hole) {
   std::vector<std::string> parts;
   if (!hole.reason.empty()) {
     parts.push_back(hole.reason);
+  }
+  if (!hole.rejected.empty() && !hole.method.empty()) {
+    const RejectedPatch& first = hole.rejected.front();
+    parts.push_back(
+        fmt::format("filled by {} (by {}: {})", hole.method, first.method, first.reason));
+  }
+  if (!hole.protruding.empty()) {
+    parts.push_back(fmt::format(
+        "{} at its rim left aside, such as {}",
+        counted(std::ssize(hole.protruding), "protruding triangle", "protruding triangles"),
+        hole.protruding.front()));
   }
   if (hole.seam.folds > 0) {
     parts.push_back(counted(hole.seam.folds, "fold", "folds"));
@@ -92,7 +121,8 @@ std::string hole_line(const HoleReport& hole) {
   };
   std::string line =
       fmt::format(hole_columns, hole.hole, name_of(hole.status), if_filled(hole.new_vertices, "{}"),
-                  if_filled(hole.new_triangles, "{}"),
+                  if_filled(hole.new_triangles, "{}"), if_filled(hole.diameter_ratio, "{:.3g}"),
+                  if_filled(hole.area_ratio, "{:.3g}"),
                   faired ? fmt::format("{:.4g}", fairing.energy_after) : "-",
                   faired ? change_text(fairing.energy_before, fairing.energy_after) : "-",
                   faired ? fmt::format("{:.1e}", fairing.gradient_ratio) : "-",
@@ -104,11 +134,12 @@ std::string hole_line(const HoleReport& hole) {
 
 /// Names and units of the columns; energies and ratios have no unit, angles are in degrees.
 std::string hole_heading() {
-  std::string text = fmt::format(hole_columns, "hole", "status", "vertices", "triangles", "energy",
-                                 "change", "gradient", "seam", "around", "");
+  std::string text =
+      fmt::format(hole_columns, "hole", "status", "vertices", "triangles", "diameter", "area",
+                  "energy", "change", "gradient", "seam", "around", "");
   text.erase(text.find_last_not_of(' ') + 1);
-  std::string units =
-      fmt::format(hole_columns, "", "", "new", "new", "", "", "x start", "deg", "deg", "");
+  std::string units = fmt::format(hole_columns, "", "", "new", "new", "x hole", "x hole", "", "",
+                                  "x start", "deg", "deg", "");
   units.erase(units.find_last_not_of(' ') + 1);
   return text + "\n" + units + "\n";
 }

@@ -12,6 +12,7 @@ nlohmann::ordered_json hole_json(const Hole& hole) {
           {"closed_loop", hole.closed},
           {"simple", hole.simple},
           {"touches_itself", hole.touches_itself},
+          {"crack", hole.crack},
           {"component", hole.component},
           {"outer_border", hole.outer_border},
           {"border_share", hole.border_share}};

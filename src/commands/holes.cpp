@@ -31,6 +31,8 @@ std::string remark(const Hole& hole) {
     text = "ends at an edge of three or more triangles";
   } else if (!hole.simple) {
     text = "meets a vertex twice";
+  } else if (hole.crack) {
+    text = describe_crack(hole);
   } else if (hole.touches_itself) {
     text = "passes through a place twice, as different vertices (--weld merges them)";
   }

@@ -25,6 +25,10 @@ const columns: Column<HoleReport>[] = [
     show: (hole) => {
       const cell = element("div", { class: "status" }, status_chip(hole.status ?? "unknown"));
       if (hole.reason) cell.append(element("div", { class: "reason" }, printable(hole.reason)));
+      for (const { method, reason } of hole.rejected ?? []) {
+        const text = `not by ${printable(method ?? "")}: ${printable(reason ?? "")}`;
+        cell.append(element("div", { class: "reason" }, text));
+      }
       return cell;
     },
   },
@@ -32,6 +36,13 @@ const columns: Column<HoleReport>[] = [
   numbers("Diameter", (hole) => hole.diameter),
   numbers("New vertices", (hole) => hole.new_vertices),
   numbers("New triangles", (hole) => hole.new_triangles),
+  {
+    title: "Method",
+    value: (hole) => hole.method ?? "",
+    show: (hole) => printable(hole.method ?? ""),
+  },
+  numbers("Patch diameter", (hole) => hole.diameter_ratio, "\u00d7 hole"),
+  numbers("Patch area", (hole) => hole.area_ratio, "\u00d7 hole"),
   numbers("Energy before", (hole) => hole.fairing?.energy_before),
   numbers("Energy after", (hole) => hole.fairing?.energy_after),
   numbers("Gradient ratio", (hole) => hole.fairing?.normal_gradient_ratio),

@@ -71,6 +71,10 @@ export interface HoleReport {
   diameter?: Maybe<number>;
   status?: string; // "filled", "skipped", ...
   reason?: string;
+  method?: string;
+  rejected?: { method?: string; reason?: string }[];
+  diameter_ratio?: Maybe<number>;
+  area_ratio?: Maybe<number>;
   new_vertices?: number;
   new_triangles?: number;
   seam_degrees?: { median?: Maybe<number>; largest?: Maybe<number> };

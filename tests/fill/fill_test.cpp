@@ -275,16 +275,21 @@ TEST(Fill, ALoopThatEndsAtANonManifoldEdgeIsLeftWithTheReason) {
   }
 }
 
-TEST(Fill, APatchThroughAnIslandInTheHoleIsReported) {
+TEST(Fill, AnIslandIsJoinedIfItLiesInTheSurface) {
   for (const double lift : {0.0, 0.3}) {
     SCOPED_TRACE(lift);
     const State state(with_island(sphere(4), lift));
     const Filling filling = fill_holes(state.X, state.topology, {}, {});
     ASSERT_EQ(filling.holes.size(), 2U);
     EXPECT_EQ(filling.holes[0].status, HoleStatus::filled);
-    EXPECT_EQ(filling.holes[0].intersections > 0, lift == 0);
-    EXPECT_EQ(filling.holes[1].status, HoleStatus::skipped);  // the island's own border
-    EXPECT_NE(filling.holes[1].reason, "");
+    EXPECT_EQ(filling.holes[0].intersections, 0);
+    EXPECT_EQ(filling.holes[1].status, lift == 0 ? HoleStatus::filled : HoleStatus::skipped);
+    const State filled(closed_up(state, filling));
+    EXPECT_EQ(filled.topology.boundary_loops.size(), lift == 0 ? 0u : 1u);
+    EXPECT_EQ(filled.topology.component_count, lift == 0 ? 1 : 2);
+    if (lift == 0) {
+      EXPECT_LT((filling.new_X.rowwise().norm().array() - 1).abs().maxCoeff(), 0.002);
+    }
   }
 }
 

@@ -73,6 +73,7 @@ test("steps are drawn as curves, with values under the pointer, and as a table",
 test("holes are told of one by one, and sorted", async () => {
   const { page, close } = await open(browser, "tables-holes", fill_payload());
   const table = page.getByRole("table", { name: "Holes" });
+  assert.match((await column(table, 2))[0], /filled\s*not by lagrange: it ran away from the hole/);
   assert.match((await column(table, 2))[1], /skipped\s*has more than 16 edges/);
   await table.getByRole("button", { name: "Edges" }).click();
   assert.deepEqual(await column(table, 3), ["17", "16"]);

@@ -4,30 +4,29 @@
 #include <exception>
 #include <iterator>
 #include <mutex>
+#include <optional>
 
 #include "ibmfair/base/parallel.h"
 #include "ibmfair/base/stopwatch.h"
+#include "ibmfair/fill/filling_assembly.h"
+#include "ibmfair/fill/fins.h"
 #include "ibmfair/fill/harmonic_extension.h"
 #include "ibmfair/fill/hole_filler.h"
 #include "ibmfair/fill/hole_groups.h"
-#include "ibmfair/fill/intersections.h"
+#include "ibmfair/fill/islands.h"
 
 namespace ibmfair {
 namespace {
 
-// Limits of the number of new vertices if the options set none: for all holes, and for one hole of
-// n edges, least_per_hole + most_per_squared_edge * n^2.
-constexpr Index least_limit = 100'000;
-constexpr double most_per_squared_edge = 0.5;
-constexpr double least_per_hole = 64;
+constexpr Index least_limit = 100'000;  // of the new vertices, if the options set no limit
 
 /// The most new vertices of each group. A hole of n edges needs about n^2 / 10; a badly shaped hole
 /// that would take many more must not use up the vertices that other holes need.
 std::vector<Index> shares(const std::vector<std::vector<Index>>& groups,
                           const std::vector<Hole>& holes, const FillOptions& options,
                           Index vertex_count) {
-  const bool given = options.most_new_vertices > 0;
-  const Index limit = given ? options.most_new_vertices : std::max(least_limit, vertex_count);
+  const Index limit = options.most_new_vertices > 0 ? options.most_new_vertices
+                                                    : std::max(least_limit, vertex_count);
   std::vector<double> need;
   double all = 0;
   for (const auto& group : groups) {
@@ -41,80 +40,10 @@ std::vector<Index> shares(const std::vector<std::vector<Index>>& groups,
   std::vector<Index> result;
   result.reserve(need.size());
   for (const double part : need) {
-    const double share = limit * (part / all);
-    result.push_back(static_cast<Index>(
-        given ? share : std::min(share, least_per_hole + most_per_squared_edge * part)));
+    result.push_back(static_cast<Index>(limit * (part / all)));
   }
   return result;
 }
-
-/// Collects the patches of all groups; their vertices and triangles are numbered in this order.
-class Assembly {
- public:
-  Assembly(const Points& X, Filling& filling) : filling_(filling), vertex_count_(X.rows()) {
-    filling.X = X;
-  }
-
-  void add(FilledGroup& group) {
-    for (HoleReport& report : group.reports) {
-      filling_.holes[report.hole] = std::move(report);
-    }
-    if (!group.patch) {
-      return;
-    }
-    Patch& patch = *group.patch;
-    for (Index v = 0; v < patch.own_from; ++v) {
-      if (patch.free[v]) {
-        filling_.X.row(patch.mesh_vertex[v]) = patch.X.row(v);
-      }
-    }
-    const std::vector<Index> nearest = nearest_rim_edges(patch);
-    for (Index t = 0; t < patch.net.size(); ++t) {
-      for (const Index v : patch.net[t]) {
-        corners_.push_back(v < patch.own_from ? patch.mesh_vertex[v]
-                                              : static_cast<Index>(vertex_count_ + own_count_) + v -
-                                                    patch.own_from);
-      }
-      const Index hole = group.hole_of_rim[nearest[t]];
-      filling_.model_triangle.push_back(patch.rim[nearest[t]].mesh_triangle);
-      filling_.hole_of_triangle.push_back(hole);
-      ++filling_.holes[hole].new_triangles;
-    }
-    count_vertices(group, nearest);
-    own_count_ += patch.own_size();
-    filling_.patches.push_back(std::move(patch));
-  }
-
-  void finish() {
-    filling_.new_F = Eigen::Map<const Triangles>(corners_.data(),
-                                                 static_cast<Eigen::Index>(corners_.size() / 3), 3);
-    filling_.new_X.resize(own_count_, 3);
-    Eigen::Index row = 0;
-    for (const Patch& patch : filling_.patches) {
-      filling_.new_X.middleRows(row, patch.own_size()) = patch.X.bottomRows(patch.own_size());
-      row += patch.own_size();
-    }
-  }
-
- private:
-  void count_vertices(const FilledGroup& group, const std::vector<Index>& nearest) {
-    const Patch& patch = *group.patch;
-    std::vector<Index> hole(static_cast<std::size_t>(patch.own_size()), -1);
-    for (Index t = 0; t < patch.net.size(); ++t) {
-      for (const Index v : patch.net[t]) {
-        if (v >= patch.own_from && hole[v - patch.own_from] < 0) {
-          hole[v - patch.own_from] = group.hole_of_rim[nearest[t]];
-          ++filling_.holes[hole[v - patch.own_from]].new_vertices;
-        }
-      }
-    }
-  }
-
-  Filling& filling_;
-  Eigen::Index vertex_count_;
-  Eigen::Index own_count_ = 0;
-  std::vector<Index> corners_;
-};
 
 /// Counts the finished holes and calls the observer.
 class HoleCounter {
@@ -171,16 +100,55 @@ std::vector<FilledGroup> fill_groups(const HoleFiller& filler,
   return all;
 }
 
-void count_intersections(const Topology& topology, Filling& filling) {
-  const FilledMesh filled = filled_mesh(topology, filling);
-  const auto first = static_cast<Index>(topology.F.rows());
-  for (const auto& [t, u] : patch_intersections(filled.X, filled.F, first)) {
-    const Index hole = filling.hole_of_triangle[u - first];
-    ++filling.holes[hole].intersections;
-    if (t >= first && filling.hole_of_triangle[t - first] != hole) {
-      ++filling.holes[filling.hole_of_triangle[t - first]].intersections;
+/// A topology, or a copy of it without its fins.
+class SurfaceWithoutFins {
+ public:
+  explicit SurfaceWithoutFins(const Topology& whole) : whole_(whole) {
+    for (std::vector<Index> fins = find_fins(topology()); !fins.empty();
+         fins = find_fins(topology())) {
+      copy_ = without_triangles(topology(), fins);
+      fins_.insert(fins_.end(), fins.begin(), fins.end());
     }
   }
+
+  const Topology& topology() const { return copy_ ? *copy_ : whole_; }
+
+  /// Adds each fin to the report of a hole at whose rim it stands.
+  void name_fins(const std::vector<Hole>& holes, std::vector<HoleReport>& reports) const {
+    for (const Index t : fins_) {
+      const auto x = whole_.F.row(t);
+      const auto at_rim = std::ranges::find_if(holes, [&](const Hole& hole) {
+        return std::ranges::any_of(hole.loop, [&](Index v) { return (x.array() == v).any(); });
+      });
+      if (at_rim != holes.end()) {
+        reports[at_rim->id].protruding.push_back(t);
+      }
+    }
+  }
+
+ private:
+  const Topology& whole_;
+  std::optional<Topology> copy_;
+  std::vector<Index> fins_;
+};
+
+/// Chooses the islands in holes that are to be filled, too, unless the holes to fill are given one
+/// by one. Returns `surrounding` for the islands that are joined to the mesh around them.
+std::vector<Index> choose_islands(std::vector<Index> surrounding, const HoleChoice& choice,
+                                  std::vector<HoleReport>& reports) {
+  for (std::size_t i = 0; i < surrounding.size(); ++i) {
+    if (surrounding[i] < 0) {
+      continue;
+    }
+    if (!reports[surrounding[i]].reason.empty()) {
+      surrounding[i] = -1;
+    } else if (choice.only.empty()) {
+      reports[i].reason.clear();
+    } else if (!reports[i].reason.empty()) {
+      surrounding[i] = -1;
+    }
+  }
+  return surrounding;
 }
 
 }  // namespace
@@ -212,28 +180,38 @@ FilledMesh filled_mesh(const Topology& topology, const Filling& filling) {
 Filling fill_holes(const Points& X, const Topology& topology, const HoleChoice& choice,
                    const FillOptions& options) {
   options.fairing.validate();
-  const std::vector<Hole> holes = find_holes(X, topology);
+  const SurfaceWithoutFins surface(topology);
+  const std::vector<Hole> holes = find_holes(X, surface.topology());
   require_known_holes(holes, choice);
   Filling filling;
-  std::vector<Index> chosen;
+  double audit_seconds = 0;
   for (const Hole& hole : holes) {
     filling.holes.push_back(report_of(hole.id, HoleStatus::skipped, reason_to_skip(hole, choice)));
-    if (filling.holes.back().reason.empty()) {
-      chosen.push_back(hole.id);
+  }
+  const std::vector<Index> surrounding =
+      choose_islands(surrounding_holes(X, surface.topology(), holes), choice, filling.holes);
+  std::vector<Index> chosen;
+  for (const HoleReport& hole : filling.holes) {
+    if (hole.reason.empty()) {
+      chosen.push_back(hole.hole);
     }
   }
-  const auto groups = group_holes(topology, holes, chosen, options.rim_smooth);
+  const auto groups =
+      group_holes(surface.topology(), holes, chosen, options.rim_smooth, surrounding);
+  const HoleFiller filler(X, surface.topology(), holes, surrounding, options);
   auto results =
-      fill_groups(HoleFiller(X, topology, holes, options), groups,
-                  shares(groups, holes, options, static_cast<Index>(X.rows())), options.on_hole);
-  Assembly assembly(X, filling);
-  for (FilledGroup& group : results) {
-    assembly.add(group);
+      fill_groups(filler, groups, shares(groups, holes, options, static_cast<Index>(X.rows())),
+                  options.on_hole);
+  {
+    const Stopwatch watch(audit_seconds);
+    filling = assemble_without_intersections(X, topology, filling.holes, filler, results);
   }
-  assembly.finish();
-  if (filling.new_F.rows() > 0) {
-    const Stopwatch watch(filling.audit_seconds);
-    count_intersections(topology, filling);
+  surface.name_fins(holes, filling.holes);
+  filling.audit_seconds = audit_seconds;
+  for (FilledGroup& group : results) {
+    if (group.patch) {
+      filling.patches.push_back(std::move(*group.patch));
+    }
   }
   return filling;
 }

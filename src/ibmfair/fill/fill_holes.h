@@ -28,7 +28,8 @@ struct FillOptions {
   int rim_smooth = 0;  ///< rings of mesh vertices that may move; the loop is the first ring
   /// The most new vertices in all holes together. 0: the number of vertices of the mesh, but at
   /// least 100,000; and about n^2 / 2 in a hole of n edges, several times the number that a patch
-  /// like a half sphere needs, but less than a balloon would need.
+  /// like a half sphere needs, but less than a balloon would need. A hole in which more than a half
+  /// sphere is missing may get twice as many as its sphere needs.
   Index most_new_vertices = 0;
   HoleObserver on_hole = {};
 };
@@ -44,11 +45,22 @@ enum class HoleStatus : std::uint8_t {
 /// "filled", "not converged", ...
 std::string_view name_of(HoleStatus status);
 
+/// A patch that was made for a hole, but not used.
+struct RejectedPatch {
+  std::string method;  ///< how it was made
+  std::string reason;  ///< without a full stop
+};
+
 struct HoleReport {
   Index hole = 0;  ///< Hole::id
   HoleStatus status = HoleStatus::skipped;
   std::string reason;  ///< for every status except `filled`; without a full stop
+  std::string method;  ///< how the patch was made; empty for a hole that stays open
+  std::vector<RejectedPatch> rejected;  ///< the methods that were tried before
+  std::vector<Index> protruding;        ///< Patch::protruding
   std::int64_t new_vertices = 0, new_triangles = 0;
+  double diameter_ratio = 0;  ///< diagonal of the patch's bounding box / that of the hole's
+  double area_ratio = 0;      ///< area of the patch / that of the triangulated polygon
   SeamAudit seam;
   std::int64_t intersections = 0;  ///< pairs of triangles: patch with patch, or patch with mesh
   FairingReport fairing;           ///< shared by holes that touch and were faired together
@@ -82,8 +94,13 @@ FilledMesh filled_mesh(const Topology& topology, const Filling& filling);
 
 /// Fills the holes that `choice` selects. Each hole is triangulated, refined and faired separately
 /// (holes that touch: together). Holes are filled in parallel; the result does not depend on the
-/// number of threads. A hole that cannot be filled is left open, and its report gives the reason.
-/// Throws BadOption for options that cannot be used.
+/// number of threads.
+///
+/// A patch is used only if it stays within the bound that the surroundings of its hole suggest
+/// (fill/patch_bound.h), if its fairing converged, and if it has no intersections and foldovers
+/// that the triangulated polygon does not have. Otherwise other methods are tried in a fixed order
+/// (fill/patch_methods.h). A hole that cannot be filled is left open, and its report gives the
+/// reason. Throws BadOption for options that cannot be used.
 Filling fill_holes(const Points& X, const Topology& topology, const HoleChoice& choice,
                    const FillOptions& options);
 

@@ -1,46 +1,58 @@
 #include "ibmfair/fill/hole_filler.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "ibmfair/base/errors.h"
+#include "ibmfair/fill/linear_fairing.h"
 #include "ibmfair/fill/refine.h"
+#include "ibmfair/fill/rim_directions.h"
 
 namespace ibmfair {
 namespace {
 
-std::vector<std::uint8_t> rim_of(const FilledGroup& result, Index hole) {
-  std::vector<std::uint8_t> chosen(result.hole_of_rim.size());
-  std::transform(result.hole_of_rim.begin(), result.hole_of_rim.end(), chosen.begin(),
+// The most vertices of a patch if the options set no limit: for a hole of n edges, or for a missing
+// sphere that needs m vertices.
+constexpr double least_vertices = 64;
+constexpr double vertices_per_squared_edge = 0.5;
+constexpr double vertices_per_needed = 2;
+
+std::vector<std::uint8_t> rim_of(const FilledGroup& group, Index hole) {
+  std::vector<std::uint8_t> chosen(group.hole_of_rim.size());
+  std::transform(group.hole_of_rim.begin(), group.hole_of_rim.end(), chosen.begin(),
                  [hole](Index h) { return h == hole ? 1 : 0; });
   return chosen;
 }
 
-HoleReport concluded(const FairingReport& fairing, bool converged, bool refined) {
-  HoleReport report = report_of(0, HoleStatus::filled);
-  report.fairing = fairing;
-  if (!refined) {
-    report.status = HoleStatus::coarse;
-    report.reason = "the limit of new vertices ended its refinement";
-  } else if (!converged) {
-    report.status = HoleStatus::not_converged;
-    report.reason = "the fairing did not reach its tolerance";
+/// The number of vertices of even triangles, with edges as long as those of the rim, that cover an
+/// area.
+double vertices_needed(const Patch& patch, double area) {
+  double squares = 0;
+  for (const RimEdge& edge : patch.rim) {
+    squares += (patch.X.row(edge.a) - patch.X.row(edge.b)).squaredNorm();
   }
-  return report;
+  const double mean_square = squares / static_cast<double>(patch.rim.size());
+  return area / (std::sqrt(3.0) / 2 * mean_square);
 }
 
-/// Refines and fairs the patch level by level, from coarse to fine.
-HoleReport faired_by_levels(Patch& patch, Index most_vertices, const FairingOptions& options) {
-  bool refined = true;
-  try {
-    const FairingReport fairing = refine_and_fair(patch, options, most_vertices, refined);
-    return concluded(fairing, fairing.converged, refined);
-  } catch (const FactorizationFailed& error) {
-    return report_of(0, HoleStatus::not_converged, error.what());
-  }
+Index count_folds(const Patch& patch) {
+  const std::vector<std::uint8_t> all(patch.rim.size(), 1);
+  return audit_seam(patch, nearest_rim_edges(patch), all).folds;
 }
 
 }  // namespace
+
+/// A patch made by one method.
+struct HoleFiller::Attempt {
+  Patch patch;
+  FairingReport fairing = {};
+  bool refined = true;  ///< false if the limit of new vertices ended the refinement
+  bool converged = true;
+  std::string flaw = {};  ///< the reason why the patch cannot be used; empty if it can
+};
 
 HoleReport report_of(Index hole, HoleStatus status, std::string reason) {
   HoleReport report;
@@ -49,6 +61,15 @@ HoleReport report_of(Index hole, HoleStatus status, std::string reason) {
   report.reason = std::move(reason);
   return report;
 }
+
+HoleFiller::HoleFiller(const Points& X, const Topology& topology, const std::vector<Hole>& holes,
+                       const std::vector<Index>& surrounding, const FillOptions& options)
+    : X_(X),
+      topology_(topology),
+      holes_(holes),
+      surrounding_(surrounding),
+      options_(options),
+      methods_(patch_methods(options)) {}
 
 std::vector<FilledGroup> HoleFiller::cut(const std::vector<Index>& group,
                                          Index most_vertices) const {
@@ -59,7 +80,9 @@ std::vector<FilledGroup> HoleFiller::cut(const std::vector<Index>& group,
   } catch (const BadMesh& error) {
     if (group.size() == 1) {
       results.emplace_back();
-      results.back().reports.push_back(report_of(group.front(), HoleStatus::failed, error.what()));
+      const std::string crack = describe_crack(holes_[group.front()]);
+      results.back().reports.push_back(report_of(group.front(), HoleStatus::failed,
+                                                 crack.empty() ? error.what() : "it is " + crack));
       return results;
     }
   }
@@ -71,84 +94,182 @@ std::vector<FilledGroup> HoleFiller::cut(const std::vector<Index>& group,
   return results;
 }
 
-void HoleFiller::finish(FilledGroup& group) const {
-  if (!group.patch) {
-    return;
-  }
-  HoleReport report = refined_and_faired(*group.patch, group.most_vertices);
-  if (!group.patch->X.allFinite()) {  // geometric predicates need finite coordinates
-    group.patch.reset();
-    for (const Index hole : group.holes) {
-      group.reports.push_back(
-          report_of(hole, HoleStatus::failed, "its coordinates are too large to compute with"));
-    }
-    return;
-  }
-  const std::vector<Index> nearest = nearest_rim_edges(*group.patch);
-  for (const Index hole : group.holes) {
-    report.hole = hole;
-    report.seam = audit_seam(*group.patch, nearest, rim_of(group, hole));
-    group.reports.push_back(report);
-  }
-}
-
 FilledGroup HoleFiller::cut_together(const std::vector<Index>& group, Index most_vertices) const {
   FilledGroup result;
   result.holes = group;
   result.most_vertices = most_vertices;
-  std::vector<std::vector<Index>> loops;
+  std::vector<PatchOutline> outlines;
   for (const Index hole : group) {
     if (!holes_[hole].closed) {
       throw BadMesh("its boundary ends at an edge of three or more triangles");
     }
+    const Index outer = surrounding_[hole];
+    if (outer >= 0 && std::ranges::find(group, outer) != group.end()) {
+      continue;  // listed with the hole that surrounds it
+    }
     for (auto& loop : simple_loops(holes_[hole].loop)) {
       result.hole_of_rim.insert(result.hole_of_rim.end(), loop.size(), hole);
-      loops.push_back(std::move(loop));
+      outlines.push_back({std::move(loop)});
+    }
+    for (const Index island : group) {
+      if (surrounding_[island] == hole) {
+        outlines.back().island = holes_[island].loop;
+        result.hole_of_rim.insert(result.hole_of_rim.end(), holes_[island].loop.size(), island);
+      }
     }
   }
-  result.patch = cut_patch(X_, topology_, loops, options_.rim_smooth);
+  result.plain = cut_patch(X_, topology_, outlines, options_.rim_smooth);
   return result;
 }
 
-HoleReport HoleFiller::refined_and_faired(Patch& patch, Index most_vertices) const {
-  if (options_.fair) {
-    return options_.refine ? refined_while_faired(patch, most_vertices) : faired(patch);
+void HoleFiller::finish(FilledGroup& group) const {
+  if (!group.plain) {
+    return;
   }
-  bool refined = true;
-  if (options_.refine) {
-    refined = refine(patch, {1, false, most_vertices});
+  const PatchLimits limits = limits_of(group);
+  for (; group.method < methods_.size(); ++group.method) {
+    const PatchMethod& method = methods_[group.method];
+    Attempt made = attempt(group, method, limits);
+    if (made.flaw.empty()) {
+      accept(group, std::move(made));
+      return;
+    }
+    group.rejected.push_back({method.name, made.flaw});
+  }
+  leave_open(group);
+}
+
+void HoleFiller::finish_otherwise(FilledGroup& group, const std::string& reason) const {
+  group.rejected.push_back({methods_[group.method].name, reason});
+  group.reports.clear();
+  group.patch.reset();
+  ++group.method;
+  finish(group);
+}
+
+PatchLimits HoleFiller::limits_of(const FilledGroup& group) const {
+  const Patch& plain = *group.plain;
+  PatchLimits limits{group.most_vertices, bound_of(plain)};
+  const auto edges = static_cast<double>(plain.rim.size());
+  double most = least_vertices + vertices_per_squared_edge * edges * edges;
+  if (group.holes.size() == 1 && plain.one_disc && options_.rim_smooth == 0) {
+    if (const auto sphere = fit_rim_sphere(plain); sphere && sphere->is_deep()) {
+      limits.start = sphere;
+      most = std::max(most, vertices_per_needed * vertices_needed(plain, sphere->missing_area()));
+    }
+  }
+  if (options_.most_new_vertices == 0 && most < limits.most_vertices) {
+    limits.most_vertices = static_cast<Index>(most);
+  }
+  return limits;
+}
+
+HoleFiller::Attempt HoleFiller::attempt(const FilledGroup& group, const PatchMethod& method,
+                                        const PatchLimits& limits) const {
+  Attempt result{*group.plain};
+  try {
+    make(result, method, limits);
+  } catch (const FactorizationFailed& error) {
+    result.flaw = error.what();
+    return result;
+  } catch (const BadMesh& error) {
+    result.flaw = error.what();
+    return result;
+  }
+  const Patch& patch = result.patch;
+  if (!patch.X.allFinite()) {
+    result.flaw = "its coordinates are not finite";
+  } else if (result.fairing.ran_away || limits.bound.is_exceeded(patch.X, patch.own_from)) {
+    result.flaw = "it ran away from the hole";
+  } else if (!result.converged) {
+    result.flaw = "the fairing did not reach its tolerance";
+  } else if (const double area = patch_area(patch); !(area <= limits.bound.area)) {
+    result.flaw =
+        fmt::format("its area is {:.3g} times as large as allowed", area / limits.bound.area);
+  } else if (limits.start && options_.fair && method.kind != PatchKind::stationary) {
+    result.flaw = "more than a half sphere is missing, and it lies across the rim";
+  } else if (method.kind == PatchKind::stationary && count_folds(patch) > 0 &&
+             count_folds(*group.plain) == 0) {
+    result.flaw = "it is folded";
+  }
+  return result;
+}
+
+void HoleFiller::make(Attempt& attempt, const PatchMethod& method,
+                      const PatchLimits& limits) const {
+  Patch& patch = attempt.patch;
+  const Points surroundings = patch.X;
+  if (method.smooth_directions) {
+    std::fill(patch.free.begin(), patch.free.begin() + patch.own_from, 0);
+    smooth_directions(X_, topology_, patch);
+  }
+  if (method.kind == PatchKind::stationary && options_.refine) {
+    attempt.fairing = refine_and_fair(patch, method.fairing, limits, attempt.refined);
+    attempt.converged = attempt.fairing.converged;
+  } else {
+    make_on_one_level(attempt, method, limits);
+  }
+  if (method.smooth_directions) {
+    patch.X.topRows(patch.own_from) = surroundings;
+  }
+}
+
+void HoleFiller::make_on_one_level(Attempt& attempt, const PatchMethod& method,
+                                   const PatchLimits& limits) const {
+  Patch& patch = attempt.patch;
+  if (options_.refine && method.kind != PatchKind::plain) {
+    attempt.refined = refine(patch, {1, false, limits.most_vertices});
   } else {
     split_taken_edges(patch);
   }
-  return concluded({}, true, refined);
-}
-
-HoleReport HoleFiller::faired(Patch& patch) const {
-  split_taken_edges(patch);
-  try {
-    const FairingReport fairing = fair(patch, options_.fairing);
-    return concluded(fairing, fairing.converged, true);
-  } catch (const FactorizationFailed& error) {
-    return report_of(0, HoleStatus::not_converged, error.what());
+  if (method.kind == PatchKind::stationary) {
+    attempt.fairing = fair(patch, method.fairing);
+    attempt.converged = attempt.fairing.converged;
+  } else if (method.kind == PatchKind::linear) {
+    fair_linearly(patch);
   }
 }
 
-/// If fairing from coarse to fine does not converge, as at a rim with a sharp tip that the few
-/// triangles of the coarsest level cannot follow, fairing the finest level alone may converge.
-HoleReport HoleFiller::refined_while_faired(Patch& patch, Index most_vertices) const {
-  Patch second = patch;
-  HoleReport report = faired_by_levels(patch, most_vertices, options_.fairing);
-  if (report.status != HoleStatus::not_converged || report.fairing.levels == 1) {
-    return report;
+void HoleFiller::accept(FilledGroup& group, Attempt attempt) const {
+  const PatchMethod& method = methods_[group.method];
+  HoleReport report = report_of(0, HoleStatus::filled);
+  report.method = method.name;
+  report.rejected = group.rejected;
+  report.fairing = attempt.fairing;
+  if (!attempt.refined) {
+    report.status = HoleStatus::coarse;
+    report.reason = "the limit of new vertices ended its refinement";
+  } else if (options_.fair && method.kind != PatchKind::stationary) {
+    report.status = HoleStatus::not_converged;
+    report.reason = "no patch of stationary energy could be used";
   }
-  FairingOptions options = options_.fairing;
-  options.most_levels = 1;
-  HoleReport again = faired_by_levels(second, most_vertices, options);
-  if (again.status == HoleStatus::not_converged) {
-    return report;
+  report.protruding = attempt.patch.protruding;
+  group.patch = std::move(attempt.patch);
+  const std::vector<Index> nearest = nearest_rim_edges(*group.patch);
+  const std::vector<Index> nearest_plain = nearest_rim_edges(*group.plain);
+  for (const Index hole : group.holes) {
+    const std::vector<std::uint8_t> chosen = rim_of(group, hole);
+    report.hole = hole;
+    report.seam = audit_seam(*group.patch, nearest, chosen);
+    const PatchSize size = audit_size(*group.patch, nearest, chosen);
+    report.diameter_ratio = size.diameter / holes_[hole].diameter;
+    report.area_ratio = size.area / audit_size(*group.plain, nearest_plain, chosen).area;
+    group.reports.push_back(report);
   }
-  patch = std::move(second);
-  return again;
+}
+
+void HoleFiller::leave_open(FilledGroup& group) const {
+  std::vector<std::string> reasons;
+  for (const RejectedPatch& rejected : group.rejected) {
+    reasons.push_back(fmt::format("{}: {}", rejected.method, rejected.reason));
+  }
+  for (const Index hole : group.holes) {
+    HoleReport report =
+        report_of(hole, HoleStatus::failed,
+                  fmt::format("no patch could be used ({})", fmt::join(reasons, "; ")));
+    report.rejected = group.rejected;
+    group.reports.push_back(std::move(report));
+  }
 }
 
 }  // namespace ibmfair

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "ibmfair/fill/fill_holes.h"
+#include "ibmfair/fill/patch_methods.h"
 
 namespace ibmfair {
 
@@ -13,37 +14,54 @@ HoleReport report_of(Index hole, HoleStatus status, std::string reason = {});
 
 /// Holes that are filled together, and the result.
 struct FilledGroup {
-  std::vector<Index> holes;         ///< the holes (Hole::id) that `patch` fills
-  std::optional<Patch> patch;       ///< none if the holes could not be filled
-  std::vector<Index> hole_of_rim;   ///< the hole of each rim edge of the patch
-  Index most_vertices = 0;          ///< the most vertices that the patch may have of its own
-  std::vector<HoleReport> reports;  ///< one per hole of the group
+  std::vector<Index> holes;             ///< the holes (Hole::id) that the patch fills
+  std::optional<Patch> plain;           ///< the triangulated holes; none if that failed
+  std::optional<Patch> patch;           ///< none if the holes could not be filled
+  std::vector<Index> hole_of_rim;       ///< the hole of each rim edge of the patch
+  Index most_vertices = 0;              ///< the most vertices that the patch may have of its own
+  std::size_t method = 0;               ///< number of the method that made `patch`
+  std::vector<RejectedPatch> rejected;  ///< by earlier methods
+  std::vector<HoleReport> reports;      ///< one per hole of the group
 };
 
 class HoleFiller {
  public:
-  /// All arguments must outlive this object. `holes`: the result of find_holes.
+  /// All arguments must outlive this object. `holes`: the result of find_holes. `surrounding`: the
+  /// result of surrounding_holes, for holes that are to be filled as rings.
   HoleFiller(const Points& X, const Topology& topology, const std::vector<Hole>& holes,
-             const FillOptions& options)
-      : X_(X), topology_(topology), holes_(holes), options_(options) {}
+             const std::vector<Index>& surrounding, const FillOptions& options);
 
   /// Triangulates the holes of a group (by Hole::id) together; if one of them cannot be
   /// triangulated, each hole separately.
   std::vector<FilledGroup> cut(const std::vector<Index>& group, Index most_vertices) const;
 
-  /// Refines, fairs and audits the patch that `cut` has triangulated, and writes the reports.
+  /// Refines, fairs and audits the patch that `cut` has triangulated, by the first method whose
+  /// patch can be used, and writes the reports. Whether the patch intersects the mesh is not
+  /// looked at.
   void finish(FilledGroup& group) const;
 
+  /// Rejects the patch of the group for `reason` and continues with the next method.
+  void finish_otherwise(FilledGroup& group, const std::string& reason) const;
+
  private:
+  struct Attempt;
+
   FilledGroup cut_together(const std::vector<Index>& group, Index most_vertices) const;
-  HoleReport refined_and_faired(Patch& patch, Index most_vertices) const;
-  HoleReport faired(Patch& patch) const;
-  HoleReport refined_while_faired(Patch& patch, Index most_vertices) const;
+  PatchLimits limits_of(const FilledGroup& group) const;
+  Attempt attempt(const FilledGroup& group, const PatchMethod& method,
+                  const PatchLimits& limits) const;
+  void make(Attempt& attempt, const PatchMethod& method, const PatchLimits& limits) const;
+  void make_on_one_level(Attempt& attempt, const PatchMethod& method,
+                         const PatchLimits& limits) const;
+  void accept(FilledGroup& group, Attempt attempt) const;
+  void leave_open(FilledGroup& group) const;
 
   const Points& X_;
   const Topology& topology_;
   const std::vector<Hole>& holes_;
+  const std::vector<Index>& surrounding_;
   const FillOptions& options_;
+  const std::vector<PatchMethod> methods_;
 };
 
 }  // namespace ibmfair

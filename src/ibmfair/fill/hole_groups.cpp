@@ -10,10 +10,14 @@ namespace ibmfair {
 
 std::vector<std::vector<Index>> group_holes(const Topology& topology,
                                             const std::vector<Hole>& holes,
-                                            const std::vector<Index>& chosen, int free_rings) {
+                                            const std::vector<Index>& chosen, int free_rings,
+                                            const std::vector<Index>& surrounding) {
   UnionFind sets(static_cast<Index>(holes.size()));
   std::unordered_map<Index, Index> first_hole;  // for each vertex, the first hole that reaches it
   for (const Index h : chosen) {
+    if (surrounding[h] >= 0) {
+      sets.unite(h, surrounding[h]);
+    }
     std::vector<Index> reach = holes[h].loop;
     for (int ring = 0; ring < free_rings; ++ring) {
       reach = grown_by_ring(topology, reach);

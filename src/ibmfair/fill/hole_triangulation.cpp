@@ -1,6 +1,10 @@
 #include "ibmfair/fill/hole_triangulation.h"
 
+#include <algorithm>
 #include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <utility>
 #include <vector>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -89,6 +93,93 @@ Triangles triangulate_hole(const Points& loop, const Points& apex) {
     for (int i = 0; i < 3; ++i) {
       F(t, i) = found[static_cast<std::size_t>(t)].index[i];
     }
+  }
+  return F;
+}
+
+namespace {
+
+constexpr Eigen::Index most_pairs = 25'000'000;  // of corners of two polygons
+
+/// Dynamic programme over strips of triangles between two polygons that run side by side, from the
+/// pair of corners (0, 0) back to itself. After i edges of p and j edges of r, the strip ends at
+/// the edge from p_i to r_j.
+class Strip {
+ public:
+  Strip(Points p, Points r) : p_(std::move(p)), r_(std::move(r)), n_(p_.rows()), m_(r_.rows()) {
+    by_p_.resize((n_ + 1) * (m_ + 1), 0);
+    std::vector<double> before(m_ + 1), now(m_ + 1);
+    for (Eigen::Index i = 0; i <= n_; ++i) {
+      for (Eigen::Index j = 0; j <= m_; ++j) {
+        const double along_p = i > 0 ? before[j] + area(P(i - 1), P(i), R(j)) : endless;
+        const double along_r = j > 0 ? now[j - 1] + area(P(i), R(j), R(j - 1)) : endless;
+        now[j] = i + j == 0 ? 0 : std::min(along_p, along_r);
+        by_p_[i * (m_ + 1) + j] = along_p <= along_r ? 1 : 0;
+      }
+      before.swap(now);
+    }
+  }
+
+  /// Triangles whose corners are i for p_i and n + j for r_j.
+  Triangles triangles() const {
+    Triangles F(n_ + m_, 3);
+    Eigen::Index i = n_, j = m_;
+    for (auto x : F.rowwise()) {
+      const auto p = static_cast<Index>(i % n_), r = static_cast<Index>(n_ + j % m_);
+      if (by_p_[i * (m_ + 1) + j]) {
+        x << static_cast<Index>(--i), p, r;
+      } else {
+        x << p, r, static_cast<Index>(n_ + --j);
+      }
+    }
+    return F;
+  }
+
+ private:
+  static constexpr double endless = std::numeric_limits<double>::infinity();
+
+  Vec3 P(Eigen::Index i) const { return p_.row(i % n_); }
+  Vec3 R(Eigen::Index j) const { return r_.row(j % m_); }
+  static double area(const Vec3& a, const Vec3& b, const Vec3& c) {
+    return (b - a).cross(c - a).norm();
+  }
+
+  Points p_, r_;
+  Eigen::Index n_, m_;
+  std::vector<std::uint8_t> by_p_;  // whether the last triangle lies at an edge of p
+};
+
+}  // namespace
+
+Triangles triangulate_ring(const Points& outer, const Points& inner) {
+  const Eigen::Index n = outer.rows(), m = inner.rows();
+  if (n * m > most_pairs) {
+    return {};
+  }
+  Eigen::Index i0 = 0, j0 = 0;  // the closest pair
+  double least = std::numeric_limits<double>::infinity();
+  for (Eigen::Index i = 0; i < n; ++i) {
+    Eigen::Index j = 0;
+    const double distance = (inner.rowwise() - outer.row(i)).rowwise().squaredNorm().minCoeff(&j);
+    if (distance < least) {
+      least = distance;
+      i0 = i;
+      j0 = j;
+    }
+  }
+  // The inner polygon is walked backwards, side by side with the outer one.
+  const auto row_of_p = [&](Eigen::Index i) { return (i0 + i) % n; };
+  const auto row_of_r = [&](Eigen::Index j) { return (j0 + m - j) % m; };
+  Points p(n, 3), r(m, 3);
+  for (Eigen::Index i = 0; i < n; ++i) {
+    p.row(i) = outer.row(row_of_p(i));
+  }
+  for (Eigen::Index j = 0; j < m; ++j) {
+    r.row(j) = inner.row(row_of_r(j));
+  }
+  Triangles F = Strip(std::move(p), std::move(r)).triangles();
+  for (Index& corner : F.reshaped()) {
+    corner = static_cast<Index>(corner < n ? row_of_p(corner) : n + row_of_r(corner - n));
   }
   return F;
 }

@@ -13,4 +13,9 @@ namespace ibmfair {
 /// the direction of the polygon. The result is empty if no triangulation was found.
 Triangles triangulate_hole(const Points& loop, const Points& apex);
 
+/// Triangulates the ring between two closed polygons, with the least area. Both run so that the
+/// ring is to their left. Corners of the resulting triangles are row numbers of `outer`, or of
+/// `inner` plus the number of rows of `outer`. Empty if the polygons have too many corners.
+Triangles triangulate_ring(const Points& outer, const Points& inner);
+
 }  // namespace ibmfair

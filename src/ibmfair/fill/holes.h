@@ -1,6 +1,7 @@
 // The boundary loops of a mesh as a user sees them: holes to fill, and outer borders to leave.
 #pragma once
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -11,15 +12,20 @@ namespace ibmfair {
 
 /// A boundary loop with its measures.
 struct Hole {
-  Index id = 0;                 ///< index in Topology::boundary_loops, sorted by smallest vertex
+  Index id = 0;                 ///< holes are numbered by their smallest vertex
   std::vector<Index> loop;      ///< vertices in order; the mesh lies to the left
   double perimeter = 0;         ///< length
   double diameter = 0;          ///< diagonal of the bounding box, length
   bool closed = true;           ///< false if a non-manifold edge interrupts the loop
   bool simple = true;           ///< no vertex occurs twice
   bool touches_itself = false;  ///< two vertices have equal coordinates: welding would join them
-  Index component = 0;          ///< connected component of the mesh
-  bool outer_border = false;    ///< the edge of a sheet rather than a hole; see `border_share`
+  /// The two sides of the loop lie on each other: it is a crack between triangles that fit.
+  bool crack = false;
+  /// For a crack, a vertex that lies inside an edge of the other side (T-junction), and the ends of
+  /// this edge; -1 if there is none.
+  std::array<Index, 3> t_junction{-1, -1, -1};
+  Index component = 0;        ///< connected component of the mesh
+  bool outer_border = false;  ///< the edge of a sheet rather than a hole; see `border_share`
   /// For the longest loop of a component, the area that the loop spans (the length of its vector
   /// area) over the area of the component; 0 for all other loops. About 1 for a flat sheet, 1/2 for
   /// a half sphere, small for a hole in a closed surface.
@@ -31,7 +37,8 @@ struct Hole {
 /// A loop with a larger `border_share` is an outer border: filling it would double the sheet.
 inline constexpr double border_share_limit = 0.6;
 
-/// All boundary loops of the mesh, in the order of their ids.
+/// All boundary loops of the mesh, in the order of their ids. Fins (fill/fins.h) do not count: they
+/// neither have nor interrupt boundary loops.
 std::vector<Hole> find_holes(const Points& X, const Topology& topology);
 
 /// Which holes to fill. A limit of 0 selects every hole.
@@ -45,6 +52,9 @@ struct HoleChoice {
 /// The reason why `choice` leaves `hole` out, one sentence without a full stop; empty if the hole
 /// is to be filled.
 std::string reason_to_skip(const Hole& hole, const HoleChoice& choice);
+
+/// What kind of crack the loop is, one sentence without a full stop; empty for a hole.
+std::string describe_crack(const Hole& hole);
 
 /// Throws BadOption for an id in `choice.only` that no hole has.
 void require_known_holes(const std::vector<Hole>& holes, const HoleChoice& choice);

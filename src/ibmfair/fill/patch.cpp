@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "ibmfair/base/errors.h"
+#include "ibmfair/fill/fins.h"
 #include "ibmfair/fill/hole_triangulation.h"
 #include "ibmfair/mesh/corners.h"
 
@@ -98,6 +99,14 @@ Triangles triangulated(const Points& X, const Topology& topology, const Polygon&
   return F;
 }
 
+Triangles triangulated_ring(const Points& X, const Polygon& outer, const Polygon& inner) {
+  Triangles F = triangulate_ring(X(outer.corners, Eigen::all), X(inner.corners, Eigen::all));
+  if (F.rows() == 0) {
+    throw BadMesh("it and the island inside it have too many edges");
+  }
+  return F;
+}
+
 /// Marks as taken the mesh edges between rim vertices, and diagonals that two discs have in common.
 void mark_taken(Patch& patch, const std::vector<std::uint8_t>& on_rim,
                 const std::vector<Triangles>& discs) {
@@ -145,6 +154,12 @@ void measure_spacing(Patch& patch) {
 
 }  // namespace
 
+Triangles all_triangles(const Patch& patch) {
+  Triangles F(patch.surroundings.rows() + patch.net.size(), 3);
+  F << patch.surroundings, patch.net.triangles();
+  return F;
+}
+
 std::vector<Index> grown_by_ring(const Topology& topology, const std::vector<Index>& vertices) {
   std::vector<Index> result = vertices;
   for (const Index v : vertices) {
@@ -157,10 +172,11 @@ std::vector<Index> grown_by_ring(const Topology& topology, const std::vector<Ind
 }
 
 Patch cut_patch(const Points& X, const Topology& topology,
-                const std::vector<std::vector<Index>>& loops, int free_rings) {
+                const std::vector<PatchOutline>& outlines, int free_rings) {
   std::vector<Index> rim;
-  for (const auto& loop : loops) {
-    rim.insert(rim.end(), loop.begin(), loop.end());
+  for (const PatchOutline& outline : outlines) {
+    rim.insert(rim.end(), outline.loop.begin(), outline.loop.end());
+    rim.insert(rim.end(), outline.island.begin(), outline.island.end());
   }
   make_unique(rim);
   std::vector<Index> free = free_rings > 0 ? rim : std::vector<Index>{};
@@ -173,7 +189,8 @@ Patch cut_patch(const Points& X, const Topology& topology,
   Patch patch;
   patch.mesh_vertex = local.vertices();
   patch.X = X(patch.mesh_vertex, Eigen::all);
-  patch.surroundings = renumbered(topology, triangles_at(topology, centres), local);
+  const std::vector<Index> around = triangles_at(topology, centres);
+  patch.surroundings = renumbered(topology, around, local);
   patch.own_from = patch.size();
   patch.free.assign(patch.mesh_vertex.size(), 0);
   for (const Index v : free) {
@@ -184,21 +201,31 @@ Patch cut_patch(const Points& X, const Topology& topology,
     on_rim[local(v)] = 1;
   }
   std::vector<Triangles> discs;
-  for (const auto& loop : loops) {
-    const Polygon polygon = polygon_of(topology, loop);
-    discs.push_back(triangulated(X, topology, polygon));
+  for (const PatchOutline& outline : outlines) {
+    std::vector<Polygon> polygons{polygon_of(topology, outline.loop)};
+    if (!outline.island.empty()) {
+      polygons.push_back(polygon_of(topology, outline.island));
+    }
+    std::vector<Index> corners;
+    for (const Polygon& polygon : polygons) {
+      corners.insert(corners.end(), polygon.corners.begin(), polygon.corners.end());
+      const std::size_t n = polygon.corners.size();
+      for (std::size_t i = 0; i < n; ++i) {
+        patch.rim.push_back({local(polygon.corners[i]), local(polygon.corners[(i + 1) % n]),
+                             polygon.mesh_triangles[i]});
+      }
+    }
+    discs.push_back(polygons.size() == 1 ? triangulated(X, topology, polygons[0])
+                                         : triangulated_ring(X, polygons[0], polygons[1]));
     for (Index& corner : discs.back().reshaped()) {
-      corner = local(polygon.corners[corner]);
+      corner = local(corners[corner]);
     }
     patch.net.append(discs.back());
-    for (std::size_t i = 0; i < loop.size(); ++i) {
-      patch.rim.push_back({local(polygon.corners[i]), local(polygon.corners[(i + 1) % loop.size()]),
-                           polygon.mesh_triangles[i]});
-    }
   }
   patch.one_disc = discs.size() == 1;
   mark_taken(patch, on_rim, discs);
   measure_spacing(patch);
+  leave_out_protruding(patch, around);
   return patch;
 }
 

@@ -23,8 +23,12 @@ struct RimEdge {
 struct Patch {
   Points X;                        ///< positions, #vertices x 3
   std::vector<Index> mesh_vertex;  ///< the mesh vertex of each vertex of the surroundings
-  Triangles surroundings;          ///< every triangle that shares a stencil with a free vertex
-  TriangleNet net;                 ///< the patch; holes that touch make one patch of several discs
+  /// Every triangle that shares a stencil with a free vertex, except `protruding`.
+  Triangles surroundings;
+  /// Rows of Topology::F: triangles that hang on the mesh by one edge at the rim and stand up from
+  /// it steeply. The patch ends at them, but takes no direction from them.
+  std::vector<Index> protruding;
+  TriangleNet net;  ///< the patch; holes that touch make one patch of several discs
   std::vector<RimEdge> rim;
   EdgeSet taken;         ///< edges that the patch must not use: the mesh or another disc has them
   bool one_disc = true;  ///< the patch fills a single loop
@@ -37,15 +41,25 @@ struct Patch {
   Index own_size() const { return size() - own_from; }
 };
 
+/// The triangles of the surroundings, followed by those of the patch, #F x 3.
+Triangles all_triangles(const Patch& patch);
+
 /// The vertices of all triangles at `vertices`, including `vertices`, sorted.
 std::vector<Index> grown_by_ring(const Topology& topology, const std::vector<Index>& vertices);
 
-/// Triangulates the polygons `loops` (mesh vertices, none twice in a loop, the mesh to their left)
-/// and cuts the part of the mesh out that the fairing of the patch needs. `free_rings` rings of
-/// mesh vertices may move; the loops themselves are the first ring. Throws BadMesh, with the
-/// reason, if a loop cannot be triangulated.
+/// What a disc or a ring of a patch fills: a loop (mesh vertices, none twice, the mesh to its
+/// left), without the island inside it if there is one.
+struct PatchOutline {
+  std::vector<Index> loop;
+  std::vector<Index> island = {};  ///< a loop of another component
+};
+
+/// Triangulates the outlines and cuts the part of the mesh out that the fairing of the patch needs.
+/// The rim of the patch lists the edges of each loop, followed by those of its island. `free_rings`
+/// rings of mesh vertices may move; the loops themselves are the first ring. Throws BadMesh, with
+/// the reason, if an outline cannot be triangulated.
 Patch cut_patch(const Points& X, const Topology& topology,
-                const std::vector<std::vector<Index>>& loops, int free_rings = 0);
+                const std::vector<PatchOutline>& outlines, int free_rings = 0);
 
 /// The patch that consists of the mesh triangles at the vertices of `region`. These vertices may
 /// move, except at defects; all others are fixed. The patch has no vertices of its own.

@@ -142,4 +142,21 @@ SeamAudit audit_seam(const Patch& patch, const std::vector<Index>& nearest,
   return audit;
 }
 
+PatchSize audit_size(const Patch& patch, const std::vector<Index>& nearest,
+                     const std::vector<std::uint8_t>& chosen) {
+  PatchSize size;
+  Eigen::AlignedBox3d box;
+  for (Index t = 0; t < patch.net.size(); ++t) {
+    if (chosen[nearest[t]]) {
+      const auto& x = patch.net[t];
+      size.area += area_vector(patch.X, x[0], x[1], x[2]).norm() / 2;
+      for (const Index v : x) {
+        box.extend(patch.X.row(v).transpose());
+      }
+    }
+  }
+  size.diameter = box.isEmpty() ? 0 : box.diagonal().norm();
+  return size;
+}
+
 }  // namespace ibmfair

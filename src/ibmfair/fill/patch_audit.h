@@ -20,6 +20,12 @@ struct SeamAudit {
   Index folds = 0;     ///< foldovers in the patch and at the seam (flow/steps/folds.h)
 };
 
+/// How large a patch, or a part of it, is.
+struct PatchSize {
+  double diameter = 0;  ///< diagonal of the bounding box, length
+  double area = 0;      ///< length^2
+};
+
 /// For each triangle of the patch, the number of the nearest rim edge; distances are counted in
 /// triangles.
 std::vector<Index> nearest_rim_edges(const Patch& patch);
@@ -27,6 +33,10 @@ std::vector<Index> nearest_rim_edges(const Patch& patch);
 /// Audits the triangles whose nearest rim edge is flagged in `chosen` (one flag per rim edge).
 /// `nearest`: the result of nearest_rim_edges.
 SeamAudit audit_seam(const Patch& patch, const std::vector<Index>& nearest,
+                     const std::vector<std::uint8_t>& chosen);
+
+/// The size of the same triangles.
+PatchSize audit_size(const Patch& patch, const std::vector<Index>& nearest,
                      const std::vector<std::uint8_t>& chosen);
 
 }  // namespace ibmfair

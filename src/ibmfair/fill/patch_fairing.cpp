@@ -21,15 +21,10 @@ constexpr double coarse_rim = 20;         // approximate number of rim edges at 
 constexpr int most_late_refinements = 3;
 // The patch is refined again if it has more too long edges than this, relative to its own vertices.
 constexpr double late_share = 0.05;
+constexpr int sweeps_on_sphere = 4;  // of relaxation
 // The largest move along a normal in the last step of a converged level, in edge lengths.
 constexpr double small_move = 0.004;
 constexpr double coarse_small_move = 0.02;  // the same if a finer level follows
-
-Triangles all_triangles(const Patch& patch) {
-  Triangles F(patch.surroundings.rows() + patch.net.size(), 3);
-  F << patch.surroundings, patch.net.triangles();
-  return F;
-}
 
 std::vector<std::uint8_t> fixed_vertices(const Patch& patch, const Topology& topology) {
   std::vector<std::uint8_t> fixed(patch.free.size());
@@ -81,9 +76,10 @@ class Stage {
 
 class PatchFairing {
  public:
-  PatchFairing(Patch& patch, const FairingOptions& options)
+  PatchFairing(Patch& patch, const FairingOptions& options, const PatchBound& bound)
       : patch_(patch),
         options_(options),
+        bound_(bound),
         flow_options_(options.flow_options()),
         h_(time_for_cutoff(first_cutoff * first_length(patch))),
         h_limit_(h_ * limit_growth) {
@@ -100,6 +96,10 @@ class PatchFairing {
     for (int step = 0; step < options_.most_steps && flow().advance(); ++step) {
       ++report_.steps;
       report_.last_move = flow().last_normal_move();
+      if (bound_.is_exceeded(flow().X(), patch_.own_from)) {
+        report_.ran_away = true;
+        break;
+      }
       const bool at_limit = flow().time_step() >= h_limit_;
       if (at_limit && report_.last_move < settled && gradient_ratio() < options_.tolerance) {
         report_.converged = true;
@@ -170,6 +170,7 @@ class PatchFairing {
 
   Patch& patch_;
   const FairingOptions& options_;
+  const PatchBound bound_;
   FlowOptions flow_options_;
   FairingReport report_;
   double h_;
@@ -198,12 +199,26 @@ FlowOptions FairingOptions::flow_options() const {
 }
 
 FairingReport fair(Patch& patch, const FairingOptions& options) {
-  PatchFairing fairing(patch, options);
+  PatchFairing fairing(patch, options, {});
   fairing.run(options.relax, true);
   return fairing.report();
 }
 
 namespace {
+
+/// Moves the patch to the sphere, and refines it there. Returns what `refine` returns.
+bool refine_on(const RimSphere& sphere, Patch& patch, double coarsening, Index most_vertices) {
+  if (!lift_to(sphere, patch)) {
+    return true;
+  }
+  const bool refined = refine(patch, {coarsening, true, most_vertices});
+  even_out(patch, sweeps_on_sphere);
+  for (Index v = patch.own_from; v < patch.size(); ++v) {
+    const Vec3 ray = patch.X.row(v).transpose() - sphere.center;
+    patch.X.row(v) = sphere.center + sphere.radius * ray.normalized();
+  }
+  return refined;
+}
 
 /// Refines and fairs again a patch whose edges have become too long because it bulged out. If the
 /// refined patch does not converge, the previous patch and report are kept.
@@ -227,18 +242,24 @@ void refine_late(Patch& patch, PatchFairing& fairing, Index most_vertices) {
 
 }  // namespace
 
-FairingReport refine_and_fair(Patch& patch, const FairingOptions& options, Index most_vertices,
-                              bool& refined) {
-  PatchFairing fairing(patch, options);
+FairingReport refine_and_fair(Patch& patch, const FairingOptions& options,
+                              const PatchLimits& limits, bool& refined) {
+  PatchFairing fairing(patch, options, limits.bound);
   const auto rim = static_cast<double>(patch.rim.size());
   const int coarsest =
       std::clamp(static_cast<int>(std::log2(rim / coarse_rim)), 0, options.most_levels - 1);
   refined = true;
-  for (int level = coarsest; level >= 0 && refined; --level) {
-    refined = refine(patch, {std::ldexp(1.0, level), level < coarsest, most_vertices});
+  for (int level = coarsest; level >= 0 && refined && !fairing.report().ran_away; --level) {
+    const double coarsening = std::ldexp(1.0, level);
+    refined = refine(patch, {coarsening, level < coarsest, limits.most_vertices});
+    if (level == coarsest && limits.start) {
+      refined = refined && refine_on(*limits.start, patch, coarsening, limits.most_vertices);
+    }
     fairing.run(level == coarsest, level == 0 || !refined);
   }
-  refine_late(patch, fairing, most_vertices);
+  if (!fairing.report().ran_away) {
+    refine_late(patch, fairing, limits.most_vertices);
+  }
   return fairing.report();
 }
 

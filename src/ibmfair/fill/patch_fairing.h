@@ -2,9 +2,11 @@
 #pragma once
 
 #include <limits>
+#include <optional>
 #include <string>
 
 #include "ibmfair/fill/patch.h"
+#include "ibmfair/fill/patch_bound.h"
 #include "ibmfair/flow/flow_options.h"
 
 namespace ibmfair {
@@ -31,8 +33,16 @@ struct FairingReport {
   double energy_before = 0, energy_after = 0;  ///< over the stencils that touch a free vertex
   double gradient_ratio = 1;  ///< normal gradient at the end over the normal gradient at the start
   double last_move = 0;       ///< largest move along a normal in the last step, in edge lengths
+  bool ran_away = false;      ///< the fairing was ended because the patch exceeded its bound
   int levels = 0, steps = 0;
   FlowReport flow;  ///< unknowns of the last level; solves, factorizations, seconds of all levels
+};
+
+/// Where a patch starts and what it must not exceed.
+struct PatchLimits {
+  Index most_vertices = 0;  ///< of the patch's own
+  PatchBound bound;
+  std::optional<RimSphere> start = {};
 };
 
 /// Moves the patch's free vertices to the stationary point of E_b on its present triangles; all
@@ -45,9 +55,10 @@ FairingReport fair(Patch& patch, const FairingOptions& options);
 /// coarse to fine. The edges of the coarsest level are 2^k times as long as the final edges, with k
 /// as large as the size of the hole allows. On the coarsest level the patch takes its shape, and
 /// its triangulation is adapted (relaxation and Delaunay flips); every finer level refines the
-/// previous one along its curvature and changes little. The patch never gets more than
-/// `most_vertices` vertices of its own; `refined` becomes false if this limit ended the refinement.
-FairingReport refine_and_fair(Patch& patch, const FairingOptions& options, Index most_vertices,
-                              bool& refined);
+/// previous one along its curvature and changes little. With `limits.start` the patch starts on
+/// this sphere instead of across the rim. The patch never gets more vertices of its own than the
+/// limit; `refined` becomes false if the limit ended the refinement.
+FairingReport refine_and_fair(Patch& patch, const FairingOptions& options,
+                              const PatchLimits& limits, bool& refined);
 
 }  // namespace ibmfair

@@ -1,0 +1,33 @@
+#include "ibmfair/fill/patch_methods.h"
+
+namespace ibmfair {
+
+std::vector<PatchMethod> patch_methods(const FillOptions& options) {
+  const PatchMethod unfaired{"no fairing", PatchKind::unfaired};
+  if (!options.fair) {
+    return {unfaired};
+  }
+  const FairingOptions& asked = options.fairing;
+  const PatchMethod first{asked.laplacian, PatchKind::stationary, asked};
+  std::vector<PatchMethod> methods{first};
+  // At a rim with a sharp tip, the few triangles of the coarsest level cannot follow the rim.
+  if (options.refine && asked.most_levels > 1) {
+    methods.push_back(first);
+    methods.back().name += " at the finest level only";
+    methods.back().fairing.most_levels = 1;
+  }
+  methods.push_back(first);
+  FairingOptions& other = methods.back().fairing;
+  other.laplacian = asked.laplacian == "crouzeix-raviart" ? "lagrange" : "crouzeix-raviart";
+  other.mass_matrix.clear();
+  methods.back().name = other.laplacian;
+  methods.push_back(first);
+  methods.back().name += " with smoothed directions at the rim";
+  methods.back().smooth_directions = true;
+  methods.push_back({"linear fairing", PatchKind::linear});
+  methods.push_back(unfaired);
+  methods.push_back({"no refinement", PatchKind::plain});
+  return methods;
+}
+
+}  // namespace ibmfair

@@ -1,0 +1,32 @@
+// The methods by which a patch can be made, in the order in which they are tried.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "ibmfair/fill/fill_holes.h"
+
+namespace ibmfair {
+
+enum class PatchKind : std::uint8_t {
+  stationary,  ///< of stationary bending energy
+  linear,      ///< by linear fairing
+  unfaired,    ///< triangulated and refined only
+  plain,       ///< triangulated only
+};
+
+struct PatchMethod {
+  std::string name;  ///< as reports state it
+  PatchKind kind = PatchKind::stationary;
+  FairingOptions fairing = {};
+  /// The mesh is smoothed around the rim before the patch takes its direction from there. Only the
+  /// patch sees the smoothed mesh.
+  bool smooth_directions = false;
+};
+
+/// The methods that the options allow. The first is the one that they ask for; the others are for
+/// holes in which it fails.
+std::vector<PatchMethod> patch_methods(const FillOptions& options);
+
+}  // namespace ibmfair
