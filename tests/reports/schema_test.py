@@ -64,6 +64,8 @@ class SchemaTest(ProgramTest):
         yield self.json("fill", "open.off", "out.off", "--all", "--max-new-vertices", "1",
                         "--overwrite", code=1)
         yield self.json("fill", "open.off", "out.off", "--region", "@all", "--overwrite")
+        fin = pathlib.Path(__file__).parents[1] / "fill" / "reported" / "fin_at_rim.off"
+        yield self.json("fill", fin, "out.off", "--overwrite")
         yield self.json("holes", "open.off")
         yield self.json("info", "ball.off", "--sphere")
         yield self.json("info", "ball.off", "--laplacian", "lagrange", "--mass", "voronoi")
