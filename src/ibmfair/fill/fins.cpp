@@ -1,6 +1,7 @@
 #include "ibmfair/fill/fins.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <utility>
@@ -25,12 +26,6 @@ class ProtrudingTriangles {
       : patch_(patch), around_(around), stays_(around.size(), 1) {
     for (const RimEdge& edge : patch.rim) {
       outer_.add(edge.a, edge.b);
-    }
-    for (Index t = 0; t < patch.surroundings.rows(); ++t) {
-      const auto x = patch.surroundings.row(t);
-      for (int i = 0; i < 3; ++i) {
-        triangles_[std::minmax(x[i], x[(i + 1) % 3])].push_back(t);
-      }
     }
   }
 
@@ -65,8 +60,8 @@ class ProtrudingTriangles {
     if (!stays_[t] || outer_edges != 2) {
       return false;
     }
-    const auto& pair = triangles_.at(std::minmax(x[base], x[(base + 1) % 3]));
-    if (pair.size() != 2 || !(bend(pair) > steep_angle())) {
+    const Index other = beyond(t, base);
+    if (other < 0 || !(bend(t, other) > steep_angle())) {
       return false;
     }
     stays_[t] = 0;
@@ -75,18 +70,50 @@ class ProtrudingTriangles {
     return true;
   }
 
-  double bend(const std::vector<Index>& pair) const {
-    const Vec3 N = double_area_vector(patch_.X, patch_.surroundings, pair[0]);
-    const Vec3 M = double_area_vector(patch_.X, patch_.surroundings, pair[1]);
+  /// The triangle on the other side of an edge, if there is exactly one.
+  Index beyond(Index t, int corner) {
+    if (sides_.empty()) {
+      list_sides();
+    }
+    const auto [a, b] = ends(t, corner);
+    const auto first = std::lower_bound(sides_.begin(), sides_.end(), Side{a, b, -1});
+    const auto is_there = [&](auto it) {
+      return it != sides_.end() && (*it)[0] == a && (*it)[1] == b;
+    };
+    if (!is_there(first + 1) || is_there(first + 2)) {
+      return -1;
+    }
+    return (*first)[2] == t ? (*(first + 1))[2] : (*first)[2];
+  }
+
+  void list_sides() {
+    for (Index t = 0; t < patch_.surroundings.rows(); ++t) {
+      for (int i = 0; i < 3; ++i) {
+        const auto [a, b] = ends(t, i);
+        sides_.push_back({a, b, t});
+      }
+    }
+    std::ranges::sort(sides_);
+  }
+
+  std::pair<Index, Index> ends(Index t, int corner) const {
+    const Index a = patch_.surroundings(t, corner), b = patch_.surroundings(t, (corner + 1) % 3);
+    return {std::min(a, b), std::max(a, b)};
+  }
+
+  double bend(Index t, Index u) const {
+    const Vec3 N = double_area_vector(patch_.X, patch_.surroundings, t);
+    const Vec3 M = double_area_vector(patch_.X, patch_.surroundings, u);
     return std::atan2(N.cross(M).norm(), N.dot(M));
   }
 
   double steep_angle() {
     if (steep_angle_ == 0) {
       std::vector<double> bends{0};
-      for (const auto& [edge, pair] : triangles_) {
-        if (pair.size() == 2) {
-          bends.push_back(bend(pair));
+      for (std::size_t i = 0; i + 1 < sides_.size(); ++i) {
+        const Side &side = sides_[i], &next = sides_[i + 1];
+        if (side[0] == next[0] && side[1] == next[1]) {
+          bends.push_back(bend(side[2], next[2]));
         }
       }
       const auto middle = bends.begin() + std::ssize(bends) / 2;
@@ -99,9 +126,10 @@ class ProtrudingTriangles {
   Patch& patch_;
   const std::vector<Index>& around_;
   std::vector<std::uint8_t> stays_;
-  EdgeSet outer_;  // edges with no triangle of the surroundings on one side
-  std::map<std::pair<Index, Index>, std::vector<Index>> triangles_;  // at each edge
-  double steep_angle_ = 0;                                           // 0: not computed yet
+  EdgeSet outer_;                     // edges with no triangle of the surroundings on one side
+  using Side = std::array<Index, 3>;  // an edge, the smaller end first, and a triangle at the edge
+  std::vector<Side> sides_;           // sorted; empty until they are needed
+  double steep_angle_ = 0;            // 0: not computed yet
 };
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "ibmfair/base/errors.h"
+#include "ibmfair/fill/box_grid.h"
 #include "ibmfair/fill/patch_bound.h"
 
 namespace ibmfair {
@@ -68,6 +69,15 @@ bool may_surround(const Hole& hole, const Hole& island) {
          island.simple && island.border_share > 0 && hole.diameter > island.diameter;
 }
 
+bool is_island(const Points& X, const Topology& topology, const Hole& hole, const Hole& island,
+               const Outline& outer, const Outline& inner) {
+  return may_surround(hole, island) &&
+         -outer.area.dot(inner.area) > least_cosine * outer.area.norm() * inner.area.norm() &&
+         std::ranges::all_of(inner.X.rowwise(),
+                             [&](const auto& x) { return outer.surrounds(x.transpose()); }) &&
+         is_near_expected(X, topology, hole, outer, inner);
+}
+
 }  // namespace
 
 std::vector<Index> surrounding_holes(const Points& X, const Topology& topology,
@@ -80,17 +90,19 @@ std::vector<Index> surrounding_holes(const Points& X, const Topology& topology,
   for (const Hole& hole : holes) {
     outlines.emplace_back(X, hole);
   }
+  std::vector<BoxGrid::Box> boxes;
+  for (const Outline& outline : outlines) {
+    boxes.emplace_back(outline.X.colwise().minCoeff().transpose(),
+                       outline.X.colwise().maxCoeff().transpose());
+  }
+  const BoxGrid grid(boxes);
+  std::vector<Index> near;
   for (const Hole& hole : holes) {
-    const Outline& outer = outlines[hole.id];
-    for (const Hole& island : holes) {
-      const Outline& inner = outlines[island.id];
-      const bool faces_same_side =
-          -outer.area.dot(inner.area) > least_cosine * outer.area.norm() * inner.area.norm();
-      if (may_surround(hole, island) && faces_same_side &&
-          std::ranges::all_of(inner.X.rowwise(),
-                              [&](const auto& x) { return outer.surrounds(x.transpose()); }) &&
-          is_near_expected(X, topology, hole, outer, inner)) {
-        result[island.id] = hole.id;
+    const Vec3 bulge = Vec3::Constant(hole.diameter / 2);  // the surface may rise above its rim
+    grid.find({boxes[hole.id].min() - bulge, boxes[hole.id].max() + bulge}, near);
+    for (const Index other : near) {
+      if (is_island(X, topology, hole, holes[other], outlines[hole.id], outlines[other])) {
+        result[other] = hole.id;
         ++islands[hole.id];
       }
     }
