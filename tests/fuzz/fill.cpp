@@ -35,6 +35,7 @@ bool in_range(const std::vector<Index>& numbers, Eigen::Index count) {
 
 /// The sizes and indices of the filling agree with each other and with the mesh.
 void require_fit(const Filling& filling, const Mesh& mesh, const Topology& topology) {
+  const auto holes = static_cast<Eigen::Index>(find_holes(mesh.X, topology).size());
   const Eigen::Index vertices = mesh.X.rows() + filling.new_X.rows();
   law(filling.X.rows() == mesh.X.rows(), "no vertex is lost");
   law(filling.X.allFinite() && filling.new_X.allFinite(), "all ends in finite places");
@@ -50,7 +51,6 @@ void require_fit(const Filling& filling, const Mesh& mesh, const Topology& topol
   law(filling.model_triangle.size() == triangles && filling.hole_of_triangle.size() == triangles,
       "every new triangle has a hole and a model");
   law(in_range(filling.model_triangle, topology.F.rows()), "models are triangles of the mesh");
-  const auto holes = static_cast<Eigen::Index>(topology.boundary_loops.size());
   law(in_range(filling.hole_of_triangle, holes), "new triangles belong to holes");
   law(static_cast<Eigen::Index>(filling.holes.size()) == holes, "every hole is reported");
   law(in_range(filling.rim(), mesh.X.rows()), "the rim is of the mesh");
@@ -74,12 +74,11 @@ void require_closed(const Filling& filling, const Topology& topology) {
   for (Index e = 0; e < after.E.rows(); ++e) {
     if (after.edge_triangles[e].size() == 1) open.insert({after.E(e, 0), after.E(e, 1)});
   }
-  for (std::size_t h = 0; h < filling.holes.size(); ++h) {
-    if (filling.holes[h].status != HoleStatus::filled) continue;
-    const BoundaryLoop& loop = topology.boundary_loops[h];
-    for (std::size_t i = 0; i < loop.vertices.size(); ++i) {
-      const auto [a, b] =
-          std::minmax(loop.vertices[i], loop.vertices[(i + 1) % loop.vertices.size()]);
+  for (const Hole& hole : find_holes(filling.X, topology)) {
+    if (filling.holes[hole.id].status != HoleStatus::filled) continue;
+    const std::vector<Index>& loop = hole.loop;
+    for (std::size_t i = 0; i < loop.size(); ++i) {
+      const auto [a, b] = std::minmax(loop[i], loop[(i + 1) % loop.size()]);
       law(!open.contains({a, b}), "a filled hole is closed");
     }
   }

@@ -121,6 +121,10 @@ TEST_F(FillBound, NoPatchRunsAwayFromARoughRim) {
         mesh.X = shaken(State(mesh), noise, seed);
         expect_no_balloon(fill(mesh));
         expect_no_balloon(fill(mesh, {"--rim-smooth", "2"}));
+        const Filled generous = fill(mesh, {"--max-new-vertices", "1000000"});
+        expect_no_balloon(generous);
+        const double edges = generous.holes[0]["edges"];
+        EXPECT_LE(generous.new_X().rows(), 64 + edges * edges);
       }
     }
   }

@@ -29,7 +29,8 @@ struct FillOptions {
   /// The most new vertices in all holes together. 0: the number of vertices of the mesh, but at
   /// least 100,000; and about n^2 / 2 in a hole of n edges, several times the number that a patch
   /// like a half sphere needs, but less than a balloon would need. A hole in which more than a half
-  /// sphere is missing may get twice as many as its sphere needs.
+  /// sphere is missing may get twice as many as its sphere needs. No patch gets many more than the
+  /// largest patch within its bound needs, even if this number is larger.
   Index most_new_vertices = 0;
   HoleObserver on_hole = {};
 };

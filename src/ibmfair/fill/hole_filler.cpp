@@ -14,8 +14,7 @@
 namespace ibmfair {
 namespace {
 
-// The most vertices of a patch if the options set no limit: for a hole of n edges, or for a missing
-// sphere that needs m vertices.
+// The most vertices of a patch: for a hole of n edges, or for an area that needs m vertices.
 constexpr double least_vertices = 64;
 constexpr double vertices_per_squared_edge = 0.5;
 constexpr double vertices_per_needed = 2;
@@ -27,15 +26,14 @@ std::vector<std::uint8_t> rim_of(const FilledGroup& group, Index hole) {
   return chosen;
 }
 
-/// The number of vertices of even triangles, with edges as long as those of the rim, that cover an
-/// area.
+/// The number of vertices of even triangles that cover an area, with edges as long as those of the
+/// rim.
 double vertices_needed(const Patch& patch, double area) {
-  double squares = 0;
+  double per_squared_length = 0;
   for (const RimEdge& edge : patch.rim) {
-    squares += (patch.X.row(edge.a) - patch.X.row(edge.b)).squaredNorm();
+    per_squared_length += 1 / (patch.X.row(edge.a) - patch.X.row(edge.b)).squaredNorm();
   }
-  const double mean_square = squares / static_cast<double>(patch.rim.size());
-  return area / (std::sqrt(3.0) / 2 * mean_square);
+  return area * per_squared_length / static_cast<double>(patch.rim.size()) / (std::sqrt(3.0) / 2);
 }
 
 Index count_folds(const Patch& patch) {
@@ -158,7 +156,10 @@ PatchLimits HoleFiller::limits_of(const FilledGroup& group) const {
       most = std::max(most, vertices_per_needed * vertices_needed(plain, sphere->missing_area()));
     }
   }
-  if (options_.most_new_vertices == 0 && most < limits.most_vertices) {
+  if (options_.most_new_vertices > 0) {  // more than this not even the largest patch needs
+    most = std::max(most, vertices_per_needed * vertices_needed(plain, limits.bound.area));
+  }
+  if (most < limits.most_vertices) {
     limits.most_vertices = static_cast<Index>(most);
   }
   return limits;
