@@ -4,7 +4,7 @@
 
 #include <algorithm>
 #include <optional>
-#include <string>
+#include <utility>
 
 #include <gtest/gtest.h>
 
@@ -22,7 +22,7 @@ namespace {
 class Searching {
  public:
   explicit Searching(const State& of, double roughness = 0.05, FlowOptions with = {})
-      : state_(of), options_(with) {
+      : state_(of), options_(std::move(with)) {
     state_.X = shaken(of, roughness);
     options_.solver = "multifrontal";
     options_.total_time = time_for_cutoff(4 * mean_edge_length(state_.X, state_.topology.E));

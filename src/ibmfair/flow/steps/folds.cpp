@@ -4,37 +4,53 @@
 #include <cmath>
 
 #include "ibmfair/base/parallel.h"
+#include "ibmfair/mesh/corners.h"
+#include "ibmfair/mesh/geometry.h"
 
 namespace ibmfair {
 namespace {
 
-/// Whether the dihedral angle theta of a hinge is smaller than an angle: cos(theta) = -<n0, n1> >
-/// cos(angle), without a square root.
-bool is_folded(const Points& X, const Hinges& H, std::int64_t h, double cos_squared) {
-  const Vec3 x0 = X.row(H(h, 0)), x1 = X.row(H(h, 1)), x2 = X.row(H(h, 2)), x3 = X.row(H(h, 3));
-  const Vec3 edge = x1 - x0;
-  const Vec3 N0 = edge.cross(x2 - x0), N1 = (x3 - x0).cross(edge);  // double area vectors
-  const double dot = N0.dot(N1);
-  if (dot > 0) {  // nearly always
-    return false;
-  }
-  const double scale = N0.squaredNorm() * N1.squaredNorm();
-  return !(scale > 0) || dot * dot > cos_squared * scale;
+/// Flags (#H) of the hinges with a near vertex and a smaller dihedral angle than `angle`. `near`:
+/// #V flags, or empty if all vertices are near.
+std::vector<std::uint8_t> folded_near(const Points& X, const Topology& topology, double angle,
+                                      const std::vector<std::uint8_t>& near) {
+  const auto is_near = [&](Index v) { return near.empty() || near[v] != 0; };
+  std::vector<Vec3> normals(static_cast<std::size_t>(topology.F.rows()));
+  parallel_for(topology.F.rows(), [&](std::int64_t t) {
+    const auto x = topology.F.row(t);
+    if (is_near(x[0]) || is_near(x[1]) || is_near(x[2])) {
+      normals[t] = double_area_vector(X, topology.F, t);
+    }
+  });
+  // The dihedral angle theta is smaller if cos(theta) = -<n0, n1> > cos(angle).
+  const double cosine = std::cos(angle), cos_squared = cosine * cosine;
+  const auto is_folded = [&](std::int64_t h) {
+    const auto t = topology.hinge_triangles.row(h);
+    const Vec3 &N0 = normals[t[0]], &N1 = normals[t[1]];
+    const bool agree =
+        topology.orientable || runs_along(topology.F, t[1], topology.H(h, 1), topology.H(h, 0));
+    const double dot = agree ? N0.dot(N1) : -N0.dot(N1);
+    if (dot > 0) {  // nearly always
+      return false;
+    }
+    const double scale = N0.squaredNorm() * N1.squaredNorm();
+    return !(scale > 0) || dot * dot > cos_squared * scale;
+  };
+  std::vector<std::uint8_t> folded(static_cast<std::size_t>(topology.H.rows()));
+  parallel_for(topology.H.rows(), [&](std::int64_t h) {
+    folded[h] = is_near(topology.H(h, 0)) && is_folded(h) ? 1 : 0;
+  });
+  return folded;
 }
 
 }  // namespace
 
 std::vector<std::uint8_t> folded_hinges(const Points& X, const Topology& topology, double angle) {
-  std::vector<std::uint8_t> folded(static_cast<std::size_t>(topology.H.rows()));
-  const double cos_squared = std::pow(std::cos(angle), 2);
-  parallel_for(topology.H.rows(), [&](std::int64_t h) {
-    folded[h] = is_folded(X, topology.H, h, cos_squared) ? 1 : 0;
-  });
-  return folded;
+  return folded_near(X, topology, angle, {});
 }
 
 double least_turn(double angle) {
-  // For a slightly larger angle, because the energy and is_folded() round differently.
+  // For a slightly larger angle, because the energy and folded_near() round differently.
   return 1 + std::cos(1.01 * angle);
 }
 
@@ -43,17 +59,11 @@ FoldWatch::FoldWatch(const Points& X, const Topology& topology)
 
 std::vector<Index> FoldWatch::new_folds(const Points& X,
                                         const std::vector<std::uint8_t>& near) const {
-  static const double cos_squared = std::pow(std::cos(fold_angle), 2);
-  const Hinges& H = topology_.H;
-  std::vector<std::uint8_t> folded(known_.size());
-  parallel_for(H.rows(), [&](std::int64_t h) {
-    const bool may_be_new = !known_[h] && (near.empty() || near[H(h, 0)] != 0);
-    folded[h] = may_be_new && is_folded(X, H, h, cos_squared) ? 1 : 0;
-  });
+  const std::vector<std::uint8_t> folded = folded_near(X, topology_, fold_angle, near);
   std::vector<Index> vertices;
   for (std::size_t h = 0; h < folded.size(); ++h) {
-    if (folded[h]) {
-      const auto x = H.row(static_cast<Eigen::Index>(h));
+    if (folded[h] && !known_[h]) {
+      const auto x = topology_.H.row(static_cast<Eigen::Index>(h));
       vertices.insert(vertices.end(), x.begin(), x.end());
     }
   }
