@@ -212,7 +212,7 @@ std::vector<HostileMesh> hostile_meshes() {
       {"dense soup with repeated corners", soup(30, 400), 0, incomplete},
       {"duplicate faces", with_copies(ball(), false)},
       {"opposite faces", with_copies(ball(), true)},
-      {"fins", with_fins(ball()), 0, incomplete},
+      {"fins", with_fins(ball())},
       {"isolated vertices", with_isolated_vertices(ball())},
       {"Moebius strip", named(nonorientable_meshes(), "Moebius strip"), 0, incomplete},
       {"Klein bottle", named(nonorientable_meshes(), "Klein bottle")},
