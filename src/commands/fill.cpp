@@ -9,6 +9,7 @@
 
 #include "commands/command.h"
 #include "commands/defect_warnings.h"
+#include "commands/figure_list.h"
 #include "commands/fill_arguments.h"
 #include "commands/fill_report.h"
 #include "commands/mesh_statistics.h"
@@ -259,8 +260,15 @@ ExitCode fill(const FillArguments& arguments, const Input& input, FillSeconds& s
   add_filling(filling, holes, seconds, report);
   const auto filled = std::count_if(filling.holes.begin(), filling.holes.end(),
                                     [](const HoleReport& hole) { return hole.new_triangles > 0; });
+  if (!filling.fins.empty()) {
+    console.note(
+        fmt::format("{} on edges of three or more triangles, such as {}: left aside",
+                    counted(std::ssize(filling.fins), "triangle stands", "triangles stand"),
+                    filling.fins.front()));
+  }
   if (filling.holes.empty()) {
-    console.note(fmt::format("{}: no holes, the mesh is closed", arguments.input));
+    console.note(fmt::format("{}: no holes{}", arguments.input,
+                             filling.fins.empty() ? ", the mesh is closed" : ""));
   } else {
     console.note(fmt::format("{} -> {}, {} of {} holes filled: {} new vertices, {} new triangles",
                              arguments.input, arguments.output.path, filled, filling.holes.size(),

@@ -113,6 +113,8 @@ class SurfaceWithoutFins {
 
   const Topology& topology() const { return copy_ ? *copy_ : whole_; }
 
+  const std::vector<Index>& fins() const { return fins_; }
+
   /// Adds each fin to the report of a hole at whose rim it stands.
   void name_fins(const std::vector<Hole>& holes, std::vector<HoleReport>& reports) const {
     for (const Index t : fins_) {
@@ -207,6 +209,7 @@ Filling fill_holes(const Points& X, const Topology& topology, const HoleChoice& 
     filling = assemble_without_intersections(X, topology, filling.holes, filler, results);
   }
   surface.name_fins(holes, filling.holes);
+  filling.fins = surface.fins();
   filling.audit_seconds = audit_seconds;
   for (FilledGroup& group : results) {
     if (group.patch) {

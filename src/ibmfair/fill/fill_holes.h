@@ -76,6 +76,7 @@ struct Filling {
   std::vector<Index> hole_of_triangle;  ///< #new triangles: Hole::id
   std::vector<HoleReport> holes;        ///< one for every hole of the mesh, by id
   std::vector<Patch> patches;           ///< in the order of their vertices in `new_X`
+  std::vector<Index> fins;              ///< triangles of fins (fill/fins.h), which were left aside
   double audit_seconds = 0;             ///< spent on the search for intersections
 
   /// Extends values at the vertices `rim()` (one row each) harmonically to the new vertices, patch

@@ -124,7 +124,7 @@ class Disentangling {
       Filling filling = counted(groups);
       std::vector<Index> entangled;
       for (std::size_t i = 0; i < groups.size(); ++i) {
-        if (intersections_of(groups[i], filling) > 0) {
+        if (intersections_of(groups[i], filling) > 0 && filler_.has_further_method(groups[i])) {
           entangled.push_back(static_cast<Index>(i));
         }
       }

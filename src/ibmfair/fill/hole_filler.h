@@ -40,6 +40,11 @@ class HoleFiller {
   /// looked at.
   void finish(FilledGroup& group) const;
 
+  /// Whether another method can be tried for the group.
+  bool has_further_method(const FilledGroup& group) const {
+    return group.patch && group.method + 1 < methods_.size();
+  }
+
   /// Rejects the patch of the group for `reason` and continues with the next method.
   void finish_otherwise(FilledGroup& group, const std::string& reason) const;
 

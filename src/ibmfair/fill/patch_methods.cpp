@@ -1,12 +1,9 @@
 #include "ibmfair/fill/patch_methods.h"
 
 namespace ibmfair {
+namespace {
 
-std::vector<PatchMethod> patch_methods(const FillOptions& options) {
-  const PatchMethod unfaired{"no fairing", PatchKind::unfaired};
-  if (!options.fair) {
-    return {unfaired};
-  }
+std::vector<PatchMethod> fairing_methods(const FillOptions& options) {
   const FairingOptions& asked = options.fairing;
   const PatchMethod first{asked.laplacian, PatchKind::stationary, asked};
   std::vector<PatchMethod> methods{first};
@@ -25,7 +22,19 @@ std::vector<PatchMethod> patch_methods(const FillOptions& options) {
   methods.back().name += " with smoothed directions at the rim";
   methods.back().smooth_directions = true;
   methods.push_back({"linear fairing", PatchKind::linear});
-  methods.push_back(unfaired);
+  return methods;
+}
+
+}  // namespace
+
+std::vector<PatchMethod> patch_methods(const FillOptions& options) {
+  std::vector<PatchMethod> methods;
+  if (options.fair) {
+    methods = fairing_methods(options);
+  }
+  if (options.refine) {
+    methods.push_back({"no fairing", PatchKind::unfaired});
+  }
   methods.push_back({"no refinement", PatchKind::plain});
   return methods;
 }

@@ -26,7 +26,7 @@ struct PatchMethod {
 };
 
 /// The methods that the options allow. The first is the one that they ask for; the others are for
-/// holes in which it fails.
+/// holes in which it fails. The last one adds no vertices.
 std::vector<PatchMethod> patch_methods(const FillOptions& options);
 
 }  // namespace ibmfair
