@@ -18,7 +18,7 @@ constexpr double small_share = 0.01;
 
 // A triangle stands up from the mesh if it bends by more than both.
 constexpr double least_steep_angle = 0.5;    // radians
-constexpr double steep_in_median_bends = 4;  // of the surrounding triangles
+constexpr double steep_in_median_bends = 8;  // of the surrounding triangles
 
 class ProtrudingTriangles {
  public:
