@@ -29,6 +29,7 @@ void FlowOptions::validate() const {
   require(solver_tolerance > 0 && solver_tolerance < 1,
           "the tolerance of the solver must be above 0 and below 1");
   require(memory_limit > 0, "the memory limit must be positive");
+  require(relaxation >= 0 && relaxation <= 1, "the relaxation must be between 0 and 1");
   require(max_move > 0, "the largest move must be positive");
   require(!(keep_volume || keep_area) || std::isinf(max_move),
           "volume and area cannot be kept where moves are bounded");

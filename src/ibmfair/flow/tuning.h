@@ -113,6 +113,13 @@ struct FirstStageTuning {
   double edges = 2.8, noisy_turn = radians(25);
 };
 
+/// Short cut-offs (flow/short_cutoff.h), in mean edge lengths. The shortest cut-off that removes
+/// any noise is about 2; tests/flow/short_cutoff_test.cpp bounds the moves at shorter ones.
+struct ShortCutoffTuning {
+  double enough = 2;    ///< from here on, relaxation is full
+  double clean_up = 1;  ///< from here on, there is a clean-up
+};
+
 /// The clean-up after the time steps (flow/passes/clean_up.h, unfolding.h). Chosen on scans with
 /// needles and folds (no script); tools/denoise_table counts the triangles that stay flipped.
 struct CleanUpTuning {
@@ -270,6 +277,7 @@ struct FlowTuning {
   RelaxationTuning relaxation;
   StationaryTuning stationary;
   FirstStageTuning first_stage;
+  ShortCutoffTuning short_cutoff;
   CleanUpTuning clean_up;
   SpikeTuning spikes;
   TwicingTuning twicing;

@@ -3,6 +3,7 @@
 #include "ibmfair/base/stopwatch.h"
 #include "ibmfair/flow/flow_passes.h"
 #include "ibmfair/flow/passes/local_mesh.h"
+#include "ibmfair/flow/short_cutoff.h"
 
 namespace ibmfair {
 namespace {
@@ -10,7 +11,8 @@ namespace {
 FlowReport flow_as_numbered(Points& X, const Topology& topology,
                             const std::vector<std::uint8_t>& fixed, const FlowOptions& options,
                             const StepObserver& observer, const MeshParts& parts) {
-  FlowProblem problem(X, topology, fixed, options, parts);
+  const auto gentle = short_cutoff_options(X, topology, options, parts);
+  FlowProblem problem(X, topology, fixed, gentle ? *gentle : options, parts);
   if (problem.report.unknowns > 0) {
     run_passes(problem, observer);
     X.swap(problem.X);

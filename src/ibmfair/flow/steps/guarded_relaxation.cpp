@@ -11,6 +11,7 @@ void GuardedRelaxation::relax_needles() {
   }
   const Stopwatch watch(problem_.report.seconds.relax);
   if (relaxation_.moves_at_needles(problem_.X, moves_)) {
+    moves_ *= problem_.options.relaxation;
     move_.make(moves_, problem_.energy());
   }
 }
@@ -19,6 +20,9 @@ void GuardedRelaxation::relax(double bound) {
   if (problem_.options.relax) {
     const Stopwatch watch(problem_.report.seconds.relax);
     relaxation_.moves(problem_.X, moves_);
+    if (problem_.options.relaxation != 1) {
+      moves_ *= problem_.options.relaxation;
+    }
     move_.make(moves_, bound);
   }
 }
