@@ -11,10 +11,10 @@
 #include "commands/argument_roles.h"
 #include "commands/command.h"
 #include "commands/documentation.h"
-#include "commands/figure_list.h"
 #include "commands/numeric_options.h"
 #include "commands/report/report_formats.h"
 #include "commands/shared_options.h"
+#include "commands/value_list.h"
 #include "ibmfair/base/errors.h"
 #include "ibmfair/measure/directed_distance.h"
 #include "ibmfair/measure/exact_surface.h"
@@ -54,7 +54,7 @@ struct Side {
 /// The results of the command, as JSON and as text.
 struct Comparison {
   ordered_json& json;
-  FigureList list;
+  ValueList list;
   double largest_distance = 0.0;
 };
 
@@ -118,8 +118,8 @@ void add_direction(const std::string& label, const std::string& field, const Dir
       {"farthest", {d.farthest[0], d.farthest[1], d.farthest[2]}},
       {"normal_degrees", angles_json(d.angles)}};
   comparison.list.add(label, fmt::format("RMS {:.6e}, mean {:.6e}, largest {:.6e} at {} {} {}",
-                                         d.rms, d.mean, d.max, figure(d.farthest[0]),
-                                         figure(d.farthest[1]), figure(d.farthest[2])));
+                                         d.rms, d.mean, d.max, eight_digits(d.farthest[0]),
+                                         eight_digits(d.farthest[1]), eight_digits(d.farthest[2])));
   comparison.list.add("  normals", angles_text(d.angles, ""));
   comparison.largest_distance = std::max(comparison.largest_distance, d.max);
 }

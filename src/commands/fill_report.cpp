@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "commands/figure_list.h"
 #include "commands/hole_json.h"
 #include "commands/stage_times.h"
+#include "commands/value_list.h"
 #include "ibmfair/base/angle.h"
 
 namespace ibmfair::commands {

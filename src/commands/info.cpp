@@ -12,9 +12,9 @@
 #include "commands/command.h"
 #include "commands/defect_warnings.h"
 #include "commands/documentation.h"
-#include "commands/figure_list.h"
 #include "commands/report/report_formats.h"
 #include "commands/shared_options.h"
+#include "commands/value_list.h"
 #include "ibmfair/energy/bending_energy.h"
 #include "ibmfair/energy/laplacian_matrices.h"
 #include "ibmfair/energy/mass_matrices.h"
@@ -154,7 +154,7 @@ std::string orientation_text(const MeshSummary& s) {
 }
 
 std::string vector_text(const Vec3& x) {
-  return fmt::format("{} {} {}", figure(x[0]), figure(x[1]), figure(x[2]));
+  return fmt::format("{} {} {}", eight_digits(x[0]), eight_digits(x[1]), eight_digits(x[2]));
 }
 
 std::string eigenvalue_text(const std::optional<double>& value) {
@@ -169,7 +169,7 @@ std::string spectrum_text(const Operator& chosen) {
 
 std::string to_text(const MeshFile& file, const Topology& topology, const Findings& findings) {
   const MeshSummary& s = findings.summary;
-  FigureList list;
+  ValueList list;
   list.add("file", fmt::format("{} ({})", file.name(), file.format().title));
   list.add("vertices", fmt::format("{}{}", s.vertices,
                                    s.isolated_vertices == 0 ? ""
@@ -191,11 +191,11 @@ std::string to_text(const MeshFile& file, const Topology& topology, const Findin
   for (std::size_t i = 1; i < defects.size(); ++i) {
     list.add("", defects[i]);
   }
-  list.add("edge length", fmt::format("{} to {}, mean {}", figure(s.shortest_edge),
-                                      figure(s.longest_edge), figure(s.mean_edge)));
-  list.add("smallest angle", figure(s.smallest_angle) + " degrees");
+  list.add("edge length", fmt::format("{} to {}, mean {}", eight_digits(s.shortest_edge),
+                                      eight_digits(s.longest_edge), eight_digits(s.mean_edge)));
+  list.add("smallest angle", eight_digits(s.smallest_angle) + " degrees");
   list.add("area", s.area);
-  list.add("volume", s.volume ? figure(*s.volume) : "none: not closed");
+  list.add("volume", s.volume ? eight_digits(*s.volume) : "none: not closed");
   list.add("bounding box",
            vector_text(s.smallest_corner) + "  to  " + vector_text(s.largest_corner));
   for (const Energy& energy : findings.energies) {
@@ -208,7 +208,7 @@ std::string to_text(const MeshFile& file, const Topology& topology, const Findin
     list.add("its eigenvalues", spectrum_text(*findings.chosen));
   }
   if (findings.sphere) {
-    list.add("sphere", fmt::format("radius {} about {}", figure(findings.sphere->radius),
+    list.add("sphere", fmt::format("radius {} about {}", eight_digits(findings.sphere->radius),
                                    vector_text(findings.sphere->center)));
     list.add("radius deviation", fmt::format("{:.4e} of the radius", findings.sphere->deviation));
   }

@@ -5,8 +5,8 @@
 
 #include <fmt/format.h>
 
-#include "commands/figure_list.h"
 #include "commands/signals.h"
+#include "commands/value_list.h"
 
 namespace ibmfair::commands {
 namespace {

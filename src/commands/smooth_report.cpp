@@ -5,11 +5,11 @@
 
 #include <fmt/format.h>
 
-#include "commands/figure_list.h"
 #include "commands/report/report_formats.h"
 #include "commands/smooth_remarks.h"
 #include "commands/sparkline.h"
 #include "commands/stage_times.h"
+#include "commands/value_list.h"
 #include "ibmfair/base/angle.h"
 #include "ibmfair/base/process_memory.h"
 #include "ibmfair/energy/bending_energy.h"

@@ -1,4 +1,4 @@
-// A list of figures (numbers of a report) as text: labels on the left, values in a column.
+// A list of labelled values as text: labels on the left, values in a column.
 #pragma once
 
 #include <string>
@@ -7,14 +7,14 @@
 
 namespace ibmfair::commands {
 
-class FigureList {
+class ValueList {
  public:
   void add(std::string label, std::string value);
 
   /// Adds the value with eight significant digits.
   void add(std::string label, double value);
 
-  /// One line per figure; control characters in values are escaped (commands/printable.h).
+  /// One line per value; control characters in values are escaped (commands/printable.h).
   std::string text() const;
 
  private:
@@ -22,7 +22,7 @@ class FigureList {
 };
 
 /// The value with eight significant digits.
-std::string figure(double value);
+std::string eight_digits(double value);
 
 /// The change from `before` to `after` in per cent, or as a factor if it is 1000 % or more; `-` if
 /// `before` is 0.

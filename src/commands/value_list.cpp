@@ -1,4 +1,4 @@
-#include "commands/figure_list.h"
+#include "commands/value_list.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,15 +9,15 @@
 
 namespace ibmfair::commands {
 
-void FigureList::add(std::string label, std::string value) {
+void ValueList::add(std::string label, std::string value) {
   lines_.emplace_back(std::move(label), std::move(value));
 }
 
-void FigureList::add(std::string label, double value) {
-  add(std::move(label), figure(value));
+void ValueList::add(std::string label, double value) {
+  add(std::move(label), eight_digits(value));
 }
 
-std::string FigureList::text() const {
+std::string ValueList::text() const {
   std::size_t width = 0;
   for (const auto& [label, value] : lines_) {
     width = std::max(width, label.size());
@@ -29,7 +29,7 @@ std::string FigureList::text() const {
   return text;
 }
 
-std::string figure(double value) {
+std::string eight_digits(double value) {
   return fmt::format("{:.8g}", value);
 }
 
