@@ -146,7 +146,7 @@ void add_findings(ordered_json& json, const MeshFile& file, const Topology& topo
 
 std::string orientation_text(const MeshSummary& s) {
   if (!s.orientable) {
-    return "none that agrees everywhere";
+    return "none: not orientable";
   }
   return s.turned_triangles == 0
              ? "coherent"
@@ -180,7 +180,9 @@ std::string to_text(const MeshFile& file, const Topology& topology, const Findin
                         : fmt::format("{}, cut into {} triangles", s.faces, s.triangles));
   list.add("edges", fmt::format("{}, {}", s.edges, counted(s.hinges, "hinge", "hinges")));
   list.add("components", fmt::format("{}{}", s.components, s.closed ? ", closed" : ""));
-  list.add("genus", s.genus ? fmt::format("{}", *s.genus) : "none: not an orientable surface");
+  list.add("genus", s.genus        ? fmt::format("{}", *s.genus)
+                    : s.orientable ? "none: the mesh has defects"
+                                   : "none: not orientable");
   list.add("orientation", orientation_text(s));
   list.add("boundary loops", s.boundary_loops == 0
                                  ? "0"
@@ -195,7 +197,9 @@ std::string to_text(const MeshFile& file, const Topology& topology, const Findin
                                       eight_digits(s.longest_edge), eight_digits(s.mean_edge)));
   list.add("smallest angle", eight_digits(s.smallest_angle) + " degrees");
   list.add("area", s.area);
-  list.add("volume", s.volume ? eight_digits(*s.volume) : "none: not closed");
+  list.add("volume", s.volume   ? eight_digits(*s.volume)
+                     : s.closed ? "none: not orientable"
+                                : "none: not closed");
   list.add("bounding box",
            vector_text(s.smallest_corner) + "  to  " + vector_text(s.largest_corner));
   for (const Energy& energy : findings.energies) {

@@ -1,6 +1,7 @@
 #include "commands/mesh_statistics.h"
 
 #include <algorithm>
+#include <limits>
 #include <vector>
 
 #include <nlohmann/json.hpp>
@@ -23,7 +24,8 @@ MeshStatistics mesh_statistics(const Points& X, const Topology& topology, double
   MeshStatistics statistics;
   statistics.energy = energy;
   statistics.area = surface_area(X, topology.F);
-  statistics.volume = enclosed_volume(X, topology.F);
+  statistics.volume = topology.orientable ? enclosed_volume(X, topology.F)
+                                          : std::numeric_limits<double>::quiet_NaN();
   statistics.smallest_angle = degrees(smallest_angle(X, topology.F));
   const std::vector<std::uint8_t> folded = folded_hinges(X, topology);
   statistics.folds = std::count(folded.begin(), folded.end(), 1);

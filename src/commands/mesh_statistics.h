@@ -14,7 +14,8 @@ namespace ibmfair::commands {
 /// What is measured of one state of a mesh.
 struct MeshStatistics {
   double energy = 0;  ///< E_b of the whole mesh under the run's Laplacian
-  double area = 0, volume = 0;
+  double area = 0;
+  double volume = 0;          ///< NaN if the mesh is not orientable
   double smallest_angle = 0;  ///< degrees
   std::int64_t folds = 0;     ///< hinges sharper than fold_angle
 };

@@ -166,7 +166,9 @@ std::string smooth_table(const SmoothResult& result, bool detailed) {
       fmt::format("  {:<16}{:<10}{:>12}{:>12}{:>13}\n", "", "unit", "before", "after", "change");
   text += row("bending energy", "1", before.energy, after.energy);
   text += row("area", "u^2", before.area, after.area);
-  text += row(result.closed ? "volume" : "volume (cone)", "u^3", before.volume, after.volume);
+  if (std::isfinite(before.volume)) {
+    text += row(result.closed ? "volume" : "volume (cone)", "u^3", before.volume, after.volume);
+  }
   text += row("smallest angle", "degrees", before.smallest_angle, after.smallest_angle);
   text += fmt::format("  {:<16}{:<10}{:>12}{:>12}{:>+13}\n", "folds", "hinges", before.folds,
                       after.folds, after.folds - before.folds);

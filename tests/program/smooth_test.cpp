@@ -8,6 +8,8 @@
 #include <nlohmann/json.hpp>
 
 #include "ibmfair/base/stopwatch.h"
+#include "ibmfair/io/mesh_file.h"
+#include "support/meshes.h"
 #include "support/program_figures.h"
 #include "support/run_program.h"
 #include "support/solvers.h"
@@ -222,6 +224,24 @@ TEST(Smooth, WarnsOfEveryClosedMeshWhoseVolumeChangesByMoreThanOnePerCent) {
     }
   }
   EXPECT_GT(warned, 4);
+}
+
+TEST(Smooth, GivesOneSidedSurfacesNoVolume) {
+  for (const test::NamedMesh& mesh : test::nonorientable_meshes()) {
+    SCOPED_TRACE(mesh.name);
+    const TemporaryDirectory directory;
+    const std::string in = directory / "in.off", out = directory / "out.off";
+    write_mesh(mesh.mesh, in);
+    const RunResult run = run_program({"smooth", in, out});
+    EXPECT_EQ(run.exit_code, 0);
+    EXPECT_FALSE(contains(run.err, "volume")) << run.err;
+    const json report =
+        json::parse(run_program({"smooth", in, out, "--overwrite", "--json", "-q"}).out);
+    EXPECT_TRUE(report["before"]["volume"].is_null() && report["after"]["volume"].is_null());
+    const std::string info = run_program({"info", in}).out;
+    EXPECT_FALSE(contains(info, "coherent")) << info;
+    EXPECT_NE(contains(info, ", closed"), contains(info, "not closed")) << info;
+  }
 }
 
 TEST(Smooth, TellsWhatBecomesOfTextureCoordinates) {
