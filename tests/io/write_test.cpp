@@ -126,19 +126,20 @@ TEST(WriteMesh, RefusesWhatItCannotWrite) {
   X(1, 1) = std::nan("");
   EXPECT_THROW(write_mesh(file, X, files.path("b.obj")), BadMesh);
   EXPECT_THROW(write_mesh(file, X.topRows(2), files.path("b.obj")), BadMesh);
-  EXPECT_THROW(write_mesh(file, file.mesh().X, files.path("b.stl")), BadOption);
+  EXPECT_THROW(write_mesh(file, file.mesh().X, files.path("b.vtk")), BadOption);
+  EXPECT_THROW(write_mesh(file, file.mesh().X, files.path("b.obj.new")), BadOption);
   EXPECT_THROW(write_mesh(file, file.mesh().X, files.path("b"), {.format = "none"}), BadOption);
   EXPECT_THROW(write_mesh(file.mesh(), "-"), BadOption);
   EXPECT_EQ(files.entries(), 0U);
-  // If the file name extension is unknown, the format of the source is used.
-  EXPECT_TRUE(files.write(file, file.mesh().X, "b.new").starts_with("v 0 0 0\n"));
+  const std::string copy = files.write(file, file.mesh().X, "b.new", {.format = "obj"});
+  EXPECT_TRUE(copy.starts_with("v 0 0 0\n"));
 }
 
-TEST(WriteMesh, EveryFormatHoldsEveryMesh) {
+TEST(WriteMesh, EveryFormatButStlHoldsEveryMesh) {
   MeshFiles files;
   for (const NamedMesh& named : all_meshes()) {
     for (const Format& format : formats()) {
-      if (format.generate == nullptr) continue;
+      if (format.generate == nullptr || format.name == "stl") continue;
       SCOPED_TRACE(named.name + " " + std::string(format.name));
       const std::string path = files.path("a." + std::string(format.name));
       write_mesh(named.mesh, path, {.overwrite = true});

@@ -11,6 +11,7 @@
 #include <thread>
 #include <vector>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <sys/mount.h>
 #include <sys/stat.h>
@@ -297,11 +298,18 @@ TEST_F(Faults, AnInputThatChangesWhileItIsReadIsRefused) {
 }
 
 TEST_F(Faults, AFormatThatCannotBeWrittenIsRefusedBeforeTheWork) {
-  // So many steps would take a minute.
-  const RunResult result = run({"smooth", in_, directory_ / "out.stl", "--steps", "1000000"});
-  EXPECT_LE(result.cpu_seconds, 10);
-  EXPECT_EQ(result.exit_code, 2);
-  EXPECT_TRUE(contains(result.err, "'stl' is not a mesh format that can be written"));
+  for (const std::string extension : {"vtk", "xyz", "step", "gltf", "new"}) {
+    // So many steps would take a minute.
+    const RunResult result =
+        run({"smooth", in_, directory_ / ("out." + extension), "--steps", "1000000"});
+    EXPECT_LE(result.cpu_seconds, 10);
+    EXPECT_EQ(result.exit_code, 2);
+    EXPECT_TRUE(contains(result.err, fmt::format("'{}' is not a mesh format that can be written; "
+                                                 "name one with --format (one of: ply, off, obj, "
+                                                 "stl)",
+                                                 extension)))
+        << result.err;
+  }
 }
 
 TEST_F(Faults, AnInputOfMoreThanTheMemoryIsRefusedUnread) {

@@ -8,6 +8,7 @@
 #include "ibmfair/io/obj.h"
 #include "ibmfair/io/off.h"
 #include "ibmfair/io/ply.h"
+#include "ibmfair/io/stl.h"
 
 namespace ibmfair {
 namespace {
@@ -23,7 +24,8 @@ Format through_assimp(std::string_view name, std::string_view title,
 std::vector<Format> make_formats() {
   Format stl = through_assimp("stl", "STL", {"stl"});
   stl.always_weld = true;
-  stl.recognises = [](std::string_view bytes) { return bytes.starts_with("solid "); };
+  stl.recognises = stl::recognises;
+  stl.generate = stl::generate;
   Format gltf = through_assimp("gltf", "glTF", {"gltf", "glb", "vrm"});
   gltf.recognises = [](std::string_view bytes) { return bytes.starts_with("glTF"); };
   return {{.name = "ply",

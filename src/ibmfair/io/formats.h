@@ -82,7 +82,7 @@ const Format* find_format(std::string_view name_or_extension);
 /// The part of a path's last component after its last dot, in lower case; empty if there is no dot.
 std::string path_extension(std::string_view path);
 
-/// The names of the formats that can be written: "obj, ply, off".
+/// The names of the formats that can be written: "ply, off, obj, stl".
 std::string writable_formats();
 
 }  // namespace ibmfair

@@ -22,14 +22,10 @@ const Format& choose_format(const std::string& path, const WriteOptions& options
     throw BadOption(fmt::format("{}: name the output's format with --format (one of: {})",
                                 path == "-" ? "standard output" : path, writable_formats()));
   }
-  if (format == nullptr && options.format.empty() && source != nullptr &&
-      source->generate != nullptr) {
-    return *source;  // an extension that names no format, as in "mesh.obj.new"
-  }
   if (format == nullptr || format->generate == nullptr) {
-    throw BadOption(fmt::format("{}: '{}' is not a mesh format that can be written (one of: {})",
-                                path == "-" ? "standard output" : path, wanted,
-                                writable_formats()));
+    throw BadOption(fmt::format(
+        "{}: '{}' is not a mesh format that can be written; name one with --format (one of: {})",
+        path == "-" ? "standard output" : path, wanted, writable_formats()));
   }
   return *format;
 }
@@ -73,10 +69,15 @@ WriteReport write(const MeshFile& source, const Points& X, const Extension* exte
   WriteReport report;
   for (const std::uint8_t flag : moved)
     report.moved_vertices += flag;
-  report.patched = &format == &source.format() && !source.welded();
+  const bool same_format = &format == &source.format();
+  const bool copied = same_format && report.moved_vertices == 0 && extension == nullptr &&
+                      (!source.welded() || format.always_weld);
+  report.patched = copied || (same_format && format.patch != nullptr && !source.welded());
   AtomicFile out(path, options.overwrite);
-  if (!report.patched) {
-    const SourceBytes* flavour = &format == &source.format() ? &source.bytes() : nullptr;
+  if (copied) {
+    out.write(source.bytes().view());
+  } else if (!report.patched) {
+    const SourceBytes* flavour = same_format ? &source.bytes() : nullptr;
     MeshAttributes attributes = source.attributes();
     if (extension != nullptr) {
       attributes = extended_attributes(std::move(attributes), mesh, *extension, report.notes);
@@ -87,13 +88,11 @@ WriteReport write(const MeshFile& source, const Points& X, const Extension* exte
         extension == nullptr ? Mesh{X, mesh.faces} : extended_mesh(mesh, X, *extension);
     for (std::string& note : format.generate({target, attributes, flavour}, out))
       report.notes.push_back(std::move(note));
-  } else if (report.moved_vertices > 0 || extension != nullptr) {
+  } else {
     report.notes =
         format.patch({source.bytes(), mesh, source.has_texture_coordinates(), source.has_normals(),
                       X, moved, report.moved_vertices > 0, options.ply_real, extension},
                      out);
-  } else {
-    out.write(source.bytes().view());
   }
   return finish(std::move(report), out);
 }

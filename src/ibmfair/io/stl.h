@@ -1,0 +1,17 @@
+// STL files. They are read through assimp.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "ibmfair/io/formats.h"
+
+namespace ibmfair::stl {
+
+bool recognises(std::string_view bytes);
+
+/// Writes binary STL: 50 bytes for each triangle, with the coordinates rounded to float32. Polygons
+/// are cut into triangles. Throws BadMesh if a coordinate is beyond the range of float32.
+std::vector<std::string> generate(const GenerateRequest& request, ByteSink& out);
+
+}  // namespace ibmfair::stl
