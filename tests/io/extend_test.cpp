@@ -37,7 +37,7 @@ std::vector<std::pair<std::string, std::string>> as_files(const Mesh& mesh) {
   const TemporaryDirectory directory;
   std::vector<std::pair<std::string, std::string>> files;
   for (const Format& format : formats()) {
-    if (format.generate == nullptr) continue;
+    if (format.patch == nullptr) continue;
     const std::string name = "a." + std::string(format.name);
     write_mesh(mesh, directory / name);
     files.emplace_back(name, read_bytes(directory / name));

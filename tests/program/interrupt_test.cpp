@@ -114,7 +114,7 @@ TEST_F(Interrupt, ACheckpointThatCannotBeWrittenIsRefusedBeforeTheWork) {
   write_bytes(state_, "mine");
   EXPECT_EQ(interrupted({"--checkpoint", state_}).exit_code, 6);
   EXPECT_EQ(read_bytes(state_), "mine");
-  EXPECT_EQ(interrupted({"--checkpoint", directory_ / "state.stl"}).exit_code, 2);
+  EXPECT_EQ(interrupted({"--checkpoint", directory_ / "state.vtk"}).exit_code, 2);
   EXPECT_EQ(interrupted({"--checkpoint", out_}).exit_code, 2);
   EXPECT_EQ(interrupted({"--checkpoint", directory_ / "missing/state.ply"}).exit_code, 6);
 }

@@ -10,7 +10,8 @@
 #include "commands/page/scene_json.h"
 #include "commands/shared_options.h"
 #include "ibmfair/base/errors.h"
-#include "ibmfair/page/gzip.h"
+#include "ibmfair/base/gzip.h"
+#include "ibmfair/page/base64.h"
 
 namespace ibmfair::commands {
 

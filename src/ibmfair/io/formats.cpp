@@ -13,6 +13,8 @@
 namespace ibmfair {
 namespace {
 
+constexpr std::string_view gzip_extension = ".gz";
+
 Format through_assimp(std::string_view name, std::string_view title,
                       std::vector<std::string_view> extensions) {
   return {.name = name,
@@ -96,9 +98,15 @@ const Format* find_format(std::string_view name_or_extension) {
   return nullptr;
 }
 
+bool is_gzip_name(std::string_view path) {
+  return path.size() > gzip_extension.size() &&
+         lower_case(path.substr(path.size() - gzip_extension.size())) == gzip_extension;
+}
+
 std::string path_extension(std::string_view path) {
   const std::size_t slash = path.rfind('/');
   if (slash != std::string_view::npos) path.remove_prefix(slash + 1);
+  if (is_gzip_name(path)) path.remove_suffix(gzip_extension.size());
   const std::size_t dot = path.rfind('.');
   return dot == std::string_view::npos ? std::string() : lower_case(path.substr(dot + 1));
 }

@@ -79,7 +79,11 @@ std::span<const Format> formats();
 /// The format with this name or extension, in upper or lower case; nullptr if there is none.
 const Format* find_format(std::string_view name_or_extension);
 
-/// The part of a path's last component after its last dot, in lower case; empty if there is no dot.
+/// Whether a file with this name holds gzip data, as `mesh.ply.gz` does.
+bool is_gzip_name(std::string_view path);
+
+/// The part of a path's last component after its last dot, in lower case and without a final `.gz`;
+/// empty if there is no dot.
 std::string path_extension(std::string_view path);
 
 /// The names of the formats that can be written: "ply, off, obj, stl".

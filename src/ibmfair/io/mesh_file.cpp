@@ -50,7 +50,7 @@ std::pair<const Format*, std::string> choose_format(const SourceBytes& bytes,
     }
   }
   if (bytes.size() == 0) fail_in_file(bytes, "the file is empty");
-  fail_in_file(bytes, "cannot tell the mesh format; name it with --format");
+  fail_in_file(bytes, "cannot tell the mesh format; name it with --input-format");
 }
 
 void refuse_too_many_elements(const Mesh& mesh, const SourceBytes& bytes) {

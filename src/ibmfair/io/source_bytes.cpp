@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
+#include <span>
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -10,6 +11,7 @@
 #include <unistd.h>
 
 #include "ibmfair/base/errors.h"
+#include "ibmfair/base/gzip.h"
 #include "ibmfair/base/huge_pages.h"
 #include "ibmfair/base/process_memory.h"
 #include "ibmfair/base/short_text.h"
@@ -64,6 +66,67 @@ void require_unchanged(const struct stat& before, int fd, const std::string& nam
   }
 }
 
+/// Bytes in memory, with room for more and for the line feed at the end.
+class GrowingBuffer {
+ public:
+  /// Throws OutOfMemory with `name`, the name of the file, if there is not enough memory.
+  GrowingBuffer(const std::string& name, std::size_t capacity) : name_(name), capacity_(capacity) {
+    bytes_ = allocated();
+  }
+
+  std::string_view view() const { return {bytes_.get(), size_}; }
+
+  /// At least one free byte.
+  std::span<char> room() {
+    if (size_ + 1 >= capacity_) {
+      capacity_ *= 2;
+      auto larger = allocated();
+      std::copy_n(bytes_.get(), size_, larger.get());
+      bytes_ = std::move(larger);
+    }
+    return {bytes_.get() + size_, capacity_ - size_ - 1};
+  }
+
+  /// Keeps the first bytes of room().
+  void grow(std::size_t count) { size_ += count; }
+
+  /// The bytes, followed by a line feed.
+  std::unique_ptr<char[]> release() {
+    bytes_[size_] = '\n';
+    return std::move(bytes_);
+  }
+
+ private:
+  std::unique_ptr<char[]> allocated() const {
+    require_available(static_cast<double>(capacity_), name_);
+    auto bytes = std::make_unique_for_overwrite<char[]>(capacity_);
+    advise_huge_pages(bytes.get(), capacity_);
+    return bytes;
+  }
+
+  std::string name_;
+  std::size_t capacity_;
+  std::unique_ptr<char[]> bytes_;
+  std::size_t size_ = 0;
+};
+
+/// Throws BadFile if the gzip data is damaged.
+GrowingBuffer decompressed(std::string_view zipped, const std::string& name) {
+  constexpr std::size_t usual_ratio = 4;
+  GrowingBuffer buffer(name, usual_ratio * zipped.size());
+  const std::string problem = gunzip(zipped, [&](std::string_view piece) {
+    while (!piece.empty()) {
+      const std::span<char> room = buffer.room();
+      const std::string_view next = piece.substr(0, room.size());
+      std::copy(next.begin(), next.end(), room.begin());
+      buffer.grow(next.size());
+      piece.remove_prefix(next.size());
+    }
+  });
+  if (!problem.empty()) throw BadFile(fmt::format("{}: {}", name, problem));
+  return buffer;
+}
+
 /// The word at `where`.
 std::string quote(const SourceBytes& source, const char* where) {
   const std::string_view rest(where, static_cast<std::size_t>(source.end() - where));
@@ -81,29 +144,19 @@ std::shared_ptr<const SourceBytes> SourceBytes::read(const std::string& path) {
   const Descriptor file(standard_input ? STDIN_FILENO : open(path.c_str(), O_RDONLY | O_CLOEXEC));
   if (file.fd < 0) fail_to_read(source->name_, errno);
   const struct stat status = status_of(file.fd, source->name_);
-  std::size_t capacity = first_capacity(status);
-  require_available(static_cast<double>(capacity), source->name_);
-  auto bytes = std::make_unique_for_overwrite<char[]>(capacity);
-  advise_huge_pages(bytes.get(), capacity);
-  std::size_t size = 0;
+  GrowingBuffer buffer(source->name_, first_capacity(status));
   while (true) {
-    if (size + 1 >= capacity) {
-      require_available(2 * static_cast<double>(capacity), source->name_);
-      auto larger = std::make_unique_for_overwrite<char[]>(2 * capacity);
-      std::copy_n(bytes.get(), size, larger.get());
-      bytes = std::move(larger);
-      capacity *= 2;
-    }
-    const ssize_t count = ::read(file.fd, bytes.get() + size, capacity - size - 1);
+    const std::span<char> room = buffer.room();
+    const ssize_t count = ::read(file.fd, room.data(), room.size());
     if (count < 0 && errno == EINTR) continue;
     if (count < 0) fail_to_read(source->name_, errno);
     if (count == 0) break;
-    size += static_cast<std::size_t>(count);
+    buffer.grow(static_cast<std::size_t>(count));
   }
   require_unchanged(status, file.fd, source->name_);
-  bytes[size] = '\n';
-  source->bytes_ = std::move(bytes);
-  source->size_ = size;
+  if (is_gzip(buffer.view())) buffer = decompressed(buffer.view(), source->name_);
+  source->size_ = buffer.view().size();
+  source->bytes_ = buffer.release();
   return source;
 }
 

@@ -13,8 +13,8 @@ namespace ibmfair {
 /// truncation, the output replacing it) do not affect a run.
 class SourceBytes {
  public:
-  /// Reads the file `path`, or standard input for "-". Throws BadFile with the reason that the
-  /// system gives.
+  /// Reads the file `path`, or standard input for "-", and decompresses it if it is gzip data.
+  /// Throws BadFile with the reason that the system gives, or if the gzip data is damaged.
   static std::shared_ptr<const SourceBytes> read(const std::string& path);
 
   /// Copies bytes that are in memory already; `name` is the name to use in messages.

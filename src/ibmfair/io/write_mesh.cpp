@@ -1,4 +1,6 @@
 // Decides between patching the source's own bytes and generating a new file.
+#include <optional>
+
 #include <fmt/format.h>
 
 #include "ibmfair/base/errors.h"
@@ -7,6 +9,7 @@
 #include "ibmfair/io/extend_values.h"
 #include "ibmfair/io/extension.h"
 #include "ibmfair/io/formats.h"
+#include "ibmfair/io/gzip_sink.h"
 #include "ibmfair/io/mesh_file.h"
 #include "ibmfair/io/source_bytes.h"
 
@@ -47,11 +50,27 @@ std::vector<std::uint8_t> find_moved(const Points& before, const Points& after) 
   return moved;
 }
 
-WriteReport finish(WriteReport report, AtomicFile& out) {
-  out.commit();
-  report.bytes = out.bytes();
-  return report;
-}
+/// The output file, compressed if its name says so.
+class MeshOutput {
+ public:
+  MeshOutput(const std::string& path, const WriteOptions& options)
+      : file_(path, options.overwrite) {
+    if (is_gzip_name(path)) zipped_.emplace(file_);
+  }
+
+  ByteSink& sink() { return zipped_ ? static_cast<ByteSink&>(*zipped_) : file_; }
+
+  WriteReport finish(WriteReport report) {
+    if (zipped_) zipped_->finish();
+    file_.commit();
+    report.bytes = file_.bytes();
+    return report;
+  }
+
+ private:
+  AtomicFile file_;
+  std::optional<GzipSink> zipped_;
+};
 
 /// Writes a mesh that was read from a file, by patching or by generating; `extension` may be null.
 WriteReport write(const MeshFile& source, const Points& X, const Extension* extension,
@@ -73,7 +92,8 @@ WriteReport write(const MeshFile& source, const Points& X, const Extension* exte
   const bool copied = same_format && report.moved_vertices == 0 && extension == nullptr &&
                       (!source.welded() || format.always_weld);
   report.patched = copied || (same_format && format.patch != nullptr && !source.welded());
-  AtomicFile out(path, options.overwrite);
+  MeshOutput output(path, options);
+  ByteSink& out = output.sink();
   if (copied) {
     out.write(source.bytes().view());
   } else if (!report.patched) {
@@ -94,7 +114,7 @@ WriteReport write(const MeshFile& source, const Points& X, const Extension* exte
                       X, moved, report.moved_vertices > 0, options.ply_real, extension},
                      out);
   }
-  return finish(std::move(report), out);
+  return output.finish(std::move(report));
 }
 
 }  // namespace
@@ -118,12 +138,13 @@ void require_writable_format(const MeshFile& source, const std::string& path,
 WriteReport write_mesh(const Mesh& mesh, const std::string& path, const WriteOptions& options) {
   require_finite(mesh.X);
   const Format& format = choose_format(path, options, nullptr);
-  AtomicFile out(path, options.overwrite);
+  MeshOutput output(path, options);
+  ByteSink& out = output.sink();
   WriteReport report;
   report.moved_vertices = mesh.X.rows();
   const MeshAttributes none;
   report.notes = format.generate({mesh, none, nullptr}, out);
-  return finish(std::move(report), out);
+  return output.finish(std::move(report));
 }
 
 }  // namespace ibmfair
