@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -288,11 +289,13 @@ void add_result(const SmoothResult& result, Report& report) {
 }  // namespace
 
 void check_outputs(const SmoothArguments& arguments) {
-  check_reports(arguments.report,
-                {{"", arguments.output.path},
-                 {"--picture", arguments.picture.path},
-                 {"--checkpoint", arguments.checkpoint}},
-                arguments.output.write.overwrite);
+  std::vector<OutputFile> files;
+  if (!arguments.dry_run) {
+    files = {{"", arguments.output.path},
+             {"--picture", arguments.picture.path},
+             {"--checkpoint", arguments.checkpoint}};
+  }
+  check_reports(arguments.report, files, arguments.output.write.overwrite);
 }
 
 OutputOptions output_of(const SmoothArguments& arguments, FlowStatus status) {

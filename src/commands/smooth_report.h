@@ -26,7 +26,8 @@ struct SmoothResult {
   double seconds_read = 0, seconds_topology = 0, seconds_measure = 0, seconds_write = 0;
 };
 
-/// Throws as check_reports does if an output file that the arguments name cannot be written.
+/// Throws as check_reports does if an output file that the run writes cannot be written. A dry run
+/// writes only reports.
 void check_outputs(const SmoothArguments& arguments);
 
 /// The file to which the mesh is written: OUT, or --checkpoint after an interrupted flow.

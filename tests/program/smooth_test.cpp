@@ -9,6 +9,7 @@
 
 #include "ibmfair/base/stopwatch.h"
 #include "ibmfair/io/mesh_file.h"
+#include "support/files.h"
 #include "support/meshes.h"
 #include "support/program_figures.h"
 #include "support/run_program.h"
@@ -50,6 +51,9 @@ TEST(Smooth, ADryRunForecastsEverySolverAndWritesNothing) {
     EXPECT_EQ(solver["factor_entries"] > 0, solver["solver"] != "cg");
   }
   EXPECT_EQ(directory.entries(), 1U);
+  const std::string before = test::read_bytes(in);
+  EXPECT_EQ(run_program({"smooth", in, in, "--dry-run"}).exit_code, 0);  // OUT exists
+  EXPECT_EQ(test::read_bytes(in), before);
 }
 
 TEST(Smooth, OneThreadKeepsOneCoreBusyAtMost) {
