@@ -44,6 +44,8 @@ FillOptions fill_options(const FillArguments& arguments) {
   options.refine = !arguments.no_refine;
   options.fairing.mass = arguments.mass.mass();
   options.fairing.mass_matrix = arguments.mass.name;
+  options.choose_by_surroundings =
+      !arguments.laplacian_is_given() && arguments.mass.name.empty() && !arguments.mass.without;
   options.fairing.relax = arguments.tangential == "relax";
   return options;
 }

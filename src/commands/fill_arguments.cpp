@@ -74,7 +74,7 @@ void add_patch_options(CLI::App& app, FillArguments& a) {
   begin_group(app, "Patches");
   CLI::Option* rings = add_integer(app, "--rim-smooth", a.fill.rim_smooth, 0, 1000,
                                    "also move N rings of vertices around each hole, beginning with "
-                                   "its rim: a ragged rim spoils any patch");
+                                   "its rim; for ragged rims only");
   note_of(app, *rings).unit = "rings";
   app.add_flag("--no-fair", a.no_fair,
                "triangulate and refine the holes, but do not fair the patches");
@@ -91,8 +91,14 @@ void add_patch_options(CLI::App& app, FillArguments& a) {
 
 void add_fairing_options(CLI::App& app, FillArguments& a) {
   begin_group(app, groups::energy_and_flow);
-  add_laplacian_option(app, a.fill.fairing.laplacian,
-                       "discrete Laplacian of the bending energy (see the list below)");
+  CLI::Option* laplacian =
+      add_laplacian_option(app, a.fill.fairing.laplacian,
+                           "discrete Laplacian of the bending energy (see the list below)");
+  laplacian->default_str("");  // no value: without the option, the surroundings decide
+  note_of(app, *laplacian).default_text =
+      "for a hole, intrinsic-delaunay where the mesh around it is smooth and crouzeix-raviart "
+      "elsewhere; lagrange for a region and with --mass";
+  a.laplacian_is_given = [laplacian] { return laplacian->count() > 0; };
   add_mass_options(app, a.mass);
   CLI::Option* tolerance =
       add_real(app, "--tolerance", a.fill.fairing.tolerance, positive,
@@ -125,8 +131,7 @@ void add_fill_arguments(CLI::App& app, FillArguments& a) {
   add_report_options(app, a.report);
   add_picture_options(app, "the mesh before and after", a.picture);
   documentation_of(app).examples = {
-      {"ibmfair fill scan.ply closed.ply --rim-smooth 2",
-       "closes all holes except outer borders, and smooths their ragged rims"},
+      {"ibmfair fill scan.ply closed.ply", "closes all holes except outer borders"},
       {"ibmfair fill part.obj fair.obj --region blend",
        "fairs the inside of the group `blend`, with the triangles that it has"},
   };

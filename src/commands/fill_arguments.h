@@ -1,6 +1,7 @@
 // The command-line arguments of `fill`.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 
@@ -28,6 +29,7 @@ struct FillArguments {
   std::optional<Length> max_perimeter, max_diameter;
   FillOptions fill;
   bool no_fair = false, no_refine = false;
+  std::function<bool()> laplacian_is_given;  ///< by an option, once the options are parsed
   MassOptions mass;
   std::string region;
   std::string tangential = "none";

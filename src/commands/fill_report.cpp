@@ -1,5 +1,7 @@
 #include "commands/fill_report.h"
 
+#include <map>
+
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -53,6 +55,14 @@ ordered_json rejected_json(const std::vector<RejectedPatch>& rejected) {
   return json;
 }
 
+ordered_json surroundings_json(const RimSurroundings& surroundings) {
+  ordered_json json{{"kind", name_of(surroundings.kind)}, {"roughness", surroundings.roughness}};
+  if (surroundings.likeness) {
+    json["likeness"] = *surroundings.likeness;
+  }
+  return json;
+}
+
 ordered_json filled_hole_json(const Hole& rim, const HoleReport& hole) {
   ordered_json json = hole_json(rim);
   json["status"] = name_of(hole.status);
@@ -67,6 +77,9 @@ ordered_json filled_hole_json(const Hole& rim, const HoleReport& hole) {
   }
   if (hole.new_triangles > 0) {
     json["method"] = hole.method;
+    if (hole.surroundings) {
+      json["surroundings"] = surroundings_json(*hole.surroundings);
+    }
     json["diameter_ratio"] = hole.diameter_ratio;
     json["area_ratio"] = hole.area_ratio;
     json.update(seam_json(hole.seam));
@@ -153,6 +166,22 @@ std::string times(const FillSeconds& seconds, bool detailed) {
                           detailed);
 }
 
+/// A line about what the surroundings of the holes are like and how these holes were filled; empty
+/// if the surroundings decided on nothing.
+std::string choices(const Filling& filling) {
+  std::map<std::string, int> holes;  // by surroundings and method
+  for (const HoleReport& hole : filling.holes) {
+    if (hole.surroundings) {
+      ++holes[fmt::format("{} surroundings, by {}", name_of(hole.surroundings->kind), hole.method)];
+    }
+  }
+  std::vector<std::string> parts;
+  for (const auto& [choice, count] : holes) {
+    parts.push_back(fmt::format("{} with {}", counted(count, "hole", "holes"), choice));
+  }
+  return parts.empty() ? std::string() : fmt::format("  {}\n", fmt::join(parts, "; "));
+}
+
 }  // namespace
 
 std::string fill_text(const Filling& filling, const FillSeconds& seconds, bool detailed) {
@@ -169,7 +198,7 @@ std::string fill_text(const Filling& filling, const FillSeconds& seconds, bool d
   if (left > 0) {
     text += fmt::format("  and {} more (-v lists all)\n", left);
   }
-  return text + times(seconds, detailed);
+  return text + choices(filling) + times(seconds, detailed);
 }
 
 void add_filling(const Filling& filling, const std::vector<Hole>& holes, const FillSeconds& seconds,

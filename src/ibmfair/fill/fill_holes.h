@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -13,6 +14,7 @@
 #include "ibmfair/fill/patch.h"
 #include "ibmfair/fill/patch_audit.h"
 #include "ibmfair/fill/patch_fairing.h"
+#include "ibmfair/fill/surroundings.h"
 #include "ibmfair/mesh/topology.h"
 
 namespace ibmfair {
@@ -23,6 +25,11 @@ using HoleObserver = std::function<void(std::int64_t finished, std::int64_t all)
 
 struct FillOptions {
   FairingOptions fairing;
+  /// The patch takes its directions at the rim from a wider band (fill/rim_directions.h).
+  bool smooth_directions = false;
+  /// The mesh around each hole decides on its patch's Laplacian, with the mass matrix that belongs
+  /// to it, and on `smooth_directions`, instead of these options (fill/patch_methods.h).
+  bool choose_by_surroundings = false;
   bool refine = true;  ///< false: new vertices only to avoid edges that the mesh has already
   bool fair = true;
   int rim_smooth = 0;  ///< rings of mesh vertices that may move; the loop is the first ring
@@ -57,8 +64,9 @@ struct HoleReport {
   HoleStatus status = HoleStatus::skipped;
   std::string reason;  ///< for every status except `filled`; without a full stop
   std::string method;  ///< how the patch was made; empty for a hole that stays open
-  std::vector<RejectedPatch> rejected;  ///< the methods that were tried before
-  std::vector<Index> protruding;        ///< Patch::protruding
+  std::optional<RimSurroundings> surroundings;  ///< if they decided on the method
+  std::vector<RejectedPatch> rejected;          ///< the methods that were tried before
+  std::vector<Index> protruding;                ///< Patch::protruding
   std::int64_t new_vertices = 0, new_triangles = 0;
   double diameter_ratio = 0;  ///< diagonal of the patch's bounding box / that of the hole's
   double area_ratio = 0;      ///< area of the patch / that of the triangulated polygon

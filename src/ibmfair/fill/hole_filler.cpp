@@ -62,12 +62,7 @@ HoleReport report_of(Index hole, HoleStatus status, std::string reason) {
 
 HoleFiller::HoleFiller(const Points& X, const Topology& topology, const std::vector<Hole>& holes,
                        const std::vector<Index>& surrounding, const FillOptions& options)
-    : X_(X),
-      topology_(topology),
-      holes_(holes),
-      surrounding_(surrounding),
-      options_(options),
-      methods_(patch_methods(options)) {}
+    : X_(X), topology_(topology), holes_(holes), surrounding_(surrounding), options_(options) {}
 
 std::vector<FilledGroup> HoleFiller::cut(const std::vector<Index>& group,
                                          Index most_vertices) const {
@@ -117,7 +112,16 @@ FilledGroup HoleFiller::cut_together(const std::vector<Index>& group, Index most
     }
   }
   result.plain = cut_patch(X_, topology_, outlines, options_.rim_smooth);
+  choose_methods(result);
   return result;
+}
+
+void HoleFiller::choose_methods(FilledGroup& group) const {
+  if (options_.fair && options_.choose_by_surroundings) {
+    group.surroundings = look_around(X_, topology_, *group.plain);
+  }
+  group.methods = patch_methods(group.surroundings ? options_for(group.surroundings->kind, options_)
+                                                   : options_);
 }
 
 void HoleFiller::finish(FilledGroup& group) const {
@@ -125,8 +129,8 @@ void HoleFiller::finish(FilledGroup& group) const {
     return;
   }
   const PatchLimits limits = limits_of(group);
-  for (; group.method < methods_.size(); ++group.method) {
-    const PatchMethod& method = methods_[group.method];
+  for (; group.method < group.methods.size(); ++group.method) {
+    const PatchMethod& method = group.methods[group.method];
     Attempt made = attempt(group, method, limits);
     if (made.flaw.empty()) {
       accept(group, std::move(made));
@@ -138,7 +142,7 @@ void HoleFiller::finish(FilledGroup& group) const {
 }
 
 void HoleFiller::finish_otherwise(FilledGroup& group, const std::string& reason) const {
-  group.rejected.push_back({methods_[group.method].name, reason});
+  group.rejected.push_back({group.methods[group.method].name, reason});
   group.reports.clear();
   group.patch.reset();
   ++group.method;
@@ -232,9 +236,10 @@ void HoleFiller::make_on_one_level(Attempt& attempt, const PatchMethod& method,
 }
 
 void HoleFiller::accept(FilledGroup& group, Attempt attempt) const {
-  const PatchMethod& method = methods_[group.method];
+  const PatchMethod& method = group.methods[group.method];
   HoleReport report = report_of(0, HoleStatus::filled);
   report.method = method.name;
+  report.surroundings = group.surroundings;
   report.rejected = group.rejected;
   report.fairing = attempt.fairing;
   if (!attempt.refined) {

@@ -14,14 +14,16 @@ HoleReport report_of(Index hole, HoleStatus status, std::string reason = {});
 
 /// Holes that are filled together, and the result.
 struct FilledGroup {
-  std::vector<Index> holes;             ///< the holes (Hole::id) that the patch fills
-  std::optional<Patch> plain;           ///< the triangulated holes; none if that failed
-  std::optional<Patch> patch;           ///< none if the holes could not be filled
-  std::vector<Index> hole_of_rim;       ///< the hole of each rim edge of the patch
-  Index most_vertices = 0;              ///< the most vertices that the patch may have of its own
-  std::size_t method = 0;               ///< number of the method that made `patch`
-  std::vector<RejectedPatch> rejected;  ///< by earlier methods
-  std::vector<HoleReport> reports;      ///< one per hole of the group
+  std::vector<Index> holes;        ///< the holes (Hole::id) that the patch fills
+  std::optional<Patch> plain;      ///< the triangulated holes; none if that failed
+  std::optional<Patch> patch;      ///< none if the holes could not be filled
+  std::vector<Index> hole_of_rim;  ///< the hole of each rim edge of the patch
+  Index most_vertices = 0;         ///< the most vertices that the patch may have of its own
+  std::optional<RimSurroundings> surroundings;  ///< if they decide on the methods
+  std::vector<PatchMethod> methods;             ///< in the order in which they are tried
+  std::size_t method = 0;                       ///< number of the method that made `patch`
+  std::vector<RejectedPatch> rejected;          ///< by earlier methods
+  std::vector<HoleReport> reports;              ///< one per hole of the group
 };
 
 class HoleFiller {
@@ -42,7 +44,7 @@ class HoleFiller {
 
   /// Whether another method can be tried for the group.
   bool has_further_method(const FilledGroup& group) const {
-    return group.patch && group.method + 1 < methods_.size();
+    return group.patch && group.method + 1 < group.methods.size();
   }
 
   /// Rejects the patch of the group for `reason` and continues with the next method.
@@ -52,6 +54,7 @@ class HoleFiller {
   struct Attempt;
 
   FilledGroup cut_together(const std::vector<Index>& group, Index most_vertices) const;
+  void choose_methods(FilledGroup& group) const;
   PatchLimits limits_of(const FilledGroup& group) const;
   Attempt attempt(const FilledGroup& group, const PatchMethod& method,
                   const PatchLimits& limits) const;
@@ -66,7 +69,6 @@ class HoleFiller {
   const std::vector<Hole>& holes_;
   const std::vector<Index>& surrounding_;
   const FillOptions& options_;
-  const std::vector<PatchMethod> methods_;
 };
 
 }  // namespace ibmfair

@@ -5,7 +5,9 @@ namespace {
 
 std::vector<PatchMethod> fairing_methods(const FillOptions& options) {
   const FairingOptions& asked = options.fairing;
-  const PatchMethod first{asked.laplacian, PatchKind::stationary, asked};
+  const std::string smoothed = " with smoothed directions at the rim";
+  const PatchMethod first{asked.laplacian + (options.smooth_directions ? smoothed : ""),
+                          PatchKind::stationary, asked, options.smooth_directions};
   std::vector<PatchMethod> methods{first};
   // At a rim with a sharp tip, the few triangles of the coarsest level cannot follow the rim.
   if (options.refine && asked.most_levels > 1) {
@@ -18,14 +20,23 @@ std::vector<PatchMethod> fairing_methods(const FillOptions& options) {
   other.laplacian = asked.laplacian == "crouzeix-raviart" ? "lagrange" : "crouzeix-raviart";
   other.mass_matrix.clear();
   methods.back().name = other.laplacian;
+  methods.back().smooth_directions = false;
   methods.push_back(first);
-  methods.back().name += " with smoothed directions at the rim";
-  methods.back().smooth_directions = true;
+  methods.back().smooth_directions = !options.smooth_directions;
+  methods.back().name = asked.laplacian + (options.smooth_directions ? "" : smoothed);
   methods.push_back({"linear fairing", PatchKind::linear});
   return methods;
 }
 
 }  // namespace
+
+FillOptions options_for(SurroundingsKind kind, FillOptions options) {
+  options.fairing.laplacian =
+      kind == SurroundingsKind::shaped ? "crouzeix-raviart" : "intrinsic-delaunay";
+  options.fairing.mass_matrix.clear();
+  options.smooth_directions = kind == SurroundingsKind::noisy && options.rim_smooth == 0;
+  return options;
+}
 
 std::vector<PatchMethod> patch_methods(const FillOptions& options) {
   std::vector<PatchMethod> methods;

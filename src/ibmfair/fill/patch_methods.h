@@ -25,6 +25,12 @@ struct PatchMethod {
   bool smooth_directions = false;
 };
 
+/// The options with the Laplacian and the directions that suit such surroundings. Smooth:
+/// intrinsic-delaunay, the most exact member. Noisy: the same member with smoothed directions,
+/// unless vertices of the mesh may move. Shaped: crouzeix-raviart, which is usually nearer to what
+/// is missing in the mesh of a scan.
+FillOptions options_for(SurroundingsKind kind, FillOptions options);
+
 /// The methods that the options allow. The first is the one that they ask for; the others are for
 /// holes in which it fails. The last one adds no vertices.
 std::vector<PatchMethod> patch_methods(const FillOptions& options);
