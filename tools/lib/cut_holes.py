@@ -16,6 +16,7 @@ HEADINGS = ["mesh", "rings", "holes", "to C1", "to C2", "better", "worst", "near
             "open"]
 SAMPLES = 4000
 TRIES = 200  # seeds tried for one hole before the mesh counts as too small for it
+LEAST_DISTANCE = 1e-9  # of the hole's diameter; smaller distances, in planes, are rounding errors
 CGAL_FILL = os.path.join(ROOT, "build", "cgal_fill")
 
 
@@ -169,7 +170,8 @@ class Tally:
             return
         rms, largest = ours
         self.balloons += largest > hole.diameter
-        self.ratios.append([rms / rival[0] for rival in rivals])
+        least = LEAST_DISTANCE * hole.diameter
+        self.ratios.append([max(rms, least) / max(rival[0], least) for rival in rivals])
 
     def join(self, other):
         self.ratios += other.ratios
@@ -205,7 +207,7 @@ def cut_table(paths, ring_counts, count, seed, options, scratch):
                 tally.add(hole, ours, rivals)
                 outcome = f"{report['status']}, {report.get('method', '')}"
                 how[outcome] = how.get(outcome, 0) + 1
-            tally.print(os.path.basename(path), rings)
+            tally.print("/".join(path.split("/")[-2:])[1 - WIDTHS[0]:], rings)
             total.join(tally)
     total.print("all", "")
     print("; ".join(f"{n} {outcome}" for outcome, n in sorted(how.items())))
