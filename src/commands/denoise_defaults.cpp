@@ -10,6 +10,7 @@
 
 #include "commands/argument_roles.h"
 #include "commands/smooth_arguments.h"
+#include "ibmfair/flow/tuning.h"
 
 namespace ibmfair::commands {
 namespace {
@@ -55,6 +56,7 @@ void add_denoise_flag(CLI::App& app, SmoothArguments& arguments) {
     for (const char* const option : {"--cutoff", "--laplacian", "--twicing", "--mass"}) {
       arguments.finds_creases = arguments.finds_creases && !is_given(app, option);
     }
+    arguments.chooses_steps = !is_given(app, "--steps");
     for (const auto& [name, value, with_creases] : defaults) {
       if (!is_given(app, name)) {  // set as if given, so that reports and jobs contain the value
         app.get_option(name)->add_result(keeps_sharp ? with_creases : value);
@@ -74,8 +76,11 @@ std::string denoising_text() {
       "It also keeps the volume of a closed mesh, unless --max-move is given. If\n"
       "sharp edges are found, it uses these instead:\n"
       "  {} --keep-sharp ANGLE\n"
-      "with the angle that leaves the least error.\n",
-      words(&DefaultValue::value), words(&DefaultValue::with_creases, &DefaultValue::value));
+      "with the angle that leaves the least error; the angle is {:.0f} degrees if the\n"
+      "noise of neighbouring vertices is correlated, as that of depth cameras. Steps\n"
+      "of voxels or of rounded heights are smoothed by the default of smooth.\n",
+      words(&DefaultValue::value), words(&DefaultValue::with_creases, &DefaultValue::value),
+      tuning.noise.sharp_angle);
 }
 
 void keep_creases(FlowOptions& options) {

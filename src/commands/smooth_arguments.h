@@ -27,6 +27,7 @@ struct SmoothArguments {
   std::string engine;
   bool denoise = false;
   bool finds_creases = false;  // with --denoise: find creases, and keep them
+  bool chooses_steps = false;  // with --denoise: take the number of time steps that suits the noise
   FlowOptions flow;
   std::optional<double> time_step;
   std::optional<Length> cutoff;

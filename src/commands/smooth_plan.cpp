@@ -13,7 +13,9 @@
 #include "ibmfair/flow/fixed_vertices.h"
 #include "ibmfair/flow/part_measures.h"
 #include "ibmfair/flow/settings/crease_choice.h"
+#include "ibmfair/flow/settings/level_steps.h"
 #include "ibmfair/flow/time_scale.h"
+#include "ibmfair/flow/tuning.h"
 
 namespace ibmfair::commands {
 namespace {
@@ -147,6 +149,11 @@ class Planner {
       progress_.begin(
           fmt::format("try a cut-off of {:.1f} edges", cutoff / plan_.mean_edge_length));
     };
+    if (const double step = arguments_.finds_creases ? level_step(input_.X, input_.topology) : 0;
+        step > 0) {
+      smooth_steps(step);
+      return;
+    }
     const CutoffSearch search{.largest = plan_.diagonal / 2, .observer = tell};
     plan_.choice = choose_cutoff(input_.X, input_.topology, plan_.fixed, plan_.flow, search);
     if (!arguments_.finds_creases) {
@@ -155,6 +162,11 @@ class Planner {
     FlowOptions options = plan_.flow;
     keep_creases(options);
     set_relaxation(options);
+    if (plan_.choice->kind == NoiseKind::correlated) {
+      options.sharp_angle = radians(tuning.noise.sharp_angle);
+      plan_.flow = options;
+      return;
+    }
     if (const auto creases = choose_creases(input_.X, input_.topology, plan_.fixed, options,
                                             *plan_.choice, search)) {
       options.sharp_angle = creases->sharp_angle;
@@ -162,6 +174,20 @@ class Planner {
       plan_.creases = {creases->sharp_angle, *plan_.choice};
       plan_.choice = creases->cutoff;
     }
+  }
+
+  /// Smooths by the default of `smooth`. The errors of coordinates on levels are too regular to
+  /// estimate what a cut-off leaves, and hinges at steps would be taken for creases.
+  void smooth_steps(double step) {
+    plan_.choice.emplace();
+    plan_.choice->kind = NoiseKind::steps;
+    plan_.choice->noise = step / std::sqrt(12.0);  // of numbers rounded to multiples of the step
+    plan_.choice->cutoff = default_cutoff_edges * plan_.mean_edge_length;
+    if (arguments_.chooses_steps) {
+      plan_.flow.steps = default_steps;
+    }
+    keep_creases(plan_.flow);
+    set_relaxation(plan_.flow);
   }
 
   void project_directions() {

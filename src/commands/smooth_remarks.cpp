@@ -6,7 +6,9 @@
 #include <fmt/format.h>
 
 #include "commands/signals.h"
+#include "commands/signals.h"
 #include "commands/value_list.h"
+#include "ibmfair/base/angle.h"
 
 namespace ibmfair::commands {
 namespace {
@@ -85,6 +87,33 @@ std::string remedies_for_volume(const SmoothArguments& arguments, const FlowOpti
   return fmt::format("{}", fmt::join(remedies, ", or "));
 }
 
+/// A remark about noise that is not independent from vertex to vertex, and what is done about it;
+/// empty if there is nothing to say.
+std::string remark_on_noise(const SmoothPlan& plan) {
+  if (!plan.choice) {
+    return {};
+  }
+  switch (plan.choice->kind) {
+    case NoiseKind::outliers:
+      return "the noise has outliers: a few vertices are much farther off than the others";
+    case NoiseKind::correlated:
+      return fmt::format(
+          "the noise of neighbouring vertices is correlated, so that the error left cannot be "
+          "estimated; all is removed that covers the surface as evenly as noise{} (a shorter "
+          "--cutoff LENGTH removes less)",
+          plan.flow.sharp_angle > 0 ? fmt::format(", except at edges of more than {:.0f} degrees",
+                                                  degrees(plan.flow.sharp_angle))
+                                    : "");
+    case NoiseKind::steps:
+      return "the vertices are on few levels, like those of voxels or of rounded heights, so that "
+             "the error left cannot be estimated; the steps between the levels are smoothed by the "
+             "default cut-off (--cutoff LENGTH overrides this)";
+    case NoiseKind::independent:
+      break;
+  }
+  return {};
+}
+
 /// A remark about the texture coordinates; empty if there is nothing to say.
 std::string remark_on_texture(const SmoothArguments& arguments, const SmoothPlan& plan) {
   const FlowOptions& options = plan.flow;
@@ -109,7 +138,8 @@ std::string remark_on_texture(const SmoothArguments& arguments, const SmoothPlan
 }  // namespace
 
 std::vector<std::string> notes_on(const SmoothArguments& arguments, const SmoothResult& result) {
-  std::vector<std::string> notes{remark_on_texture(arguments, result.plan)};
+  std::vector<std::string> notes{remark_on_texture(arguments, result.plan),
+                                 remark_on_noise(result.plan)};
   if (!arguments.cutoff && !result.plan.choice && !arguments.time_step) {
     notes.push_back(remark_on_default_cutoff(result));
   }

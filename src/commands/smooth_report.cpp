@@ -130,13 +130,22 @@ std::string effort(const FlowReport& flow) {
              : fmt::format("{} iterations, {}", flow.iterations, factorizations);
 }
 
+/// What the line with the noise says about its kind.
+const char* addition_for(NoiseKind kind) {
+  return kind == NoiseKind::outliers     ? ", with outliers"
+         : kind == NoiseKind::correlated ? " in its shortest waves; it is correlated"
+         : kind == NoiseKind::steps      ? ", steps between levels"
+                                         : "";
+}
+
 /// Lines with the cut-off and, if it was chosen automatically, the noise that it was chosen from.
 /// If `detailed`, also all cut-offs that were tried.
 std::string cutoff_lines(const SmoothPlan& plan, bool detailed) {
   const double edge = plan.mean_edge_length;
   std::string text = fmt::format("  {:<16}{}\n", "cut-off", length_text(plan.cutoff, edge));
   if (plan.choice) {
-    text += fmt::format("  {:<16}{}\n", "noise", length_text(plan.choice->noise, edge));
+    text += fmt::format("  {:<16}{}{}\n", "noise", length_text(plan.choice->noise, edge),
+                        addition_for(plan.choice->kind));
     if (const auto& creases = plan.creases) {
       text += fmt::format(
           "  {:<16}edges of more than {:.0f} degrees are kept; without that the error would be "
@@ -221,7 +230,10 @@ void add_cutoff_choice(const SmoothPlan& plan, Report& report) {
     trials.push_back({{"cutoff", trial.cutoff}, {"distance_expected", expected_distance(trial)}});
   }
   ordered_json& json = report.figures["cutoff_choice"];
-  json = {{"cutoff", plan.choice->cutoff}, {"noise", plan.choice->noise}, {"trials", trials}};
+  json = {{"cutoff", plan.choice->cutoff},
+          {"noise", plan.choice->noise},
+          {"kind", name_of(plan.choice->kind)},
+          {"trials", trials}};
   if (const auto& creases = plan.creases) {
     json["keep_sharp"] = degrees(creases->sharp_angle);
     json["distance_expected_without"] = expected_distance(creases->without.best());

@@ -317,6 +317,28 @@ TEST_F(SmoothFeatures, DenoiseKeepsCreasesWhereThatLeavesLess) {
   EXPECT_LT(degrees_off(), 1);
 }
 
+TEST_F(SmoothFeatures, DenoiseSmoothsStepsLikeSmoothWithoutOptionsAndSaysSo) {
+  Mesh mesh = make_shape("icosphere", {.subdivide = 4});
+  const double step = 0.025;  // 0.35 edges
+  mesh.X = (mesh.X / step).array().round() * step;
+  std::string text;
+  for (const auto& x : mesh.X.rowwise()) {
+    text += fmt::format("v {} {} {}\n", x[0], x[1], x[2]);
+  }
+  const Triangles F = triangulate(mesh).F;
+  for (const auto& x : F.rowwise()) {
+    text += fmt::format("f {} {} {}\n", x[0] + 1, x[1] + 1, x[2] + 1);
+  }
+  const std::string input = files_ / "steps.obj";
+  write_bytes(input, text);
+  const Smoothed plain = smooth(input, {"--keep-volume"});
+  const Smoothed denoised = smooth(input, {"--denoise"});
+  ASSERT_EQ(denoised.exit_code, 0) << denoised.err;
+  EXPECT_EQ(denoised.report["cutoff_choice"]["kind"], "steps");
+  EXPECT_TRUE(contains(denoised.err, "on few levels")) << denoised.err;
+  EXPECT_LT((denoised.X - plain.X).norm(), 1e-6);
+}
+
 TEST_F(SmoothFeatures, DenoiseKeepsCreasesUnderTexturesWithLittleSliding) {
   const Mesh truth = make_shape("cube", {.subdivide = 4});
   const Mesh mesh = read_mesh(noisy("cube", {"--subdivide", "4", "--noise", "0.2"})).mesh();

@@ -199,6 +199,48 @@ struct CutoffTuning {
   double little_noise = 0.1, little_edge = 1e-5;
 };
 
+/// The kind of the noise (flow/settings/noise_kind.h, level_steps.h). The limits are about midway
+/// between the figures of the kinds on the meshes of `tools/denoise_table --pairs`, noisy and not,
+/// all of which were seen when the limits were chosen.
+struct NoiseTuning {
+  /// Ratio; the least evenness of noise. That of independent noise is 0.57 or more in the first
+  /// three bands, that of a depth camera 0.54. The least of a shape's three bands is at most 0.3 on
+  /// fine meshes, and up to 0.49 on meshes of 500 to 4000 vertices, whose details are not longer
+  /// than some edges; round shapes with facets are an exception (see `tails`).
+  double even = 0.5;
+  /// Mean edge lengths; the least standard deviation of noise that is correlated. Not measured.
+  double least = 0.01;
+  /// How far local means of a band reach for its evenness: ratio to the cut-off, and at least
+  /// edges.
+  double reach = 1.5, least_reach = 4;
+  double still_even = 0.4;  ///< ratio; the same where the noise is known and its end is looked for
+  /// Ratios; the least and the largest standard deviation by the mean square, to that by the
+  /// median, of correlated noise. It is 1.03 to 1.14 for the noise of depth cameras, 0.85 to 0.89
+  /// for the facets of round shapes that were subdivided, and 1.2 or more for details of a shape.
+  double tails = 0.92, long_tails = 1.18;
+  /// The same ratio from which on there are outliers. It is at most 1.16 for normal noise, and 1.47
+  /// and more for impulsive noise. It is that of all that the second cut-off removes.
+  double outliers = 1.3;
+  /// Ratio; of the standard deviation in the third band to that in the first, at least, if the
+  /// noise is correlated. It is 1.0 to 1.4 for independent noise, and 2.7 and more for the noise of
+  /// depth cameras.
+  double growth = 2;
+  /// Mean edge lengths; cut-offs up to which correlated noise is looked for: a little more than the
+  /// default of `smooth`, as meshes whose details are everywhere have no band that is uneven.
+  double longest = 8.5;
+  /// Degrees; sharper hinges are kept if the noise is correlated. With noise averaged over one ring
+  /// and kept hinges, a block ends at 3.0 degrees off the true normals instead of 15.7, a bunny at
+  /// 7.8 instead of 8.2, and the bust of Julius at 9.8 instead of 8.1 (no script).
+  double sharp_angle = 30;
+  /// Steps. Mean edge lengths: the least step (smaller ones are like independent noise), and how
+  /// far off a level a coordinate may be. Count: levels on an axis, at least. Not measured.
+  double least_step = 0.3, off_level = 1e-4, least_levels = 8;
+  /// Ratios: of the normals' squared components along the axes with levels, and of bent hinges
+  /// (radians), at least. A cube of 10 x 10 squares on each side has 7 % of bent hinges. Not
+  /// measured.
+  double along_axes = 0.9, bent_hinges = 0.1, bent = radians(10);
+};
+
 /// The choice of creases (flow/settings/crease_choice.h). Risks are in variances of the noise,
 /// "shares" are of the risk without creases. Chosen on the parts and scans of tools/denoise_table.
 struct CreaseTuning {
@@ -283,6 +325,7 @@ struct FlowTuning {
   TwicingTuning twicing;
   RenumberingTuning renumbering;
   CutoffTuning cutoff;
+  NoiseTuning noise;
   CreaseTuning creases;
   SolverTuning solver;
 };

@@ -19,7 +19,9 @@ std::optional<CreaseChoice> choose_creases(const Points& X, const Topology& topo
   same_noise.noise = without.noise;
   CutoffChooser chooser(X, topology, fixed, options, same_noise);
   const auto with_angle = [&](double angle, double shortest) {
-    return CreaseChoice{radians(angle), chooser.choose(radians(angle), shortest)};
+    CreaseChoice choice{radians(angle), chooser.choose(radians(angle), shortest)};
+    choice.cutoff.kind = without.kind;
+    return choice;
   };
   CreaseChoice best =
       with_angle(tuning.creases.first_angle, tuning.creases.edges * chooser.mean_edge_length());

@@ -108,6 +108,12 @@ void CutoffChooser::try_cutoffs(double shortest, const Done& done) {
   }
 }
 
+/// Whether the next cut-off is to be tried to learn about correlated noise.
+bool CutoffChooser::looks_further(double next) const {
+  return !trials_->has_outliers() && next <= tuning.noise.longest * mean_edge_length_ &&
+         !trials_->bands().empty() && may_tell_more(trials_->bands());
+}
+
 CutoffChoice CutoffChooser::choose(double sharp_angle, double shortest) {
   const bool keeps_creases = sharp_angle > 0;
   if (keeps_creases && !trials_->know_noise()) {
@@ -118,8 +124,17 @@ CutoffChoice CutoffChooser::choose(double sharp_angle, double shortest) {
   try_cutoffs(shortest, [&](double next) {
     choice.noise = trials_->noise();
     choice.trials = trials_->risks();
-    return is_enough(choice.trials, choice.noise, keeps_creases) || next > search_.largest;
+    const bool enough =
+        is_enough(choice.trials, choice.noise, keeps_creases) && !looks_further(next);
+    return enough || next > search_.largest;
   });
+  if (trials_->has_outliers()) {
+    choice.kind = NoiseKind::outliers;
+  } else if (is_correlated(trials_->bands())) {
+    choice.kind = NoiseKind::correlated;
+    choice.cutoff = cutoff_of_noise(trials_->bands());
+    return choice;
+  }
   choice.cutoff = between(choice.trials, least(choice.trials), keeps_creases);
   return choice;
 }

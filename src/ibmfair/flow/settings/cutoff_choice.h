@@ -2,8 +2,10 @@
 // least of the shape: among several cut-offs, the one with the least risk, an estimate of the mean
 // squared distance to the true shape (flow/settings/cutoff_trials.h).
 //
-// The noise must be independent from vertex to vertex. Correlated errors, such as the steps between
-// the slices of a scanner, are not recognized as noise.
+// The risk can be estimated only if the noise is independent from vertex to vertex. If the noise is
+// correlated (flow/settings/noise_kind.h), the choice is the cut-off up to which all that it
+// removes covers the surface evenly. Steps between the slices of a scanner, which are not
+// everywhere, are not recognized as noise.
 #pragma once
 
 #include <cstdint>
@@ -20,8 +22,9 @@
 namespace ibmfair {
 
 struct CutoffChoice {
-  double cutoff = 0;                ///< length
-  double noise = 0;                 ///< standard deviation along the normals, length
+  double cutoff = 0;  ///< length
+  double noise = 0;   ///< standard deviation along the normals, length
+  NoiseKind kind = NoiseKind::independent;
   std::vector<CutoffTrial> trials;  ///< with increasing cut-off
 
   const CutoffTrial& best() const;  ///< the trial with the least risk
@@ -60,6 +63,7 @@ class CutoffChooser {
                    const std::vector<std::uint8_t>& fixed, const FlowOptions& options);
   template <class Done>
   void try_cutoffs(double shortest, const Done& done);
+  bool looks_further(double next) const;
 
   const double mean_edge_length_;
   const CutoffSearch search_;

@@ -10,6 +10,7 @@
 #include "ibmfair/flow/flow_passes.h"
 #include "ibmfair/flow/passes/linear_flow.h"
 #include "ibmfair/flow/passes/twicing.h"
+#include "ibmfair/flow/settings/evenness.h"
 #include "ibmfair/flow/steps/flow_problem.h"
 #include "ibmfair/flow/steps/unknown_normals.h"
 #include "ibmfair/flow/time_scale.h"
@@ -24,6 +25,10 @@ double median(Eigen::VectorXd values) {
   double* const middle = values.data() + values.size() / 2;
   std::nth_element(values.data(), middle, values.data() + values.size());
   return *middle;
+}
+
+double rms(const Eigen::VectorXd& values) {
+  return std::sqrt(values.squaredNorm() / static_cast<double>(values.size()));
 }
 
 Points white_noise(Index count) {
@@ -63,6 +68,7 @@ CutoffTrials::CutoffTrials(const Points& X, const Topology& topology,
 
 void CutoffTrials::restart(double sharp_angle) {
   outcomes_.clear();
+  bands_.clear();
   trace_falls_ = false;
   options_.sharp_angle = leg_.sharp_angle = sharp_angle;
   if (keeps_creases() && moved_.start.size() == 0) {
@@ -92,11 +98,46 @@ void CutoffTrials::run(double cutoff) {
   }
   const Eigen::VectorXd height =
       heights_along(normals, problem.X, mesh_.start, unknowns_)(counted_);
+  if (!keeps_creases()) {
+    add_band(cutoff, normals, problem.X, taken);
+  }
   if (!knows_noise_ && outcomes_.size() == tuning.cutoff.noise_trial) {
-    noise_ = median(height.cwiseAbs()) / median(taken.reshaped().cwiseAbs());
-    knows_noise_ = true;
+    estimate_noise(height, taken);
   }
   outcomes_.push_back({cutoff, height.squaredNorm() / static_cast<double>(height.size()), trace});
+}
+
+/// `taken`: of the counted white noise, or empty if unknown.
+void CutoffTrials::add_band(double cutoff, const Points& normals, const Points& end,
+                            const Points& taken) {
+  const bool first = bands_.empty();
+  const Eigen::VectorXd height = heights_along(normals, end, first ? mesh_.start : end_, unknowns_);
+  const Eigen::VectorXd counted = height(counted_);
+  const double reach = std::max(tuning.noise.least_reach, tuning.noise.reach * cutoff / mean_edge_);
+  NoiseBand band{cutoff, evenness(height.cwiseAbs2(), topology_, unknowns_, counted_,
+                                  static_cast<int>(2 * reach))};
+  if (taken.size() > 0) {
+    const Points last = first ? Points::Zero(taken.rows(), 3) : taken_;
+    const Eigen::VectorXd white = (taken - last).reshaped();
+    band.by_median = median(counted.cwiseAbs()) / median(white.cwiseAbs()) / mean_edge_;
+    band.by_rms = rms(counted) / rms(white) / mean_edge_;
+  }
+  bands_.push_back(band);
+  end_ = end;
+  taken_ = taken;
+}
+
+/// `height`: the moves of the counted unknowns along the normals.
+void CutoffTrials::estimate_noise(const Eigen::VectorXd& height, const Points& taken) {
+  const Eigen::VectorXd white = taken.reshaped();
+  const double by_median = median(height.cwiseAbs()) / median(white.cwiseAbs());
+  const double by_rms = rms(height) / rms(white);
+  has_outliers_ = by_rms > tuning.noise.outliers * by_median &&
+                  std::all_of(bands_.begin(), bands_.end(), [](const NoiseBand& band) {
+                    return band.evenness >= tuning.noise.even;
+                  });
+  noise_ = has_outliers_ ? by_rms : by_median;
+  knows_noise_ = true;
 }
 
 std::vector<CutoffTrial> CutoffTrials::risks() const {

@@ -26,6 +26,7 @@
 #include "ibmfair/base/compressed_rows.h"
 #include "ibmfair/energy/unknowns.h"
 #include "ibmfair/flow/flow_options.h"
+#include "ibmfair/flow/settings/noise_kind.h"
 #include "ibmfair/mesh/topology.h"
 
 namespace ibmfair {
@@ -64,6 +65,11 @@ class CutoffTrials {
   /// Whether the noise is known. A known noise may be 0.
   bool know_noise() const { return knows_noise_; }
   double noise() const { return noise_; }
+  /// Whether the noise has outliers. False if the noise was given.
+  bool has_outliers() const { return has_outliers_; }
+
+  /// What the trials without creases removed, one after the other.
+  const std::vector<NoiseBand>& bands() const { return bands_; }
 
   /// The risks of all trials. Precondition: the noise is known.
   std::vector<CutoffTrial> risks() const;
@@ -90,6 +96,8 @@ class CutoffTrials {
   void end_at(const Trajectory& trajectory, FlowProblem& problem) const;
   Points taken_of_noise(FlowProblem& problem);
   double trace_by_second_flow(const Points& end, const Points& normals) const;
+  void add_band(double cutoff, const Points& normals, const Points& end, const Points& taken);
+  void estimate_noise(const Eigen::VectorXd& height, const Points& taken);
   double trace_by_law(double cutoff) const;
   bool falls_by_law(double cutoff, double trace) const;
 
@@ -107,9 +115,12 @@ class CutoffTrials {
       moved_;        // the mesh, and with creases a copy moved by a little of the white noise
   double time_ = 0;  // flow time of these two
   std::vector<Outcome> outcomes_;
+  std::vector<NoiseBand> bands_;
+  Points end_, taken_;  // of the last trial without creases: the mesh, the white noise removed
   bool trace_falls_ = false;  // tr F follows Weyl's law from here on (trace_by_law)
   double noise_;
   bool knows_noise_;
+  bool has_outliers_ = false;
 };
 
 }  // namespace ibmfair

@@ -1,0 +1,81 @@
+#include "ibmfair/flow/settings/level_steps.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "ibmfair/flow/tuning.h"
+#include "ibmfair/mesh/geometry.h"
+
+namespace ibmfair {
+namespace {
+
+/// The distance of the levels on which all coordinates are, or 0 if there is none.
+double level_distance(const Eigen::VectorXd& coordinates, double mean_edge) {
+  std::vector<double> sorted(coordinates.begin(), coordinates.end());
+  std::sort(sorted.begin(), sorted.end());
+  const double least = tuning.noise.least_step * mean_edge;
+  const double rounding = tuning.noise.off_level * mean_edge;
+  double distance = 0;
+  for (std::size_t i = 1; i < sorted.size(); ++i) {
+    const double gap = sorted[i] - sorted[i - 1];
+    if (gap > rounding && (distance == 0 || gap < distance)) {
+      distance = gap;
+    }
+    if (gap > rounding && gap < least) {
+      return 0;
+    }
+  }
+  if (!(sorted.back() - sorted.front() > (tuning.noise.least_levels - 1.5) * distance)) {
+    return 0;
+  }
+  const bool on_levels = std::all_of(sorted.begin(), sorted.end(), [&](double x) {
+    const double level = (x - sorted.front()) / distance;
+    return std::abs(level - std::round(level)) * distance <= rounding;
+  });
+  return on_levels ? distance : 0;
+}
+
+/// The squared components of the normals, weighted by the areas; their sum is 1.
+Vec3 squared_normal(const Points& X, const Topology& topology) {
+  Vec3 sum = Vec3::Zero();
+  double area = 0;
+  for (Eigen::Index t = 0; t < topology.F.rows(); ++t) {
+    const Vec3 normal = double_area_vector(X, topology.F, t);
+    if (const double length = normal.norm(); length > 0) {
+      sum += normal.cwiseAbs2() / length;
+      area += length;
+    }
+  }
+  return area > 0 ? Vec3(sum / area) : sum;
+}
+
+double share_of_bent_hinges(const Points& X, const Topology& topology) {
+  const Eigen::VectorXd angles = dihedral_angles(X, topology.H);
+  const double flat = std::numbers::pi - tuning.noise.bent;
+  return static_cast<double>((angles.array() < flat).count()) /
+         static_cast<double>(std::max<Eigen::Index>(angles.size(), 1));
+}
+
+}  // namespace
+
+double level_step(const Points& X, const Topology& topology) {
+  if (X.rows() == 0 || topology.E.rows() == 0) {
+    return 0;
+  }
+  const double mean_edge = mean_edge_length(X, topology.E);
+  Vec3 distance;
+  for (int axis = 0; axis < 3; ++axis) {
+    distance[axis] = level_distance(X.col(axis), mean_edge);
+  }
+  const Vec3 normal = squared_normal(X, topology);
+  const double along = (distance.array() > 0).select(normal.array(), 0.0).sum();
+  if (!(along > tuning.noise.along_axes &&
+        share_of_bent_hinges(X, topology) > tuning.noise.bent_hinges)) {
+    return 0;
+  }
+  return std::sqrt(distance.cwiseAbs2().dot(normal) / along);
+}
+
+}  // namespace ibmfair

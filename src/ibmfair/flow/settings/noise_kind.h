@@ -1,0 +1,46 @@
+// Tells kinds of noise apart by what longer and longer cut-offs remove. The part between two
+// successive cut-offs is called a band.
+//
+// Noise that is independent from vertex to vertex has the same standard deviation in all bands if
+// each band is compared with the same band of white noise. Correlated noise, such as that of a
+// depth camera, has a larger standard deviation in longer bands. So has the shape itself, but noise
+// covers the surface evenly, and details of a shape are in few places (evenness.h). A regular
+// pattern of a shape covers the surface evenly as well; but its heights have fewer large values
+// than noise has. Outliers have more of them.
+#pragma once
+
+#include <vector>
+
+namespace ibmfair {
+
+enum class NoiseKind {
+  independent,  ///< from vertex to vertex, or none
+  outliers,     ///< independent, with few vertices that are much farther off than the others
+  correlated,   ///< over some edges
+  steps,        ///< of coordinates on few levels (level_steps.h)
+};
+
+/// The name in reports.
+const char* name_of(NoiseKind kind);
+
+/// What one cut-off removes and the previous one does not.
+struct NoiseBand {
+  double cutoff = 0;    ///< the longer of the two, length
+  double evenness = 0;  ///< of the squared heights (evenness.h)
+  /// Standard deviation of white noise of which the band has the same median height, and the same
+  /// rms height; mean edge lengths, 0 if unknown.
+  double by_median = 0, by_rms = 0;
+};
+
+/// Whether the first bands, from the shortest cut-off upward, are of correlated noise.
+bool is_correlated(const std::vector<NoiseBand>& bands);
+
+/// Whether a longer cut-off may tell more: too few bands are known for `is_correlated`, and the
+/// noise may be correlated; or the noise is, and the last band still consists of noise.
+bool may_tell_more(const std::vector<NoiseBand>& bands);
+
+/// The cut-off up to which the bands consist of noise, interpolated over the logarithm. There must
+/// be a band.
+double cutoff_of_noise(const std::vector<NoiseBand>& bands);
+
+}  // namespace ibmfair

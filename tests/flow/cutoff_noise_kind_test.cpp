@@ -1,0 +1,174 @@
+// The kinds of noise that the choice of a cut-off tells apart: made noise on made shapes.
+#include <cmath>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "ibmfair/base/random_numbers.h"
+#include "ibmfair/flow/fixed_vertices.h"
+#include "ibmfair/flow/settings/cutoff_choice.h"
+#include "ibmfair/flow/settings/evenness.h"
+#include "ibmfair/flow/settings/level_steps.h"
+#include "ibmfair/flow/settings/noise_kind.h"
+#include "ibmfair/mesh/geometry.h"
+#include "ibmfair/shapes/noise.h"
+#include "ibmfair/shapes/shapes.h"
+#include "support/states.h"
+
+namespace ibmfair::test {
+namespace {
+
+State ball() {
+  return State(make_shape("icosphere", {.subdivide = 4}));
+}
+
+State torus() {
+  return State(make_shape("torus", {.ratio = 2.5, .rows = 40}));
+}
+
+double edge_of(const State& state) {
+  return mean_edge_length(state.X, state.topology.E);
+}
+
+/// Noise of this standard deviation (mean edge lengths) that is averaged over each vertex and its
+/// neighbours `passes` times.
+void add_correlated_noise(State& state, double deviation, int passes) {
+  Points noise = Points::Zero(state.X.rows(), 3);
+  add_noise(noise, 1, 3);
+  const CompressedRows rings = vertex_rings(state.topology);
+  for (int pass = 0; pass < passes; ++pass) {
+    const Points last = noise;
+    for (Index v = 0; v < rings.size(); ++v) {
+      for (const Index neighbour : rings[v]) {
+        noise.row(v) += last.row(neighbour);
+      }
+      noise.row(v) /= static_cast<double>(rings[v].size() + 1);
+    }
+  }
+  const double rms = std::sqrt(noise.squaredNorm() / static_cast<double>(noise.size()));
+  state.X += deviation * edge_of(state) / rms * noise;
+}
+
+/// Moves one vertex in five by noise of this standard deviation (mean edge lengths).
+void add_outliers(State& state, double deviation) {
+  Points noise = Points::Zero(state.X.rows(), 3);
+  add_noise(noise, deviation * edge_of(state), 3);
+  RandomNumbers random(4);
+  for (Index v = 0; v < state.X.rows(); ++v) {
+    if (random.normal() > 0.84) {
+      state.X.row(v) += noise.row(v);
+    }
+  }
+}
+
+CutoffChoice choice_for(const State& state) {
+  return choose_cutoff(
+      state.X, state.topology, fixed_vertices(state.topology, BoundaryCondition::fixed),
+      {.laplacian = "umbrella", .steps = 8, .relax = false, .twicing = 1}, {.largest = 1});
+}
+
+TEST(NoiseKind, IsIndependentOfNormalNoiseOfAnyStrength) {
+  for (const double deviation : {0.05, 0.1, 0.3, 0.5}) {
+    for (State state : {ball(), torus()}) {
+      add_noise(state.X, deviation * edge_of(state), 3);
+      EXPECT_EQ(choice_for(state).kind, NoiseKind::independent) << deviation;
+    }
+  }
+}
+
+TEST(NoiseKind, IsIndependentWithoutNoise) {
+  for (const State& state : {ball(), torus(), State(make_shape("cube", {.subdivide = 4})),
+                             State(make_shape("plane", {}))}) {
+    EXPECT_EQ(choice_for(state).kind, NoiseKind::independent);
+  }
+}
+
+TEST(NoiseKind, CorrelatedNoiseIsFoundAndRemovedByALongerCutoff) {
+  for (const int passes : {1, 2}) {
+    for (State state : {ball(), torus()}) {
+      add_correlated_noise(state, 0.2, passes);
+      const CutoffChoice choice = choice_for(state);
+      EXPECT_EQ(choice.kind, NoiseKind::correlated) << passes;
+      EXPECT_GT(choice.cutoff, 5 * edge_of(state)) << passes;
+    }
+  }
+}
+
+TEST(NoiseKind, OutliersCountInTheStandardDeviation) {
+  for (const double deviation : {0.5, 1.0}) {
+    for (State state : {ball(), torus()}) {
+      add_outliers(state, deviation);
+      const CutoffChoice choice = choice_for(state);
+      EXPECT_EQ(choice.kind, NoiseKind::outliers) << deviation;
+      // One vertex in five has the whole variance, the others none. The normals of a mesh with
+      // strong noise are tilted, so that heights along them are smaller than the noise.
+      const double whole = std::sqrt(0.2) * deviation * edge_of(state);
+      EXPECT_LT(choice.noise, 1.1 * whole) << deviation;
+      EXPECT_GT(choice.noise, 0.7 * whole) << deviation;
+    }
+  }
+}
+
+TEST(NoiseKind, DoesNotDependOnTheUnit) {
+  for (const double unit : {1e-8, 1e8}) {
+    State state = torus();
+    add_correlated_noise(state, 0.2, 1);
+    state.X *= unit;
+    const CutoffChoice choice = choose_cutoff(
+        state.X, state.topology, fixed_vertices(state.topology, BoundaryCondition::fixed),
+        {.laplacian = "umbrella", .steps = 8, .relax = false, .twicing = 1}, {.largest = unit});
+    EXPECT_EQ(choice.kind, NoiseKind::correlated) << unit;
+  }
+}
+
+TEST(Evenness, IsThatOfTheCoveredShare) {
+  const State state = torus();
+  const std::vector<std::uint8_t> fixed(state.X.rows(), 0);
+  const Unknowns unknowns(fixed);
+  std::vector<Index> all(unknowns.vertex);
+  Eigen::VectorXd values = Eigen::VectorXd::Constant(state.X.rows(), 3);
+  EXPECT_NEAR(evenness(values, state.topology, unknowns, all, 8), 1, 1e-12);
+  for (Index v = 0; v < state.X.rows(); ++v) {
+    values[v] = state.X(v, 0) > 0 ? 1 : 0;
+  }
+  EXPECT_LT(evenness(values, state.topology, unknowns, all, 8), 0.1);
+}
+
+/// A hill of heights over a grid of 60 x 60 squares of side 1.
+State hill(bool rounded) {
+  State state(make_shape("plane", {.rows = 61, .columns = 61, .straight = true}));
+  const Eigen::RowVector3d low = state.X.colwise().minCoeff();
+  const double side = 60 / (state.X.colwise().maxCoeff().x() - low.x());
+  for (auto x : state.X.rowwise()) {
+    x = (side * (x - low)).array().round();
+    x[2] = 12 * std::sin(x[0] / 15) * std::cos(x[1] / 18);
+    if (rounded) {
+      x[2] = std::round(x[2]);
+    }
+  }
+  return state;
+}
+
+TEST(LevelStep, IsFoundInRoundedHeightsOnly) {
+  EXPECT_NEAR(level_step(hill(true).X, hill(true).topology), 1, 0.1);
+  EXPECT_EQ(level_step(hill(false).X, hill(false).topology), 0);
+}
+
+TEST(LevelStep, IsFoundInRoundedCoordinates) {
+  State state = ball();
+  const double step = 0.5 * edge_of(state);
+  state.X = (state.X / step).array().round() * step;
+  EXPECT_NEAR(level_step(state.X, state.topology), step, 1e-9 * step);
+}
+
+TEST(LevelStep, IsZeroForShapesAndForNoise) {
+  for (const char* shape : {"cube", "icosphere"}) {
+    State state(make_shape(shape, {.subdivide = 4}));
+    EXPECT_EQ(level_step(state.X, state.topology), 0) << shape;
+    add_noise(state.X, 0.2 * edge_of(state), 3);
+    EXPECT_EQ(level_step(state.X, state.topology), 0) << shape;
+  }
+}
+
+}  // namespace
+}  // namespace ibmfair::test
