@@ -77,8 +77,9 @@ TEST(NoiseKind, IsIndependentOfNormalNoiseOfAnyStrength) {
 }
 
 TEST(NoiseKind, IsIndependentWithoutNoise) {
-  for (const State& state : {ball(), torus(), State(make_shape("cube", {.subdivide = 4})),
-                             State(make_shape("plane", {}))}) {
+  for (const State& state :
+       {ball(), torus(), State(make_shape("cube", {.subdivide = 4})),
+        State(make_shape("icosahedron", {.subdivide = 4})), State(make_shape("plane", {}))}) {
     EXPECT_EQ(choice_for(state).kind, NoiseKind::independent);
   }
 }

@@ -221,6 +221,11 @@ struct NoiseTuning {
   /// The same ratio from which on there are outliers. It is at most 1.16 for normal noise, and 1.47
   /// and more for impulsive noise. It is that of all that the second cut-off removes.
   double outliers = 1.3;
+  /// Ratio; the most by which the standard deviation by the mean square may grow from the first
+  /// band to the second if there are outliers, as they are independent. It is 1.04 for impulsive
+  /// noise, and 1.41 for the edges of an icosahedron without noise, which else has the figures of
+  /// outliers.
+  double same = 1.2;
   /// Ratio; of the standard deviation in the third band to that in the first, at least, if the
   /// noise is correlated. It is 1.0 to 1.4 for independent noise, and 2.7 and more for the noise of
   /// depth cameras.

@@ -133,6 +133,7 @@ void CutoffTrials::estimate_noise(const Eigen::VectorXd& height, const Points& t
   const double by_median = median(height.cwiseAbs()) / median(white.cwiseAbs());
   const double by_rms = rms(height) / rms(white);
   has_outliers_ = by_rms > tuning.noise.outliers * by_median &&
+                  bands_.back().by_rms < tuning.noise.same * bands_.front().by_rms &&
                   std::all_of(bands_.begin(), bands_.end(), [](const NoiseBand& band) {
                     return band.evenness >= tuning.noise.even;
                   });
