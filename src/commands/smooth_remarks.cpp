@@ -6,7 +6,6 @@
 #include <fmt/format.h>
 
 #include "commands/signals.h"
-#include "commands/signals.h"
 #include "commands/value_list.h"
 #include "ibmfair/base/angle.h"
 
