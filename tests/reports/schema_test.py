@@ -64,6 +64,8 @@ class SchemaTest(ProgramTest):
         yield self.json("fill", "open.off", "out.off", "--all", "--max-new-vertices", "1",
                         "--overwrite", code=1)
         yield self.json("fill", "open.off", "out.off", "--region", "@all", "--overwrite")
+        self.make("rough.off", "cylinder", "--rows", "30", "--noise", "0.2")
+        yield self.json("fill", "rough.off", "out.off", "--all", "--overwrite")
         fin = pathlib.Path(__file__).parents[1] / "fill" / "reported" / "fin_at_rim.off"
         yield self.json("fill", fin, "out.off", "--overwrite")
         yield self.json("holes", "open.off")
