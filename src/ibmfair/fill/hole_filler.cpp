@@ -173,7 +173,7 @@ HoleFiller::Attempt HoleFiller::attempt(const FilledGroup& group, const PatchMet
                                         const PatchLimits& limits) const {
   Attempt result{*group.plain};
   try {
-    make(result, method, limits);
+    make(result, group, method, limits);
   } catch (const FactorizationFailed& error) {
     result.flaw = error.what();
     return result;
@@ -200,13 +200,18 @@ HoleFiller::Attempt HoleFiller::attempt(const FilledGroup& group, const PatchMet
   return result;
 }
 
-void HoleFiller::make(Attempt& attempt, const PatchMethod& method,
+std::vector<RingShift> HoleFiller::shifts_of(const FilledGroup& group) const {
+  const bool known = group.surroundings && group.surroundings->likeness;
+  return known ? group.surroundings->shifts : direction_shifts(X_, topology_, *group.plain);
+}
+
+void HoleFiller::make(Attempt& attempt, const FilledGroup& group, const PatchMethod& method,
                       const PatchLimits& limits) const {
   Patch& patch = attempt.patch;
   const Points surroundings = patch.X;
   if (method.smooth_directions) {
     std::fill(patch.free.begin(), patch.free.begin() + patch.own_from, 0);
-    smooth_directions(X_, topology_, patch);
+    smooth_directions(shifts_of(group), patch);
   }
   if (method.kind == PatchKind::stationary && options_.refine) {
     attempt.fairing = refine_and_fair(patch, method.fairing, limits, attempt.refined);

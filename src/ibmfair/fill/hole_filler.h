@@ -58,7 +58,9 @@ class HoleFiller {
   PatchLimits limits_of(const FilledGroup& group) const;
   Attempt attempt(const FilledGroup& group, const PatchMethod& method,
                   const PatchLimits& limits) const;
-  void make(Attempt& attempt, const PatchMethod& method, const PatchLimits& limits) const;
+  void make(Attempt& attempt, const FilledGroup& group, const PatchMethod& method,
+            const PatchLimits& limits) const;
+  std::vector<RingShift> shifts_of(const FilledGroup& group) const;
   void make_on_one_level(Attempt& attempt, const PatchMethod& method,
                          const PatchLimits& limits) const;
   void accept(FilledGroup& group, Attempt attempt) const;

@@ -183,8 +183,8 @@ double likeness_of_neighbors(const std::vector<RingShift>& shifts, const Topolog
   return pairs > 0 && variance > 0 ? products / static_cast<double>(pairs) / variance : 1;
 }
 
-void smooth_directions(const Points& X, const Topology& topology, Patch& patch) {
-  for (const RingShift& shift : direction_shifts(X, topology, patch)) {
+void smooth_directions(const std::vector<RingShift>& shifts, Patch& patch) {
+  for (const RingShift& shift : shifts) {
     patch.X.row(shift.vertex) += (shift.distance * shift.normal).transpose();
   }
 }

@@ -27,8 +27,7 @@ std::vector<RingShift> direction_shifts(const Points& X, const Topology& topolog
 double likeness_of_neighbors(const std::vector<RingShift>& shifts, const Topology& topology,
                              const Patch& patch);
 
-/// Makes the moves of direction_shifts in the patch's copy of the mesh. Vertices on the rim stay in
-/// place.
-void smooth_directions(const Points& X, const Topology& topology, Patch& patch);
+/// Makes these moves in the patch's copy of the mesh. Vertices on the rim stay in place.
+void smooth_directions(const std::vector<RingShift>& shifts, Patch& patch);
 
 }  // namespace ibmfair

@@ -5,7 +5,6 @@
 #include <unordered_map>
 #include <vector>
 
-#include "ibmfair/fill/rim_directions.h"
 #include "ibmfair/mesh/geometry.h"
 
 namespace ibmfair {
@@ -128,7 +127,8 @@ std::optional<RimSurroundings> look_around(const Points& X, const Topology& topo
   }
   RimSurroundings result{SurroundingsKind::smooth, *roughness};
   if (result.roughness > smooth) {
-    result.likeness = likeness_of_neighbors(direction_shifts(X, topology, patch), topology, patch);
+    result.shifts = direction_shifts(X, topology, patch);
+    result.likeness = likeness_of_neighbors(result.shifts, topology, patch);
     result.kind =
         *result.likeness < independent ? SurroundingsKind::noisy : SurroundingsKind::shaped;
   }

@@ -4,8 +4,10 @@
 #include <cstdint>
 #include <optional>
 #include <string_view>
+#include <vector>
 
 #include "ibmfair/fill/patch.h"
+#include "ibmfair/fill/rim_directions.h"
 
 namespace ibmfair {
 
@@ -28,6 +30,7 @@ struct RimSurroundings {
   /// How much alike neighbours on the second ring are moved if directions are smoothed
   /// (fill/rim_directions.h). Not computed for smooth surroundings.
   std::optional<double> likeness = {};
+  std::vector<RingShift> shifts = {};  ///< direction_shifts, from which `likeness` follows
 };
 
 /// Looks at the mesh around the patch's rim. None if no vertex there has an interior neighbour.
