@@ -10,11 +10,14 @@ namespace ibmfair {
 std::optional<FlowOptions> short_cutoff_options(const Points& X, const Topology& topology,
                                                 const FlowOptions& options,
                                                 const MeshParts& parts) {
+  if (!options.guarded) {
+    return std::nullopt;
+  }
   const double edge = mean_edge_length(X, topology, parts);
   const double enough = time_in_flow_units(time_for_cutoff(tuning.short_cutoff.enough * edge), X,
                                            topology, options, parts);
   constexpr double rounding = 1e-9;  // of times that were computed in different ways
-  if (!options.guarded || !(options.total_time < (1 - rounding) * enough)) {
+  if (!(options.total_time < (1 - rounding) * enough)) {
     return std::nullopt;
   }
   const double cutoff = tuning.short_cutoff.enough * std::pow(options.total_time / enough, 0.25);
