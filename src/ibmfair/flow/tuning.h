@@ -218,8 +218,9 @@ struct NoiseTuning {
   /// median, of correlated noise. It is 1.03 to 1.14 for the noise of depth cameras, 0.85 to 0.89
   /// for the facets of round shapes that were subdivided, and 1.2 or more for details of a shape.
   double tails = 0.92, long_tails = 1.18;
-  /// The same ratio from which on there are outliers. It is at most 1.16 for normal noise, and 1.47
-  /// and more for impulsive noise. It is that of all that the second cut-off removes.
+  /// Ratio of the standard deviation by the mean square to that by the median, of all that the
+  /// second cut-off removes; from here on there are outliers. It is at most 1.16 for normal noise,
+  /// and 1.47 and more for impulsive noise.
   double outliers = 1.3;
   /// Ratio; the most by which the standard deviation by the mean square may grow from the first
   /// band to the second if there are outliers, as they are independent. It is 1.04 for impulsive
