@@ -400,5 +400,26 @@ TEST(Intersections, CrossingsAreFoundAndNeighboursAreNot) {
   EXPECT_EQ(patch_intersections(X, through_a_shared_corner, 1).size(), 1u);
 }
 
+TEST(FillHoles, PlanesStayPlanes) {
+  for (const Placement placement : all_placements) {
+    const Mesh sheet = moved(with_square_hole(flat_sheet(24, 24), 4), 1, Vec3::Zero());
+    for (const NamedMesh& plane : placed({{"plane", sheet}}, placement)) {
+      SCOPED_TRACE(plane.name);
+      const State state(plane.mesh);
+      const Filling filling = fill_holes(state.X, state.topology, {}, FillOptions());
+      ASSERT_EQ(filling.holes.size(), 2u);
+      EXPECT_EQ(filling.holes[1].status, HoleStatus::filled) << filling.holes[1].reason;
+      EXPECT_EQ(filling.holes[1].method, "lagrange");
+      const Vec3 a = state.X.row(0), b = state.X.row(24), c = state.X.row(24 * 25);
+      const Vec3 n = (b - a).cross(c - a).normalized();
+      const double size = (b - a).norm();
+      const double rounding = 1e-15 * state.X.cwiseAbs().maxCoeff();
+      EXPECT_GT(filling.new_X.rows(), 0);
+      EXPECT_LT(((filling.new_X.rowwise() - a.transpose()) * n).cwiseAbs().maxCoeff(),
+                1e-12 * size + 100 * rounding);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace ibmfair::test

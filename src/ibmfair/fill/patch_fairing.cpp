@@ -10,6 +10,7 @@
 #include "ibmfair/fill/refine.h"
 #include "ibmfair/flow/steps/stationary_flow.h"
 #include "ibmfair/flow/time_scale.h"
+#include "ibmfair/mesh/geometry.h"
 #include "ibmfair/mesh/topology.h"
 
 namespace ibmfair {
@@ -24,7 +25,8 @@ constexpr double late_share = 0.05;
 constexpr int sweeps_on_sphere = 4;  // of relaxation
 // The largest move along a normal in the last step of a converged level, in edge lengths.
 constexpr double small_move = 0.004;
-constexpr double coarse_small_move = 0.02;  // the same if a finer level follows
+constexpr double coarse_small_move = 0.02;   // the same if a finer level follows
+constexpr double rounding_of_gradient = 10;  // in units of an estimate of the rounding errors
 
 std::vector<std::uint8_t> fixed_vertices(const Patch& patch, const Topology& topology) {
   std::vector<std::uint8_t> fixed(patch.free.size());
@@ -118,6 +120,17 @@ class PatchFairing {
   StationaryFlow& flow() { return stage_->flow(); }
   double gradient_ratio() { return start_ > 0 ? flow().normal_gradient() / start_ : 0; }
 
+  /// Whether the gradient cannot be told from the rounding errors of the coordinates, as on a
+  /// plane: errors of delta change mean curvatures by delta / length^2, and their Laplacians, which
+  /// are the normal part of the gradient, by delta / length^4.
+  bool is_at_rounding() {
+    const double length = mean_edge_length(patch_);
+    const double delta = std::numeric_limits<double>::epsilon() * patch_.X.cwiseAbs().maxCoeff();
+    const double area = triangle_areas(patch_.X, patch_.net.triangles()).sum();
+    return flow().normal_gradient() <=
+           rounding_of_gradient * std::sqrt(area) * delta / std::pow(length, 4);
+  }
+
   void rebuild() {
     enter_stage();
     if (report_.levels++ == 0) {
@@ -163,7 +176,7 @@ class PatchFairing {
     report_.energy_after = flow().energy();
     report_.gradient_ratio = gradient_ratio();
     // A patch without free vertices, or at a stationary point from the start, has converged.
-    report_.converged = report_.converged || start_ == 0;
+    report_.converged = report_.converged || start_ == 0 || is_at_rounding();
     close_stage();
     stage_.reset();
   }
