@@ -96,8 +96,8 @@ void add_fairing_options(CLI::App& app, FillArguments& a) {
                            "discrete Laplacian of the bending energy (see the list below)");
   laplacian->default_str("");  // no value: without the option, the surroundings decide
   note_of(app, *laplacian).default_text =
-      "for a hole, intrinsic-delaunay where the mesh around it is smooth and crouzeix-raviart "
-      "elsewhere; lagrange for a region and with --mass";
+      "for a hole, crouzeix-raviart where the mesh around it is very rough by shape, and "
+      "intrinsic-delaunay elsewhere; lagrange for a region and with --mass";
   a.laplacian_is_given = [laplacian] { return laplacian->count() > 0; };
   add_mass_options(app, a.mass);
   CLI::Option* tolerance =

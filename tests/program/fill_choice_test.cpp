@@ -71,6 +71,31 @@ TEST_F(FillChoice, SmoothSurroundingsGetTheMostExactLaplacian) {
   }
 }
 
+TEST_F(FillChoice, WellMeshedDetailsAreContinued) {
+  Mesh mesh = without_cap(sphere(4), 20);
+  const Points unit = mesh.X;
+  for (auto x : mesh.X.rowwise()) {
+    x *= 1 + 0.1 * std::sin(5 * x[0]) * std::cos(4 * x[1]);
+  }
+  const auto error = [](const Mesh& after, Eigen::Index before) {
+    double sum = 0;
+    const Eigen::Index count = after.X.rows() - before;
+    for (auto x : after.X.bottomRows(count).rowwise()) {
+      // The radius depends on the point of the unit sphere in the same direction.
+      const Vec3 direction = x.transpose().normalized();
+      const double radius = 1 + 0.1 * std::sin(5 * direction[0]) * std::cos(4 * direction[1]);
+      sum += std::pow(x.norm() - radius, 2);
+    }
+    return std::sqrt(sum / static_cast<double>(count));
+  };
+  const Filled chosen = fill(mesh);
+  EXPECT_EQ(chosen.hole["surroundings"]["kind"], "shaped") << chosen.hole;
+  EXPECT_EQ(chosen.hole["method"], "intrinsic-delaunay with continued curvature");
+  EXPECT_EQ(chosen.after.X.topRows(mesh.X.rows()), mesh.X);
+  const Filled faired = fill(mesh, {"--laplacian", "intrinsic-delaunay"});
+  EXPECT_LT(error(chosen.after, unit.rows()), 0.7 * error(faired.after, unit.rows()));
+}
+
 TEST_F(FillChoice, DoesNotDependOnSizeAndPlace) {
   for (const double noise : {0.0, 0.1}) {
     const Mesh mesh = noisy_sphere(4, 30, noise, 5);

@@ -27,8 +27,12 @@ struct FillOptions {
   FairingOptions fairing;
   /// The patch takes its directions at the rim from a wider band (fill/rim_directions.h).
   bool smooth_directions = false;
+  /// After the fairing, the patch continues the curvature of the mesh around its hole
+  /// (fill/curvature_continuation.h). Its energy is then not stationary.
+  bool continue_curvature = false;
   /// The mesh around each hole decides on its patch's Laplacian, with the mass matrix that belongs
-  /// to it, and on `smooth_directions`, instead of these options (fill/patch_methods.h).
+  /// to it, on `smooth_directions` and on `continue_curvature`, instead of these options
+  /// (fill/patch_methods.h).
   bool choose_by_surroundings = false;
   bool refine = true;  ///< false: new vertices only to avoid edges that the mesh has already
   bool fair = true;

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "ibmfair/base/errors.h"
+#include "ibmfair/fill/curvature_continuation.h"
 #include "ibmfair/fill/linear_fairing.h"
 #include "ibmfair/fill/refine.h"
 #include "ibmfair/fill/rim_directions.h"
@@ -120,8 +121,8 @@ void HoleFiller::choose_methods(FilledGroup& group) const {
   if (options_.fair && options_.choose_by_surroundings) {
     group.surroundings = look_around(X_, topology_, *group.plain);
   }
-  group.methods = patch_methods(group.surroundings ? options_for(group.surroundings->kind, options_)
-                                                   : options_);
+  group.methods =
+      patch_methods(group.surroundings ? options_for(*group.surroundings, options_) : options_);
 }
 
 void HoleFiller::finish(FilledGroup& group) const {
@@ -221,6 +222,9 @@ void HoleFiller::make(Attempt& attempt, const FilledGroup& group, const PatchMet
   }
   if (method.smooth_directions) {
     patch.X.topRows(patch.own_from) = surroundings;
+  }
+  if (method.continue_curvature && attempt.converged) {
+    continue_curvature(X_, topology_, patch);
   }
 }
 

@@ -3,12 +3,22 @@
 namespace ibmfair {
 namespace {
 
+// The largest roughness at which curvatures say more about the surface than about its roughness.
+// Chosen on holes in models; confirmed on holes in other meshes (tools/fill_table --cut).
+constexpr double most_rough_with_curvature = 0.1;
+
 std::vector<PatchMethod> fairing_methods(const FillOptions& options) {
   const FairingOptions& asked = options.fairing;
   const std::string smoothed = " with smoothed directions at the rim";
   const PatchMethod first{asked.laplacian + (options.smooth_directions ? smoothed : ""),
                           PatchKind::stationary, asked, options.smooth_directions};
-  std::vector<PatchMethod> methods{first};
+  std::vector<PatchMethod> methods;
+  if (options.continue_curvature) {
+    methods.push_back(first);
+    methods.back().name += " with continued curvature";
+    methods.back().continue_curvature = true;
+  }
+  methods.push_back(first);
   // At a rim with a sharp tip, the few triangles of the coarsest level cannot follow the rim.
   if (options.refine && asked.most_levels > 1) {
     methods.push_back(first);
@@ -30,11 +40,15 @@ std::vector<PatchMethod> fairing_methods(const FillOptions& options) {
 
 }  // namespace
 
-FillOptions options_for(SurroundingsKind kind, FillOptions options) {
+FillOptions options_for(const RimSurroundings& surroundings, FillOptions options) {
+  const bool shaped = surroundings.kind == SurroundingsKind::shaped;
+  const bool fixed = options.rim_smooth == 0;
+  options.continue_curvature =
+      shaped && fixed && surroundings.roughness < most_rough_with_curvature;
   options.fairing.laplacian =
-      kind == SurroundingsKind::shaped ? "crouzeix-raviart" : "intrinsic-delaunay";
+      shaped && !options.continue_curvature ? "crouzeix-raviart" : "intrinsic-delaunay";
   options.fairing.mass_matrix.clear();
-  options.smooth_directions = kind == SurroundingsKind::noisy && options.rim_smooth == 0;
+  options.smooth_directions = surroundings.kind == SurroundingsKind::noisy && fixed;
   return options;
 }
 

@@ -23,13 +23,16 @@ struct PatchMethod {
   /// The mesh is smoothed around the rim before the patch takes its direction from there. Only the
   /// patch sees the smoothed mesh.
   bool smooth_directions = false;
+  /// The faired patch is moved to continue the curvature of the mesh around its hole.
+  bool continue_curvature = false;
 };
 
 /// The options with the Laplacian and the directions that suit such surroundings. Smooth:
 /// intrinsic-delaunay, the most exact member. Noisy: the same member with smoothed directions,
-/// unless vertices of the mesh may move. Shaped: crouzeix-raviart, which is usually nearer to what
-/// is missing in the mesh of a scan.
-FillOptions options_for(SurroundingsKind kind, FillOptions options);
+/// unless vertices of the mesh may move. Shaped: intrinsic-delaunay with continued curvature; where
+/// the surroundings are too rough for that, or vertices of the mesh may move, crouzeix-raviart,
+/// which is usually nearer to what is missing in the mesh of a scan than the other members.
+FillOptions options_for(const RimSurroundings& surroundings, FillOptions options);
 
 /// The methods that the options allow. The first is the one that they ask for; the others are for
 /// holes in which it fails. The last one adds no vertices.
