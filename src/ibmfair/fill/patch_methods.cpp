@@ -3,9 +3,17 @@
 namespace ibmfair {
 namespace {
 
-// The largest roughness at which curvatures say more about the surface than about its roughness.
-// Chosen on holes in models; confirmed on holes in other meshes (tools/fill_table --cut).
+// The largest roughness at which curvatures say more about the surface than about its roughness,
+// and the largest likeness: neighbours are more alike only beside a crease or a step. Chosen on
+// holes in models and in the originals of benchmarks of denoising (tools/fill_table --cut).
 constexpr double most_rough_with_curvature = 0.1;
+constexpr double most_alike_with_curvature = 0.86;
+
+bool has_curvature_to_continue(const RimSurroundings& surroundings) {
+  return surroundings.kind == SurroundingsKind::shaped &&
+         surroundings.roughness < most_rough_with_curvature &&
+         surroundings.likeness < most_alike_with_curvature;
+}
 
 std::vector<PatchMethod> fairing_methods(const FillOptions& options) {
   const FairingOptions& asked = options.fairing;
@@ -43,8 +51,7 @@ std::vector<PatchMethod> fairing_methods(const FillOptions& options) {
 FillOptions options_for(const RimSurroundings& surroundings, FillOptions options) {
   const bool shaped = surroundings.kind == SurroundingsKind::shaped;
   const bool fixed = options.rim_smooth == 0;
-  options.continue_curvature =
-      shaped && fixed && surroundings.roughness < most_rough_with_curvature;
+  options.continue_curvature = fixed && has_curvature_to_continue(surroundings);
   options.fairing.laplacian =
       shaped && !options.continue_curvature ? "crouzeix-raviart" : "intrinsic-delaunay";
   options.fairing.mass_matrix.clear();
