@@ -14,6 +14,7 @@
 #include "ibmfair/flow/part_measures.h"
 #include "ibmfair/flow/settings/crease_choice.h"
 #include "ibmfair/flow/settings/level_steps.h"
+#include "ibmfair/flow/settings/no_noise.h"
 #include "ibmfair/flow/time_scale.h"
 #include "ibmfair/flow/tuning.h"
 
@@ -47,7 +48,9 @@ class Planner {
       const auto& fixed = plan_.fixed;
       if (arguments_.cutoff_auto && std::find(fixed.begin(), fixed.end(), 0) != fixed.end()) {
         choose();
-        set_scale();
+        if (plan_.flow.steps > 0) {
+          set_scale();
+        }
       }
     }
     if (!arguments_.anisotropy.empty()) {
@@ -156,6 +159,10 @@ class Planner {
     }
     const CutoffSearch search{.largest = plan_.diagonal / 2, .observer = tell};
     plan_.choice = choose_cutoff(input_.X, input_.topology, plan_.fixed, plan_.flow, search);
+    if (arguments_.denoise && is_without_noise(input_.X, input_.topology, *plan_.choice)) {
+      leave_as_it_is();
+      return;
+    }
     if (!arguments_.finds_creases) {
       return;
     }
@@ -174,6 +181,13 @@ class Planner {
       plan_.creases = {creases->sharp_angle, *plan_.choice};
       plan_.choice = creases->cutoff;
     }
+  }
+
+  void leave_as_it_is() {
+    plan_.choice->kind = NoiseKind::none;
+    plan_.choice->cutoff = plan_.cutoff = 0;
+    plan_.flow.steps = 0;
+    plan_.flow.total_time = 0;
   }
 
   /// Smooths by the default of `smooth`. The errors of coordinates on levels are too regular to

@@ -93,6 +93,9 @@ std::string remark_on_noise(const SmoothPlan& plan) {
     return {};
   }
   switch (plan.choice->kind) {
+    case NoiseKind::none:
+      return "no noise was found: the mesh is written as it was read (--cutoff LENGTH smooths it "
+             "nevertheless)";
     case NoiseKind::outliers:
       return "the noise has outliers: a few vertices are much farther off than the others";
     case NoiseKind::correlated:

@@ -132,7 +132,8 @@ std::string effort(const FlowReport& flow) {
 
 /// What the line with the noise says about its kind.
 const char* addition_for(NoiseKind kind) {
-  return kind == NoiseKind::outliers     ? ", with outliers"
+  return kind == NoiseKind::none         ? " by estimate; none was found"
+         : kind == NoiseKind::outliers   ? ", with outliers"
          : kind == NoiseKind::correlated ? " in its shortest waves; it is correlated"
          : kind == NoiseKind::steps      ? ", steps between levels"
                                          : "";
@@ -142,7 +143,10 @@ const char* addition_for(NoiseKind kind) {
 /// If `detailed`, also all cut-offs that were tried.
 std::string cutoff_lines(const SmoothPlan& plan, bool detailed) {
   const double edge = plan.mean_edge_length;
-  std::string text = fmt::format("  {:<16}{}\n", "cut-off", length_text(plan.cutoff, edge));
+  std::string text;
+  if (plan.cutoff > 0) {
+    text += fmt::format("  {:<16}{}\n", "cut-off", length_text(plan.cutoff, edge));
+  }
   if (plan.choice) {
     text += fmt::format("  {:<16}{}{}\n", "noise", length_text(plan.choice->noise, edge),
                         addition_for(plan.choice->kind));

@@ -245,6 +245,19 @@ struct NoiseTuning {
   /// (radians), at least. A cube of 10 x 10 squares on each side has 7 % of bent hinges. Not
   /// measured.
   double along_axes = 0.9, bent_hinges = 0.1, bent = radians(10);
+  /// Mean edge lengths; less than this is not taken for noise. The estimate for shapes without
+  /// noise is up to 0.047 (originals of benchmarks, models), and 0.06 and more with noise of 0.05.
+  double negligible = 0.05;
+  /// Mean edge lengths; the same for noise that looks white. One original has 0.022.
+  double negligible_white = 0.03;
+  /// Ratios; the least evenness of white noise, and the most by which it grows from the first band
+  /// to the second. It is even by 0.65 to 0.85, and grows by 0.8 to 1.2 times, on smooth shapes
+  /// with noise of 0.05; shapes without noise grow by 1.5 times or more, or are less even.
+  double white_even = 0.6, white_growth = 1.3;
+  /// Ratio: more flat hinges than this are not found in noisy meshes; radians: the most that a flat
+  /// hinge turns by. Parts with planes have 0.34 or more, noisy meshes at most 0.001, or 0.06 if
+  /// half of the vertices are outliers.
+  double flat_hinges = 0.3, flat = radians(0.01);
 };
 
 /// The choice of creases (flow/settings/crease_choice.h). Risks are in variances of the noise,

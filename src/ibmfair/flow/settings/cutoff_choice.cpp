@@ -128,6 +128,7 @@ CutoffChoice CutoffChooser::choose(double sharp_angle, double shortest) {
         is_enough(choice.trials, choice.noise, keeps_creases) && !looks_further(next);
     return enough || next > search_.largest;
   });
+  choice.looks_white = is_white(trials_->bands());
   if (trials_->has_outliers()) {
     choice.kind = NoiseKind::outliers;
   } else if (is_correlated(trials_->bands())) {

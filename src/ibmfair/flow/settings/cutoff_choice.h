@@ -25,6 +25,7 @@ struct CutoffChoice {
   double cutoff = 0;  ///< length
   double noise = 0;   ///< standard deviation along the normals, length
   NoiseKind kind = NoiseKind::independent;
+  bool looks_white = false;         ///< `is_white` of noise_kind.h; false with creases
   std::vector<CutoffTrial> trials;  ///< with increasing cut-off
 
   const CutoffTrial& best() const;  ///< the trial with the least risk

@@ -21,6 +21,8 @@ bool is_noise(const NoiseBand& band) {
 
 const char* name_of(NoiseKind kind) {
   switch (kind) {
+    case NoiseKind::none:
+      return "none";
     case NoiseKind::outliers:
       return "outliers";
     case NoiseKind::correlated:
@@ -37,6 +39,12 @@ bool is_correlated(const std::vector<NoiseBand>& bands) {
   return bands.size() >= first_bands &&
          std::all_of(bands.begin(), bands.begin() + first_bands, is_noise) &&
          bands[first_bands - 1].by_median > tuning.noise.growth * bands[0].by_median;
+}
+
+bool is_white(const std::vector<NoiseBand>& bands) {
+  return bands.size() >= 2 &&
+         std::min(bands[0].evenness, bands[1].evenness) >= tuning.noise.white_even &&
+         bands[1].by_median <= tuning.noise.white_growth * bands[0].by_median;
 }
 
 bool may_tell_more(const std::vector<NoiseBand>& bands) {

@@ -14,7 +14,8 @@
 namespace ibmfair {
 
 enum class NoiseKind {
-  independent,  ///< from vertex to vertex, or none
+  none,         ///< or so little that it is not more than details of a shape (no_noise.h)
+  independent,  ///< from vertex to vertex
   outliers,     ///< independent, with few vertices that are much farther off than the others
   correlated,   ///< over some edges
   steps,        ///< of coordinates on few levels (level_steps.h)
@@ -34,6 +35,9 @@ struct NoiseBand {
 
 /// Whether the first bands, from the shortest cut-off upward, are of correlated noise.
 bool is_correlated(const std::vector<NoiseBand>& bands);
+
+/// Whether the first two bands are like those of white noise: even, and equally strong.
+bool is_white(const std::vector<NoiseBand>& bands);
 
 /// Whether a longer cut-off may tell more: too few bands are known for `is_correlated`, and the
 /// noise may be correlated; or the noise is, and the last band still consists of noise.

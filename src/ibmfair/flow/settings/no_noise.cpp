@@ -1,0 +1,29 @@
+#include "ibmfair/flow/settings/no_noise.h"
+
+#include <numbers>
+
+#include "ibmfair/flow/tuning.h"
+#include "ibmfair/mesh/geometry.h"
+
+namespace ibmfair {
+namespace {
+
+double share_of_flat_hinges(const Points& X, const Topology& topology) {
+  const Eigen::VectorXd angles = dihedral_angles(X, topology.H);
+  return angles.size() == 0 ? 0
+                            : static_cast<double>(
+                                  (angles.array() > std::numbers::pi - tuning.noise.flat).count()) /
+                                  static_cast<double>(angles.size());
+}
+
+}  // namespace
+
+bool is_without_noise(const Points& X, const Topology& topology, const CutoffChoice& choice) {
+  const double negligible =
+      choice.looks_white ? tuning.noise.negligible_white : tuning.noise.negligible;
+  return choice.kind == NoiseKind::independent &&
+         (choice.noise < negligible * mean_edge_length(X, topology.E) ||
+          share_of_flat_hinges(X, topology) > tuning.noise.flat_hinges);
+}
+
+}  // namespace ibmfair
