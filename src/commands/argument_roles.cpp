@@ -49,6 +49,19 @@ bool is_flag(const CLI::Option& option) {
   return option.get_items_expected_max() == 0;
 }
 
+bool has_optional_value(const CLI::Option& option) {
+  return is_flag(option) && !option.get_type_name().empty();
+}
+
+std::vector<std::string> given_values(const CLI::Option& option) {
+  const bool alone = is_flag(option) && (!has_optional_value(option) || option.count() == 0 ||
+                                         option.results().back() == flag_alone);
+  if (alone) {
+    return {};
+  }
+  return is_flag(option) ? std::vector{option.results().back()} : option.results();
+}
+
 bool is_given(const CLI::App& command, const std::string& name) {
   const CLI::Option* option = command.get_option_no_throw(name);
   return option != nullptr && option->count() > 0;

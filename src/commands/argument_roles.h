@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace CLI {
 class App;
@@ -34,6 +35,15 @@ std::string key_of(const CLI::Option& option);
 
 /// Whether the option takes no value.
 bool is_flag(const CLI::Option& option);
+
+/// What the parser gives as the value of a flag that stands alone.
+inline constexpr const char* flag_alone = "true";
+
+/// Whether the option is a flag that can also be given with a value: `--weld`, `--weld=1e-6u`.
+bool has_optional_value(const CLI::Option& option);
+
+/// The values that were given to the option; none for a flag that stands alone.
+std::vector<std::string> given_values(const CLI::Option& option);
 
 /// Whether the command has an argument or option with this name, and it was given.
 bool is_given(const CLI::App& command, const std::string& name);

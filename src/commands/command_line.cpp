@@ -12,6 +12,7 @@
 #include "commands/documentation.h"
 #include "commands/effective_job.h"
 #include "commands/engine.h"
+#include "commands/length.h"
 #include "commands/many_files.h"
 #include "commands/numeric_options.h"
 #include "commands/suggest.h"
@@ -293,6 +294,7 @@ std::optional<std::string> CommandLine::parse(std::vector<std::string> words) {
   if (!words.empty() && words.front() == help_command) {
     words = question_for_help(std::move(words));
   }
+  words = join_optional_lengths(std::move(words));
   std::reverse(words.begin(), words.end());  // the parser takes them from the back
   try {
     parts_->app.parse(std::move(words));

@@ -22,7 +22,7 @@ ordered_json value_json(const std::string& text) {
 }
 
 ordered_json values_json(const CLI::Option& option) {
-  const std::vector<std::string>& texts = option.results();
+  const std::vector<std::string> texts = given_values(option);
   const auto convert = [&](const std::string& text) {
     return role_of(option) == Role::value ? value_json(text) : ordered_json(text);
   };
@@ -48,7 +48,7 @@ bool gives_way(const CLI::Option& option) {
 
 /// Adds the argument or option with its given or default value, if there is one.
 void add_value(const CLI::Option& option, ordered_json& place) {
-  if (is_flag(option)) {
+  if (is_flag(option) && given_values(option).empty()) {
     place[key_of(option)] = option.count() > 0;
   } else if (option.count() > 0) {
     place[key_of(option)] = values_json(option);

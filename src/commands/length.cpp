@@ -1,13 +1,34 @@
 #include "commands/length.h"
 
+#include <algorithm>
+#include <array>
+#include <memory>
+
+#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include "commands/argument_roles.h"
 #include "commands/documentation.h"
 #include "commands/numeric_options.h"
 #include "ibmfair/base/errors.h"
 #include "ibmfair/flow/part_measures.h"
 
 namespace ibmfair::commands {
+namespace {
+
+/// The options that add_optional_length declares.
+constexpr std::array<std::string_view, 2> optional_lengths{"--weld", "--stitch"};
+
+bool is_length(std::string_view text) {
+  try {
+    parse_length_option({}, text, Length::Unit::absolute);
+    return true;
+  } catch (const BadOption&) {
+    return false;
+  }
+}
+
+}  // namespace
 
 double Length::on(const Points& X, const Topology& topology, const MeshParts& parts) const {
   switch (unit) {
@@ -40,6 +61,37 @@ Length parse_length_option(std::string_view name, std::string_view text, Length:
         "box's diagonal) or 0.5u (mesh units)",
         name, text));
   }
+}
+
+CLI::Option* add_optional_length(CLI::App& app, const std::string& name, Length::Unit unit,
+                                 const std::string& help,
+                                 const std::function<void(std::optional<Length>)>& set) {
+  auto text = std::make_shared<std::string>();  // the parser stores the value here
+  CLI::Option* option = app.add_flag(name, *text, help);
+  option->type_name("LENGTH")->each([text, name, unit, set](const std::string& word) {
+    if (word == flag_alone) {
+      set(std::nullopt);
+    } else {
+      set(parse_length_option(name, word, unit));
+    }
+  });
+  note_units_of_length(app, *option, unit);
+  return option;
+}
+
+std::vector<std::string> join_optional_lengths(std::vector<std::string> words) {
+  std::vector<std::string> joined;
+  for (std::string& word : words) {
+    const bool after_option =
+        !joined.empty() &&
+        std::ranges::find(optional_lengths, joined.back()) != optional_lengths.end();
+    if (after_option && is_length(word)) {
+      joined.back() += "=" + word;
+    } else {
+      joined.push_back(std::move(word));
+    }
+  }
+  return joined;
 }
 
 void note_units_of_length(CLI::App& app, const CLI::Option& option, Length::Unit unit) {

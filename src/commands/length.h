@@ -2,8 +2,11 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "commands/numeric_options.h"
 #include "ibmfair/base/types.h"
@@ -30,6 +33,19 @@ Length parse_length_option(std::string_view name, std::string_view text, Length:
 
 /// Documents for the help which units the option takes.
 void note_units_of_length(CLI::App& app, const CLI::Option& option, Length::Unit unit);
+
+/// Declares a flag that takes a length as its optional value: `--weld`, `--weld=1e-6u` or `--weld
+/// 1e-6u`. `set` is called with no length if
+/// only the flag is given.
+CLI::Option* add_optional_length(CLI::App& app, const std::string& name, Length::Unit unit,
+                                 const std::string& help,
+                                 const std::function<void(std::optional<Length>)>& set);
+
+/// Joins each option that takes an optional length with the word after it, if this word is a length
+/// (a positive number, with or without unit): `--weld 1e-6u` becomes `--weld=1e-6u`. In `--weld
+/// in.obj`, the next word is an argument of its own; a file whose name is a length must be given as
+/// ./NAME.
+std::vector<std::string> join_optional_lengths(std::vector<std::string> words);
 
 /// Declares an option for a length; Target is Length or std::optional<Length>.
 template <class Target>

@@ -51,8 +51,7 @@ std::vector<Setting> given_settings(const CLI::App& command) {
   std::vector<Setting> settings;
   for (const CLI::Option* option : command.get_options()) {
     if (!option->get_positional() && option->get_configurable() && option->count() > 0) {
-      settings.push_back({key_of(*option), false,
-                          is_flag(*option) ? std::vector<std::string>{} : option->results()});
+      settings.push_back({key_of(*option), false, given_values(*option)});
     }
   }
   return settings;

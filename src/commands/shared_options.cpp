@@ -8,9 +8,11 @@
 #include "commands/documentation.h"
 #include "commands/printable.h"
 #include "commands/report/report_formats.h"
+#include "commands/value_list.h"
 #include "ibmfair/energy/bending_energy.h"
 #include "ibmfair/energy/mass_matrices.h"
 #include "ibmfair/io/formats.h"
+#include "ibmfair/mesh/topology.h"
 
 namespace ibmfair::commands {
 
@@ -39,6 +41,25 @@ FormatWords format_words(bool to_write) {
   return words;
 }
 
+MeshFile welded_within(const Length& length, const MeshFile& file, const Console& console) {
+  const Mesh& mesh = file.mesh();
+  const double tolerance = length.on(mesh.X, length.unit == Length::Unit::edges
+                                                 ? build_topology(mesh.X, triangulate(mesh).F)
+                                                 : Topology{});
+  const CloseWeld weld(file, tolerance);
+  if (weld.merged > 0) {
+    console.note(fmt::format("merged {} that lay within {:.6g} of others, {:.3g} away at most",
+                             counted(weld.merged, "vertex", "vertices"), tolerance, weld.farthest));
+  }
+  if (weld.collapsed_edges > 0) {
+    console.warning(fmt::format(
+        "--weld: {} shorter than the tolerance {:.6g}, and collapsed; with them {} left out",
+        counted(weld.collapsed_edges, "edge was", "edges were"), tolerance,
+        counted(weld.collapsed_faces, "face was", "faces were")));
+  }
+  return weld.file;
+}
+
 }  // namespace
 
 void add_input_argument(CLI::App& app, std::string& path) {
@@ -62,7 +83,15 @@ void add_input_options(CLI::App& app, InputOptions& options) {
           ->type_name("NAME");
   note_of(app, *format).offers = format_words(false).names;
   note_of(app, *format).default_text = "from the file's name and first bytes";
-  app.add_flag("--weld", options.read.weld, "merge vertices at exactly the same position");
+  add_optional_length(
+      app, "--weld", Length::Unit::absolute,
+      "merge vertices at exactly the same position, or with LENGTH vertices that a chain of steps "
+      "of "
+      "at most this length joins; of these the first stays, and collapsed faces are left out",
+      [&options](std::optional<Length> length) {
+        options.read.weld = true;
+        options.weld_within = length;
+      });
 }
 
 MeshFile read_input(const std::string& path, const InputOptions& options, const Console& console) {
@@ -70,7 +99,7 @@ MeshFile read_input(const std::string& path, const InputOptions& options, const 
   for (const std::string& note : file.notes()) {
     console.note(note);
   }
-  return file;
+  return options.weld_within ? welded_within(*options.weld_within, file, console) : file;
 }
 
 void add_output_options(CLI::App& app, OutputOptions& options) {

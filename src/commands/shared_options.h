@@ -1,12 +1,14 @@
 // Groups of options that have the same meaning for several commands.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include <nlohmann/json_fwd.hpp>
 
 #include "commands/console.h"
+#include "commands/length.h"
 #include "ibmfair/io/mesh_file.h"
 
 namespace CLI {
@@ -26,12 +28,14 @@ void offer_meshes_to_write(CLI::App& app, const CLI::Option& option);
 /// How input files are read.
 struct InputOptions {
   ReadOptions read;
+  std::optional<Length> weld_within = {};  ///< merge vertices that are this close to each other
 };
 
 /// Declares --input-format and --weld.
 void add_input_options(CLI::App& app, InputOptions& options);
 
-/// Reads a mesh file ("-": standard input), and prints the remarks of the reader to the console.
+/// Reads a mesh file ("-": standard input), merges its vertices as the options say, and prints
+/// remarks to the console.
 MeshFile read_input(const std::string& path, const InputOptions& options, const Console& console);
 
 /// Path and format of the mesh to write.

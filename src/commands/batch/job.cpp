@@ -12,7 +12,7 @@ namespace {
 void add_option_words(const CLI::Option& option, const Setting& setting,
                       std::vector<std::string>& words) {
   const std::string name = "--" + setting.key;
-  if (is_flag(option)) {
+  if (is_flag(option) && setting.values.empty()) {
     words.push_back(name);
   }
   for (const std::string& value : setting.values) {

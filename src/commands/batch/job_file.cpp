@@ -206,12 +206,14 @@ class JobReader {
   static void read_option(const CLI::Option& option, const ordered_json& value,
                           const std::string& place, Job& job) {
     const std::string key = key_of(option);
-    if (is_flag(option) != value.is_boolean()) {
-      fail(place, "options." + key,
-           fmt::format("{} is needed, not {}", is_flag(option) ? "true or false" : "a value",
-                       shown(value)));
+    if (is_flag(option) != value.is_boolean() &&
+        !(has_optional_value(option) && (value.is_string() || value.is_number()))) {
+      const char* wanted = has_optional_value(option) ? "true, false or a value"
+                           : is_flag(option)          ? "true or false"
+                                                      : "a value";
+      fail(place, "options." + key, fmt::format("{} is needed, not {}", wanted, shown(value)));
     }
-    if (is_flag(option)) {
+    if (value.is_boolean()) {
       if (value.get<bool>()) {
         job.settings.push_back({key});
       }

@@ -82,6 +82,9 @@ std::string roff_heading(const OptionUsage& option) {
   if (!option.value.empty() && option.name.starts_with('-')) {
     text += fmt::format(" \\fI{}\\fR", roff(option.value));
   }
+  if (!option.optional_value.empty()) {
+    text += fmt::format(" [\\fI{}\\fR]", roff(option.optional_value));
+  }
   return text;
 }
 

@@ -75,6 +75,7 @@ OptionUsage usage_of_option(const CLI::Option& option, const OptionNote& note) {
   usage.choices = choices_in(option.get_type_name());
   usage.role = role_of(option);
   usage.value = value_of(option, usage);
+  usage.optional_value = has_optional_value(option) ? option.get_type_name() : "";
   usage.type = type_of(usage);
   usage.offers = note.offers;
   usage.default_text = note.default_text;
@@ -171,6 +172,9 @@ std::string heading_of(const OptionUsage& option) {
   std::string text = option.letter.empty() ? option.name : option.letter + ", " + option.name;
   if (!option.value.empty() && option.name.starts_with('-')) {
     text += " " + option.value;
+  }
+  if (!option.optional_value.empty()) {
+    text += fmt::format(" [{}]", option.optional_value);
   }
   return text;
 }

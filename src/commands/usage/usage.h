@@ -16,6 +16,7 @@ struct OptionUsage {
   std::string name;                     ///< `--cutoff`; for an argument `IN`
   std::string letter;                   ///< `-q`; empty: none
   std::string value;                    ///< placeholder of the value: `LENGTH`; empty: a flag
+  std::string optional_value;           ///< placeholder of a flag's value that may be left out
   std::string type;                     ///< flag, integer, number, length, bytes, choice, file, ...
   std::vector<std::string> choices;     ///< all possible values; empty: not a choice
   std::vector<std::string> offers;      ///< some possible values

@@ -52,6 +52,7 @@ ordered_json option_json(const OptionUsage& option) {
       {"short_name", text_or_null(option.letter)},
       {"type", option.type},
       {"value", text_or_null(option.value)},
+      {"optional_value", text_or_null(option.optional_value)},
       {"choices", option.choices},
       {"offers", option.offers},
       {"unit", text_or_null(option.unit)},

@@ -1,5 +1,6 @@
 #include "ibmfair/io/mesh_file.h"
 
+#include <algorithm>
 #include <optional>
 #include <tuple>
 #include <utility>
@@ -18,7 +19,8 @@ struct MeshFile::Contents {
   const Format* format = nullptr;
   std::string extension;
   ParsedMesh parsed;
-  std::optional<Weld> weld;  // set if vertices were merged
+  std::optional<Weld> weld;       // set if vertices were merged
+  std::optional<KeptFaces> kept;  // set if faces or corners were left out
 
   /// The mesh with the vertex numbers of the file, which attributes and masks use.
   Mesh unwelded() const { return format->read(*bytes, extension).mesh; }
@@ -77,6 +79,45 @@ void weld_vertices(ParsedMesh& parsed, std::optional<Weld>& result) {
   result = std::move(weld);
 }
 
+/// Leaves out what belongs to faces and corners that were left out.
+void keep(const KeptFaces& kept, MeshAttributes& attributes) {
+  if (!attributes.corner_texture.empty()) {
+    std::vector<Index> texture;
+    texture.reserve(kept.corner.size());
+    for (const std::int64_t corner : kept.corner)
+      texture.push_back(attributes.corner_texture[corner]);
+    attributes.corner_texture = std::move(texture);
+  }
+  for (auto& [face, statement] : attributes.face_statements) {
+    const auto next = std::lower_bound(kept.face.begin(), kept.face.end(), face);
+    face = static_cast<Index>(next - kept.face.begin());
+  }
+}
+
+KeptFaces combined(const KeptFaces& first, const KeptFaces& then) {
+  KeptFaces both;
+  for (const Index face : then.face)
+    both.face.push_back(first.face[face]);
+  for (const std::int64_t corner : then.corner)
+    both.corner.push_back(first.corner[corner]);
+  return both;
+}
+
+std::int64_t count_collapsed_edges(const Polygons& faces, const Weld& weld) {
+  std::vector<std::pair<Index, Index>> edges;
+  for (Index f = 0; f < faces.size(); ++f) {
+    Index previous = faces[f].back();
+    for (const Index v : faces[f]) {
+      if (v != previous && weld.vertex[v] == weld.vertex[previous]) {
+        edges.emplace_back(std::min(v, previous), std::max(v, previous));
+      }
+      previous = v;
+    }
+  }
+  std::sort(edges.begin(), edges.end());
+  return std::unique(edges.begin(), edges.end()) - edges.begin();
+}
+
 }  // namespace
 
 const Mesh& MeshFile::mesh() const {
@@ -133,6 +174,7 @@ std::optional<std::vector<double>> MeshFile::vertex_values(const std::string& na
 MeshAttributes MeshFile::attributes() const {
   MeshAttributes attributes = contents_->file_attributes();
   if (!welded()) return attributes;
+  if (contents_->kept) keep(*contents_->kept, attributes);
   if (!attributes.colours.empty()) {
     std::vector<std::array<double, 4>> colours;
     colours.reserve(contents_->weld->first.size());
@@ -142,6 +184,34 @@ MeshAttributes MeshFile::attributes() const {
     attributes.colours = std::move(colours);
   }
   return attributes;
+}
+
+CloseWeld::CloseWeld(const MeshFile& source, double tolerance)
+    : CloseWeld(source, find_close_vertices(source.mesh().X, tolerance)) {}
+
+CloseWeld::CloseWeld(const MeshFile& source, const Weld& weld) : file(source) {
+  const Points& X = source.mesh().X;
+  merged = std::ssize(weld.vertex) - std::ssize(weld.first);
+  if (merged == 0) return;
+  for (Eigen::Index v = 0; v < X.rows(); ++v) {
+    farthest = std::max(farthest, (X.row(v) - X.row(weld.first[weld.vertex[v]])).norm());
+  }
+  auto contents = std::make_shared<MeshFile::Contents>(*source.contents_);
+  Mesh& mesh = contents->parsed.mesh;
+  collapsed_edges = count_collapsed_edges(mesh.faces, weld);
+  apply(weld, mesh);
+  if (collapsed_edges > 0) {
+    const Index faces = mesh.faces.size();
+    const KeptFaces left = remove_collapsed(mesh.faces);
+    contents->kept = contents->kept ? combined(*contents->kept, left) : left;
+    collapsed_faces = faces - mesh.faces.size();
+    if (mesh.faces.size() == 0) {
+      throw BadMesh(
+          fmt::format("{}: with this tolerance of the welding no face is left", source.name()));
+    }
+  }
+  contents->weld = contents->weld ? combined(*contents->weld, weld) : weld;
+  file.contents_ = std::move(contents);
 }
 
 MeshFile read_mesh(const std::string& path, const ReadOptions& options) {

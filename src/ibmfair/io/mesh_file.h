@@ -15,6 +15,7 @@
 namespace ibmfair {
 
 struct Format;      // io/formats.h
+struct Weld;        // io/weld.h
 class SourceBytes;  // io/source_bytes.h
 
 /// Options for reading a file.
@@ -66,6 +67,7 @@ class MeshFile {
 
  private:
   friend MeshFile read_mesh(std::shared_ptr<const SourceBytes> bytes, const ReadOptions& options);
+  friend struct CloseWeld;
   struct Contents;
   std::shared_ptr<const Contents> contents_;
 };
@@ -77,6 +79,23 @@ MeshFile read_mesh(const std::string& path, const ReadOptions& options = {});
 
 /// Reads a mesh from bytes that are in memory already.
 MeshFile read_mesh(std::shared_ptr<const SourceBytes> bytes, const ReadOptions& options = {});
+
+/// A mesh whose vertices were merged where they are close to each other.
+struct CloseWeld {
+  MeshFile file;
+  std::int64_t merged = 0;           ///< vertices that became one with another vertex
+  double farthest = 0;               ///< of them from its new place, length
+  std::int64_t collapsed_edges = 0;  ///< edges whose two ends became one vertex
+  std::int64_t collapsed_faces = 0;  ///< faces that were left out because they had collapsed
+
+  /// Merges the vertices of `source` that find_close_vertices (io/weld.h) finds. Corners that
+  /// repeat the corner before them, and faces that then have fewer than three corners, are left
+  /// out.
+  CloseWeld(const MeshFile& source, double tolerance);
+
+  /// Merges the vertices of `source` in this way.
+  CloseWeld(const MeshFile& source, const Weld& weld);
+};
 
 /// Options for writing a file.
 struct WriteOptions {
