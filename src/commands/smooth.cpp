@@ -19,6 +19,7 @@
 #include "commands/vertex_values.h"
 #include "ibmfair/base/stopwatch.h"
 #include "ibmfair/flow/willmore_flow.h"
+#include "ibmfair/io/weld.h"
 #include "ibmfair/page/scene_lines.h"
 
 namespace ibmfair::commands {
@@ -43,6 +44,17 @@ struct Smoothing {
   const Points& before() const { return file.mesh().X; }
 };
 
+/// The number of vertices that lie exactly on others. It is determined only if most vertices are on
+/// open boundaries, as they are if the triangles share no vertices.
+std::int64_t coincident_vertices(const Points& X, const Topology& topology) {
+  const auto on_boundary = std::ranges::count(topology.kind, VertexKind::boundary);
+  if (2 * on_boundary <= topology.vertex_count) {
+    return 0;
+  }
+  const Weld weld = find_coincident_vertices(X);
+  return std::ssize(weld.vertex) - std::ssize(weld.first);
+}
+
 Smoothing read_smoothing(const SmoothArguments& arguments, const Console& console,
                          Progress& progress) {
   Smoothing s;
@@ -58,6 +70,7 @@ Smoothing read_smoothing(const SmoothArguments& arguments, const Console& consol
   s.result.vertices = s.topology.vertex_count;
   s.result.triangles = s.topology.F.rows();
   s.result.closed = s.topology.boundary_loops.empty();
+  s.result.coincident = coincident_vertices(s.before(), s.topology);
   s.X = s.before();
   return s;
 }

@@ -47,6 +47,18 @@ bool is_nearly_done(const SmoothResult& result) {
   return length_reached(result) >= 0.99 * result.plan.cutoff;
 }
 
+/// A remark if triangles lie side by side without sharing vertices; else empty.
+std::string remark_on_coincident_vertices(const SmoothResult& result) {
+  constexpr std::int64_t least_share = 10;  // one of so many vertices
+  if (result.coincident * least_share < result.vertices || result.coincident == 0) {
+    return {};
+  }
+  return fmt::format(
+      "{} of {} vertices coincide with others: triangles lie side by side without sharing their "
+      "edges, and open boundaries stay fixed or come apart; --weld merges such vertices",
+      result.coincident, result.vertices);
+}
+
 /// A remark if the default cut-off is longer than the mesh is large; else empty.
 std::string remark_on_default_cutoff(const SmoothResult& result) {
   if (result.plan.cutoff <= result.plan.diagonal / 2) {
@@ -141,7 +153,8 @@ std::string remark_on_texture(const SmoothArguments& arguments, const SmoothPlan
 
 std::vector<std::string> notes_on(const SmoothArguments& arguments, const SmoothResult& result) {
   std::vector<std::string> notes{remark_on_texture(arguments, result.plan),
-                                 remark_on_noise(result.plan)};
+                                 remark_on_noise(result.plan),
+                                 remark_on_coincident_vertices(result)};
   if (!arguments.cutoff && !result.plan.choice && !arguments.time_step) {
     notes.push_back(remark_on_default_cutoff(result));
   }

@@ -11,7 +11,8 @@
 namespace ibmfair::commands {
 
 /// Remarks about texture coordinates that shift, about noise that is not independent from vertex to
-/// vertex, and about a default cut-off that is longer than the mesh is large.
+/// vertex, about triangles that share no vertices, and about a default cut-off that is longer than
+/// the mesh is large.
 std::vector<std::string> notes_on(const SmoothArguments& arguments, const SmoothResult& result);
 
 /// A warning with the cause and what helps if the volume of a closed mesh has changed by more than

@@ -22,6 +22,7 @@ struct SmoothResult {
   MeshStatistics before, after;
   double largest_move = 0, rms_move = 0;  ///< over all vertices, length
   std::int64_t vertices = 0, triangles = 0;
+  std::int64_t coincident = 0;  ///< vertices that lie on others, if most are on open boundaries
   bool closed = true;
   double seconds_read = 0, seconds_topology = 0, seconds_measure = 0, seconds_write = 0;
 };
