@@ -4,11 +4,29 @@
 
 #include "fuzz/mesh_laws.h"
 #include "fuzz/targets.h"
+#include "ibmfair/io/face_edits.h"
 #include "support/mesh_io.h"
 
 namespace ibmfair::fuzz {
 
 namespace {
+
+/// A face can be replaced whatever the file holds: here by two copies of itself whose corners begin
+/// with the second.
+void require_editable(const MeshFile& file) {
+  const auto corners = static_cast<Index>(file.mesh().faces[0].size());
+  std::vector<EditedCorner> piece;
+  for (Index i = 0; i < corners; ++i) {
+    const Index corner = (i + 1) % corners;
+    piece.push_back({file.mesh().faces[0][corner], corner, corner, 0});
+  }
+  const std::vector<FaceEdit> edits{{0, {piece, piece}}};
+  const Mesh wanted = with_edited_faces(file.mesh(), edits),
+             edited = edit_faces(file, edits).file.mesh();
+  law(edited.X == wanted.X, "editing a face moves no vertex");
+  law(edited.faces.first == wanted.faces.first && edited.faces.corner == wanted.faces.corner,
+      "editing a face replaces this face alone");
+}
 
 void read_as(std::string_view bytes, const std::string& format) {
   const std::string name = "mesh." + format;
@@ -20,6 +38,7 @@ void read_as(std::string_view bytes, const std::string& format) {
     return;
   }
   require_sound(*file);
+  require_editable(*file);
   const MeshFile welded = test::MeshFiles::read(bytes, name, {.format = format, .weld = true});
   require_sound(welded);
   law(welded.mesh().faces.first == file->mesh().faces.first, "welding keeps every face");

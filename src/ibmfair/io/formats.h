@@ -17,6 +17,7 @@ namespace ibmfair {
 
 class ByteSink;
 struct Extension;  // io/extension.h
+struct FaceEdit;   // io/face_edits.h
 
 /// The result of a format's reader.
 struct ParsedMesh {
@@ -40,6 +41,13 @@ struct PatchRequest {
   bool any_moved;  ///< whether any vertex moved; always true without an extension
   WriteOptions::PlyReal ply_real = WriteOptions::PlyReal::promote;
   const Extension* extension = nullptr;  ///< fits `mesh`
+};
+
+/// A request to write the bytes of the source with some of its faces replaced.
+struct EditRequest {
+  const SourceBytes& source;
+  const Mesh& mesh;                    ///< as read from `source`
+  const std::vector<FaceEdit>& edits;  ///< at least one
 };
 
 /// A request to generate a file from the mesh and its attributes.
@@ -68,6 +76,8 @@ struct Format {
   /// the file has no property of this name.
   std::optional<std::vector<double>> (*vertex_values)(const SourceBytes& source,
                                                       std::string_view name) = nullptr;
+  /// Returns false, whatever was written, if the faces cannot be replaced in these bytes.
+  bool (*edit_faces)(const EditRequest& request, ByteSink& out) = nullptr;
   /// Both functions return notes for the user.
   std::vector<std::string> (*patch)(const PatchRequest& request, ByteSink& out) = nullptr;
   std::vector<std::string> (*generate)(const GenerateRequest& request, ByteSink& out) = nullptr;

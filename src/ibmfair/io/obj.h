@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "ibmfair/io/face_edits.h"
 #include "ibmfair/io/formats.h"
 
 namespace ibmfair::obj {
@@ -37,6 +38,7 @@ bool is_face_statement(std::string_view keyword);
 MeshAttributes read_attributes(const SourceBytes& source, const Mesh& mesh);
 std::vector<std::uint8_t> vertex_mask(const SourceBytes& source, const Mesh& mesh,
                                       std::string_view name);
+bool edit_faces(const EditRequest& request, ByteSink& out);
 std::vector<std::string> patch(const PatchRequest& request, ByteSink& out);
 
 /// Writes the request's extension, which follows the text of the source. Returns notes.

@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "ibmfair/io/face_edits.h"
 #include "ibmfair/io/formats.h"
 #include "ibmfair/io/token_cursor.h"
 
@@ -77,6 +78,7 @@ std::vector<std::string> patch_binary(const PatchRequest& request, const Layout&
 bool recognises(std::string_view bytes);
 ParsedMesh read(const SourceBytes& source, std::string_view extension);
 MeshAttributes read_attributes(const SourceBytes& source, const Mesh& mesh);
+bool edit_faces(const EditRequest& request, ByteSink& out);
 std::vector<std::string> patch(const PatchRequest& request, ByteSink& out);
 std::vector<std::string> generate(const GenerateRequest& request, ByteSink& out);
 

@@ -13,6 +13,7 @@
 #include <string_view>
 #include <vector>
 
+#include "ibmfair/io/face_edits.h"
 #include "ibmfair/io/formats.h"
 #include "ibmfair/io/ply_header.h"
 
@@ -63,6 +64,7 @@ inline bool selects(double value) {
 std::vector<std::uint8_t> vertex_mask(const SourceBytes& source, const Mesh& mesh,
                                       std::string_view name);
 std::optional<std::vector<double>> vertex_values(const SourceBytes& source, std::string_view name);
+bool edit_faces(const EditRequest& request, ByteSink& out);
 std::vector<std::string> patch(const PatchRequest& request, ByteSink& out);
 std::vector<std::string> generate(const GenerateRequest& request, ByteSink& out);
 
