@@ -61,10 +61,6 @@ struct Corners {
   int index[3];
 };
 
-/// CGAL's cubic algorithm, the fallback if the Delaunay triangulation has no solution, would take
-/// minutes for polygons with more corners.
-constexpr Eigen::Index longest_cubic = 400;
-
 /// The points with the first point repeated at the end. CGAL would add this point itself, except if
 /// the first and the last corner have equal coordinates.
 std::vector<Point> closed_points(const Points& X) {
@@ -86,8 +82,8 @@ Triangles triangulate_hole(const Points& loop, const Points& apex) {
   std::vector<Corners> found;
   CGAL::Polygon_mesh_processing::triangulate_hole_polyline(
       closed_points(loop), closed_points(apex), std::back_inserter(found),
-      CGAL::parameters::use_delaunay_triangulation(true).do_not_use_cubic_algorithm(loop.rows() >
-                                                                                    longest_cubic));
+      CGAL::parameters::use_delaunay_triangulation(true).do_not_use_cubic_algorithm(
+          loop.rows() > longest_searched_loop));
   Triangles F(static_cast<Eigen::Index>(found.size()), 3);
   for (Eigen::Index t = 0; t < F.rows(); ++t) {
     for (int i = 0; i < 3; ++i) {

@@ -6,6 +6,10 @@
 
 namespace ibmfair {
 
+/// The search among all triangulations, for a polygon that its Delaunay triangulation does not
+/// span, is made for polygons of at most so many corners; for longer ones it would take minutes.
+inline constexpr Eigen::Index longest_searched_loop = 400;
+
 /// Triangulates the closed polygon with corners `loop` (#L x 3, #L >= 3) so that the surface bends
 /// little at its edges, including the edges shared with the mesh. Row i of `apex` (#L x 3) is the
 /// third corner of the mesh triangle at the edge from corner i to i + 1. The corners of the

@@ -1,6 +1,7 @@
 #include "ibmfair/fill/patch.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include <fmt/format.h>
 
@@ -11,6 +12,8 @@
 
 namespace ibmfair {
 namespace {
+
+constexpr double line_width = 1e-9;  // of a polygon that has no area, relative to its length
 
 void make_unique(std::vector<Index>& values) {
   std::sort(values.begin(), values.end());
@@ -78,6 +81,34 @@ Polygon polygon_of(const Topology& topology, const std::vector<Index>& loop) {
   return polygon;
 }
 
+/// The reason why a polygon (#L x 3) has no triangulation.
+std::string cause_of_failure(const Points& loop) {
+  const Points from_first = loop.rowwise() - loop.row(0);
+  // Triangulations are compared by products of four lengths.
+  const double size = std::pow(from_first.cwiseAbs().maxCoeff(), 4);
+  if (!std::isnormal(size)) {
+    return size > 0 ? "its edges are too long or too short to compute with"
+                    : "its vertices lie at one place, or too close together to compute with";
+  }
+  Eigen::Index farthest = 0;
+  const double length = std::sqrt(from_first.rowwise().squaredNorm().maxCoeff(&farthest));
+  const Vec3 along = from_first.row(farthest).transpose() / length;
+  double width = 0;
+  for (const auto d : from_first.rowwise()) {
+    width = std::max(width, (d.transpose() - along * along.dot(d)).norm());
+  }
+  if (!(width > line_width * length)) {
+    return "its vertices lie on one line, so that it has no area";
+  }
+  if (loop.rows() > longest_searched_loop) {
+    return fmt::format(
+        "its Delaunay triangulation has no triangulation of its rim, and with {} edges it is too "
+        "long for a search among all triangulations",
+        loop.rows());
+  }
+  return "every triangulation of its rim has a triangle without area";
+}
+
 Triangles triangulated(const Points& X, const Topology& topology, const Polygon& polygon) {
   const std::size_t n = polygon.corners.size();
   Points apex(static_cast<Eigen::Index>(n), 3);
@@ -87,7 +118,7 @@ Triangles triangulated(const Points& X, const Topology& topology, const Polygon&
   }
   Triangles F = triangulate_hole(X(polygon.corners, Eigen::all), apex);
   if (F.rows() != static_cast<Eigen::Index>(n) - 2) {
-    throw BadMesh("no triangulation without degenerate triangles was found");
+    throw BadMesh(cause_of_failure(X(polygon.corners, Eigen::all)));
   }
   if (n == 3) {
     const auto behind = topology.F.row(polygon.mesh_triangles[0]);

@@ -3,9 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include <fmt/format.h>
+
 #include "ibmfair/base/errors.h"
 #include "ibmfair/base/parallel.h"
 #include "ibmfair/base/stopwatch.h"
+#include "ibmfair/mesh/geometry.h"
 
 namespace ibmfair {
 namespace {
@@ -19,6 +22,17 @@ std::unique_ptr<BendingEnergy> bind_energy(const Topology& topology, const FlowO
   energy.own_vertices = parts.own_vertices();
   energy.own_triangles = parts.own_triangles();
   return bending_model(options.laplacian).create(topology, energy);
+}
+
+/// Why an energy, which has powers of lengths up to the fourth in it, is not finite.
+std::string cause_of_overflow(const Points& X) {
+  const double size = std::pow(bounding_box_size(X).maxCoeff(), 4);
+  if (std::isnormal(size)) {
+    return "some triangles have hardly any area";
+  }
+  return size > 0 ? "its edges are too long to compute with"
+                  : "its edges are too short to compute "
+                    "with";
 }
 
 }  // namespace
@@ -43,7 +57,8 @@ FlowProblem::FlowProblem(const Points& X_start, const Topology& mesh_topology,
   }
   update_gradient();
   if (!std::isfinite(energy_)) {
-    throw BadMesh("the bending energy of the mesh is not finite: coordinates are too large");
+    throw BadMesh(fmt::format("the bending energy of the mesh is not finite: {}",
+                              cause_of_overflow(X_start)));
   }
   report.energy_before = report.energy_after = energy_;
   report.unknowns = count(unknowns.size());
