@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "commands/command.h"
+#include "commands/crack_summary.h"
 #include "commands/defect_warnings.h"
 #include "commands/fill_arguments.h"
 #include "commands/fill_report.h"
@@ -15,6 +16,7 @@
 #include "commands/page/mesh_scene.h"
 #include "commands/progress.h"
 #include "commands/report/report_formats.h"
+#include "commands/stitch_cracks.h"
 #include "commands/value_list.h"
 #include "commands/vertex_list.h"
 #include "ibmfair/base/errors.h"
@@ -251,14 +253,11 @@ ExitCode fill(const FillArguments& arguments, const Input& input, FillSeconds& s
   }
   progress.end();
   const std::vector<Hole> holes = find_holes(X, input.topology);
-  const auto touching = std::count_if(holes.begin(), holes.end(),
-                                      [](const Hole& hole) { return hole.touches_itself; });
-  if (touching > 0) {
-    console.note(
-        fmt::format("{} of the holes pass through a place twice, as different vertices; --weld "
-                    "merges these, and usually such holes are filled better",
-                    touching));
+  const CrackSummary cracks = summarise_cracks(input.file.mesh(), input.topology, holes);
+  for (const std::string& note : crack_notes(cracks)) {
+    console.note(note);
   }
+  report.figures["cracks"] = crack_json(cracks);
   add_filling(filling, holes, seconds, report);
   const auto filled = std::count_if(filling.holes.begin(), filling.holes.end(),
                                     [](const HoleReport& hole) { return hole.new_triangles > 0; });
@@ -269,7 +268,8 @@ ExitCode fill(const FillArguments& arguments, const Input& input, FillSeconds& s
                     filling.fins.front()));
   }
   if (filling.holes.empty()) {
-    console.note(fmt::format("{}: no holes{}", arguments.input,
+    console.note(fmt::format("{}{}: no holes{}", arguments.input,
+                             arguments.stitch ? " -> " + arguments.output.path : "",
                              filling.fins.empty() ? ", the mesh is closed" : ""));
   } else {
     console.note(fmt::format("{} -> {}, {} of {} holes filled: {} new vertices, {} new triangles",
@@ -318,6 +318,11 @@ ExitCode fair_again(const FillArguments& arguments, const Input& input, FillSeco
   return code;
 }
 
+void connect_input(Input& input) {
+  input.triangulation = triangulate(input.file.mesh());
+  input.topology = build_topology(input.file.mesh().X, input.triangulation.F);
+}
+
 Input read(const FillArguments& arguments, FillSeconds& seconds, Console& console,
            Progress& progress) {
   Input input;
@@ -328,24 +333,31 @@ Input read(const FillArguments& arguments, FillSeconds& seconds, Console& consol
   }
   progress.begin("connect");
   const Stopwatch watch(seconds.topology);
-  input.triangulation = triangulate(input.file.mesh());
-  input.topology = build_topology(input.file.mesh().X, input.triangulation.F);
+  connect_input(input);
   return input;
 }
 
-ExitCode run_fill(const FillArguments& arguments, const CLI::App& app, Console& console) {
+ExitCode run_fill(const FillArguments& given, const CLI::App& app, Console& console) {
+  FillArguments arguments = given;
   check_reports(arguments.report,
                 {{"", arguments.output.path}, {"--picture", arguments.picture.path}},
                 arguments.output.write.overwrite);
   FillSeconds seconds;
   Progress progress(console);
-  const Input input = read(arguments, seconds, console, progress);
+  Input input = read(arguments, seconds, console, progress);
   require_writable_format(input.file, arguments.output.path, arguments.output.write);
-  warn_of_defects(input.topology, arguments.strict, console);
   Report report(app);
-  report.warnings = defect_list(input.file.mesh().X, input.topology);
   report.figures["input"] = arguments.input;
   report.figures["output"] = arguments.output.path;
+  if (arguments.stitch) {
+    if (arguments.output.write.format.empty() && path_extension(arguments.output.path).empty()) {
+      arguments.output.write.format = input.file.format().name;
+    }
+    input.file = stitch_cracks(input.file, input.topology, arguments.stitch_reach, report, console);
+    connect_input(input);
+  }
+  warn_of_defects(input.topology, arguments.strict, console);
+  report.warnings = defect_list(input.file.mesh().X, input.topology);
   return arguments.region.empty()
              ? fill(arguments, input, seconds, report, console, progress)
              : fair_again(arguments, input, seconds, report, console, progress);

@@ -36,6 +36,18 @@ void add_choice_options(CLI::App& app, FillArguments& a) {
                         [&a](const std::string& text) { a.choice.only = parse_ids(text); });
   note_of(app, *only).unit = "ids that `ibmfair holes` lists";
   note_of(app, *only).default_text = "all but outer borders";
+  CLI::Option* stitch = add_optional_length(
+      app, "--stitch", Length::Unit::absolute,
+      "close cracks first, without new vertices: split edges at vertices that lie on them "
+      "(T-junctions), and merge vertices of edges that lie on each other. The two sides of a crack "
+      "may be LENGTH apart",
+      [&a](std::optional<Length> reach) {
+        a.stitch = true;
+        a.stitch_reach = reach;
+      });
+  note_of(app, *stitch).default_text =
+      "no cracks are closed; with --stitch alone, a thousandth of the shortest boundary edge at a "
+      "vertex";
   CLI::Option* edges = add_integer(app, "--max-edges", a.choice.most_edges, Index{1}, most,
                                    "leave holes open that have more edges than this");
   CLI::Option* perimeter =
@@ -58,7 +70,8 @@ void add_region_options(CLI::App& app, FillArguments& a) {
                      "group, object or material, the vertices whose PLY property is not zero, or "
                      "the vertices whose numbers, counted from 0, are listed in a text file; @all "
                      "is the whole mesh without the two rings of vertices along open boundaries")
-          ->type_name(name_or_file_to_read);
+          ->type_name(name_or_file_to_read)
+          ->excludes(app.get_option("--stitch"));
   note_of(app, *region).offers = {"@all"};
   CLI::Option* tangential =
       app.add_option("--tangential", a.tangential,
@@ -132,6 +145,8 @@ void add_fill_arguments(CLI::App& app, FillArguments& a) {
   add_picture_options(app, "the mesh before and after", a.picture);
   documentation_of(app).examples = {
       {"ibmfair fill scan.ply closed.ply", "closes all holes except outer borders"},
+      {"ibmfair fill scan.ply closed.ply --stitch",
+       "closes cracks by splitting edges and merging vertices, and then fills the holes"},
       {"ibmfair fill part.obj fair.obj --region blend",
        "fairs the inside of the group `blend`, with the triangles that it has"},
   };

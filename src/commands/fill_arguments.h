@@ -25,6 +25,8 @@ struct FillArguments {
   bool allow_intersections = false;
   PictureOptions picture;
 
+  bool stitch = false;                 ///< close cracks first
+  std::optional<Length> stitch_reach;  ///< how far apart the sides of a crack may be
   HoleChoice choice;
   std::optional<Length> max_perimeter, max_diameter;
   FillOptions fill;

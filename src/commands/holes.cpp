@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "commands/command.h"
+#include "commands/crack_summary.h"
 #include "commands/documentation.h"
 #include "commands/hole_json.h"
 #include "commands/report/report_formats.h"
@@ -31,7 +32,7 @@ std::string remark(const Hole& hole) {
     text = "ends at an edge of three or more triangles";
   } else if (!hole.simple) {
     text = "meets a vertex twice";
-  } else if (hole.crack) {
+  } else if (hole.crack.kind != LoopKind::hole) {
     text = describe_crack(hole);
   } else if (hole.touches_itself) {
     text = "passes through a place twice, as different vertices (--weld merges them)";
@@ -44,11 +45,14 @@ std::string remark(const Hole& hole) {
 }
 
 std::string to_text(const std::vector<Hole>& holes) {
-  std::string text = fmt::format("{:>6}{:>8}{:>14}{:>14}{:>10}  {}\n", "hole", "edges", "perimeter",
-                                 "diameter", "vertex", "remark");
+  std::string text = fmt::format("{:>6}{:>8}{:>14}{:>14}{:>10}  {:<13}  {}\n", "hole", "edges",
+                                 "perimeter", "diameter", "vertex", "kind", "remark");
   for (const Hole& hole : holes) {
-    text += fmt::format("{:>6}{:>8}{:>14.6g}{:>14.6g}{:>10}  {}\n", hole.id, hole.edges(),
-                        hole.perimeter, hole.diameter, hole.loop.front(), remark(hole));
+    std::string line = fmt::format("{:>6}{:>8}{:>14.6g}{:>14.6g}{:>10}  {:<13}  {}", hole.id,
+                                   hole.edges(), hole.perimeter, hole.diameter, hole.loop.front(),
+                                   name_of(hole.crack.kind), remark(hole));
+    line.erase(line.find_last_not_of(' ') + 1);
+    text += line + "\n";
   }
   return text;
 }
@@ -57,7 +61,9 @@ ExitCode run_holes(const HolesArguments& arguments, const CLI::App& app, Console
   check_reports(arguments.report, {}, arguments.overwrite);
   const MeshFile file = read_input(arguments.path, arguments.input, console);
   const Mesh& mesh = file.mesh();
-  const std::vector<Hole> holes = find_holes(mesh.X, build_topology(mesh.X, triangulate(mesh).F));
+  const Topology topology = build_topology(mesh.X, triangulate(mesh).F);
+  const std::vector<Hole> holes = find_holes(mesh.X, topology);
+  const CrackSummary cracks = summarise_cracks(mesh, topology, holes);
 
   Report report(app);
   report.figures["file"] = file.name();
@@ -68,7 +74,11 @@ ExitCode run_holes(const HolesArguments& arguments, const CLI::App& app, Console
     report.figures["holes"].push_back(hole_json(hole));
     report.figures["holes"].back()["vertices"] = hole.loop;
   }
+  report.figures["cracks"] = crack_json(cracks);
   deliver_report(arguments.report, arguments.overwrite, report);
+  for (const std::string& note : crack_notes(cracks)) {
+    console.note(note);
+  }
   if (!arguments.report.json) {
     if (holes.empty()) {
       console.note("no holes: the mesh is closed");

@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "commands/command.h"
+#include "commands/crack_summary.h"
 #include "commands/defect_warnings.h"
 #include "commands/documentation.h"
 #include "commands/report/report_formats.h"
@@ -63,6 +64,8 @@ struct Findings {
   std::vector<Energy> energies;
   std::optional<SphereFit> sphere;
   std::optional<Operator> chosen;
+  std::int64_t coincident = 0;      ///< vertices that lie exactly on others
+  std::optional<OpenParts> welded;  ///< what would be open with --weld; only if vertices coincide
 };
 
 Operator examine_operator(const Mesh& mesh, const Topology& topology,
@@ -75,7 +78,8 @@ Operator examine_operator(const Mesh& mesh, const Topology& topology,
 }
 
 Findings examine(const Mesh& mesh, const Topology& topology, const InfoArguments& arguments) {
-  Findings findings{summarise(mesh, topology), {}, {}, {}};
+  Findings findings;
+  findings.summary = summarise(mesh, topology);
   for (const std::string_view model : usual_models) {
     findings.energies.push_back({std::string(model), bending_energy(mesh.X, topology, model)});
   }
@@ -84,6 +88,11 @@ Findings examine(const Mesh& mesh, const Topology& topology, const InfoArguments
   }
   if (arguments.sphere) {
     findings.sphere = fit_sphere(used_positions(mesh.X, topology.F));
+  }
+  const Weld weld = find_coincident_vertices(mesh.X);
+  findings.coincident = std::ssize(weld.vertex) - std::ssize(weld.first);
+  if (findings.coincident > 0) {
+    findings.welded = open_parts_after(weld, mesh);
   }
   return findings;
 }
@@ -116,6 +125,8 @@ void add_findings(ordered_json& json, const MeshFile& file, const Topology& topo
   json["genus"] = optional_json(s.genus);
   json["boundary_loops"] = s.boundary_loops;
   json["longest_boundary_loop"] = s.longest_loop;
+  json["coincident_vertices"] = findings.coincident;
+  json["after_weld"] = findings.welded ? open_json(*findings.welded) : ordered_json();
   json["defects"] = defects_json(topology);
   json["edge_length"] = {{"min", s.shortest_edge}, {"mean", s.mean_edge}, {"max", s.longest_edge}};
   json["smallest_angle_degrees"] = s.smallest_angle;
@@ -167,6 +178,17 @@ std::string spectrum_text(const Operator& chosen) {
                      eigenvalue_text(s.largest), chosen.mass->measures_area() ? " 1/u^2" : "");
 }
 
+std::string coincident_text(const Findings& findings) {
+  if (!findings.welded) {
+    return "none";
+  }
+  const OpenParts& parts = *findings.welded;
+  return fmt::format(
+      "{}; with --weld {}, {}", findings.coincident,
+      counted(parts.components, "component", "components"),
+      parts.closed ? "closed" : counted(parts.boundary_loops, "boundary loop", "boundary loops"));
+}
+
 std::string to_text(const MeshFile& file, const Topology& topology, const Findings& findings) {
   const MeshSummary& s = findings.summary;
   ValueList list;
@@ -188,6 +210,7 @@ std::string to_text(const MeshFile& file, const Topology& topology, const Findin
                                  ? "0"
                                  : fmt::format("{}, longest of {}", s.boundary_loops,
                                                counted(s.longest_loop, "edge", "edges")));
+  list.add("coincident", coincident_text(findings));
   const std::vector<std::string> defects = defect_lines(topology);
   list.add("defects", defects.empty() ? "none" : defects.front());
   for (std::size_t i = 1; i < defects.size(); ++i) {

@@ -69,9 +69,19 @@ class SchemaTest(ProgramTest):
         fin = pathlib.Path(__file__).parents[1] / "fill" / "reported" / "fin_at_rim.off"
         yield self.json("fill", fin, "out.off", "--overwrite")
         yield self.json("holes", "open.off")
+        self.path("nearly_welded.off").write_text(
+            "OFF\n8 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n0 0 0\n1 1e-7 0\n0 1 0\n0 0 1\n"
+            "3 0 2 1\n3 0 1 3\n3 4 7 6\n3 5 6 7\n")
+        yield self.json("holes", "nearly_welded.off")
+        yield self.json("fill", "nearly_welded.off", "out.off", "--stitch", "--overwrite")
+        self.path("slit.off").write_text(
+            "OFF\n7 8 0\n1 0 0\n-1 0 0\n0 1 0\n0 -1 0\n0 .01 1\n0 0 -1\n0 -.01 1\n"
+            "3 0 2 4\n3 2 1 4\n3 1 3 6\n3 3 0 6\n3 2 0 5\n3 1 2 5\n3 3 1 5\n3 0 3 5\n")
+        yield self.json("holes", "slit.off")
         yield self.json("info", "ball.off", "--sphere")
         yield self.json("info", "ball.off", "--laplacian", "lagrange", "--mass", "voronoi")
         yield self.json("info", "defects.off")
+        yield self.json("info", "nearly_welded.off")
         yield self.json("compare", "ball.off", "ball.off", "--tolerance", "1")
         yield self.json("compare", "ball.off", "open.off")
         yield self.json("compare", "ball.off", "--sphere", "fit")

@@ -37,6 +37,17 @@ double vertices_needed(const Patch& patch, double area) {
   return area * per_squared_length / static_cast<double>(patch.rim.size()) / (std::sqrt(3.0) / 2);
 }
 
+/// The reason why a hole stays open. That a hole is a crack is reason enough; if only a part of it
+/// is a crack, or if it is a slit, this is said as well.
+std::string with_crack(const Hole& hole, const std::string& reason) {
+  const std::string crack = describe_crack(hole);
+  if (crack.empty()) {
+    return reason;
+  }
+  return hole.crack.kind == LoopKind::crack ? "it is " + crack
+                                            : fmt::format("{}; it is {}", reason, crack);
+}
+
 Index count_folds(const Patch& patch) {
   const std::vector<std::uint8_t> all(patch.rim.size(), 1);
   return audit_seam(patch, nearest_rim_edges(patch), all).folds;
@@ -74,9 +85,8 @@ std::vector<FilledGroup> HoleFiller::cut(const std::vector<Index>& group,
   } catch (const BadMesh& error) {
     if (group.size() == 1) {
       results.emplace_back();
-      const std::string crack = describe_crack(holes_[group.front()]);
       results.back().reports.push_back(report_of(group.front(), HoleStatus::failed,
-                                                 crack.empty() ? error.what() : "it is " + crack));
+                                                 with_crack(holes_[group.front()], error.what())));
       return results;
     }
   }
@@ -191,7 +201,9 @@ HoleFiller::Attempt HoleFiller::attempt(const FilledGroup& group, const PatchMet
     result.flaw = "the fairing did not reach its tolerance";
   } else if (const double area = patch_area(patch); !(area <= limits.bound.area)) {
     result.flaw =
-        fmt::format("its area is {:.3g} times as large as allowed", area / limits.bound.area);
+        std::isfinite(area / limits.bound.area)
+            ? fmt::format("its area is {:.3g} times as large as allowed", area / limits.bound.area)
+            : "its area is beyond the range of numbers";
   } else if (limits.start && options_.fair && method.kind != PatchKind::stationary) {
     result.flaw = "more than a half sphere is missing, and it lies across the rim";
   } else if (method.kind == PatchKind::stationary && count_folds(patch) > 0 &&
@@ -281,7 +293,8 @@ void HoleFiller::leave_open(FilledGroup& group) const {
   for (const Index hole : group.holes) {
     HoleReport report =
         report_of(hole, HoleStatus::failed,
-                  fmt::format("no patch could be used ({})", fmt::join(reasons, "; ")));
+                  with_crack(holes_[hole],
+                             fmt::format("no patch could be used ({})", fmt::join(reasons, "; "))));
     report.rejected = group.rejected;
     group.reports.push_back(std::move(report));
   }

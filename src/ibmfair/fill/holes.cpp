@@ -1,20 +1,18 @@
 #include "ibmfair/fill/holes.h"
 
 #include <algorithm>
-#include <limits>
+#include <optional>
 #include <unordered_map>
 
 #include <fmt/format.h>
 
 #include "ibmfair/base/errors.h"
+#include "ibmfair/fill/cracks.h"
 #include "ibmfair/fill/fins.h"
 #include "ibmfair/mesh/geometry.h"
 
 namespace ibmfair {
 namespace {
-
-constexpr double crack_width = 1e-6;     // of a crack at most, in mean edge lengths
-constexpr Index most_crack_edges = 200;  // longer loops are not searched
 
 /// Whether two different vertices of the loop have the same coordinates.
 bool meets_a_place_twice(const Points& X, std::vector<Index> loop) {
@@ -26,46 +24,6 @@ bool meets_a_place_twice(const Points& X, std::vector<Index> loop) {
   return std::adjacent_find(loop.begin(), loop.end(), [&](Index a, Index b) {
            return a != b && X.row(a) == X.row(b);
          }) != loop.end();
-}
-
-/// The distance of x from the edge ab, unless x is nearest to one of its ends.
-double distance_inside(const Vec3& x, const Vec3& a, const Vec3& b) {
-  const Vec3 edge = b - a;
-  const double along = (x - a).dot(edge) / edge.squaredNorm();
-  return along > 0 && along < 1 ? (x - a - along * edge).norm()
-                                : std::numeric_limits<double>::infinity();
-}
-
-/// Finds out whether each vertex of the loop lies on another vertex or edge of the loop, or is an
-/// end of a crack, where two edges lie on each other.
-void find_crack(const Points& X, Hole& hole) {
-  const auto n = static_cast<Index>(hole.loop.size());
-  if (!hole.closed || n > most_crack_edges) {
-    return;
-  }
-  const double tolerance = crack_width * hole.perimeter / n;
-  const auto at = [&](Index i) { return Vec3(X.row(hole.loop[(i + n) % n])); };
-  std::array<Index, 3> junction{-1, -1, -1};
-  for (Index i = 0; i < n; ++i) {
-    const Vec3 x = at(i), next = at(i + 1), last = at(i - 1);
-    bool lies_on =
-        std::min(distance_inside(next, x, last), distance_inside(last, x, next)) <= tolerance ||
-        (next - last).norm() <= tolerance;
-    for (Index k = 1; k < n - 1 && !lies_on; ++k) {
-      const Index a = (i + k) % n, b = (a + 1) % n;
-      const bool on_vertex = k > 1 && (at(a) - x).norm() <= tolerance;
-      const bool on_edge = distance_inside(x, at(a), at(b)) <= tolerance;
-      if (on_edge && !on_vertex) {
-        junction = {hole.loop[i], hole.loop[a], hole.loop[b]};
-      }
-      lies_on = on_vertex || on_edge;
-    }
-    if (!lies_on) {
-      return;
-    }
-  }
-  hole.crack = true;
-  hole.t_junction = junction;
 }
 
 Hole measured(const Points& X, const Topology& topology, Index id) {
@@ -82,7 +40,6 @@ Hole measured(const Points& X, const Topology& topology, Index id) {
     hole.perimeter += (X.row(hole.loop[i]) - X.row(hole.loop[next])).norm();
   }
   hole.diameter = bounding_box_size(X(hole.loop, Eigen::all)).norm();
-  find_crack(X, hole);
   return hole;
 }
 
@@ -123,7 +80,19 @@ void find_outer_borders(const Points& X, const Topology& topology, std::vector<H
   }
 }
 
+void find_slit(const Points& X, Hole& hole) {
+  if (const std::optional<double> width = slit_width(X, hole)) {
+    hole.crack.kind = LoopKind::slit;
+    hole.crack.width = *width;
+  }
+}
+
 }  // namespace
+
+std::string_view name_of(LoopKind kind) {
+  constexpr std::array<std::string_view, 4> names{"hole", "crack", "partial crack", "slit"};
+  return names[static_cast<std::size_t>(kind)];
+}
 
 std::vector<Hole> find_holes(const Points& X, const Topology& topology) {
   if (const std::vector<Index> fins = find_fins(topology); !fins.empty()) {
@@ -136,6 +105,13 @@ std::vector<Hole> find_holes(const Points& X, const Topology& topology) {
     holes.push_back(measured(X, topology, id));
   }
   find_outer_borders(X, topology, holes);
+  const Cracks cracks = find_cracks(X, topology, holes);
+  for (Hole& hole : holes) {
+    hole.crack = cracks.loops[hole.id];
+    if (hole.crack.kind == LoopKind::hole) {
+      find_slit(X, hole);
+    }
+  }
   return holes;
 }
 
@@ -164,15 +140,33 @@ std::string reason_to_skip(const Hole& hole, const HoleChoice& choice) {
 }
 
 std::string describe_crack(const Hole& hole) {
-  if (!hole.crack) {
-    return {};
+  const LoopCrack& crack = hole.crack;
+  const auto& [vertex, a, b] = crack.t_junction;
+  std::string junctions;
+  if (crack.t_junctions > 0) {
+    junctions = fmt::format("{} without splitting it (`fill --stitch` splits it)",
+                            crack.t_junctions == 1
+                                ? fmt::format("vertex {} lies on the edge {}-{}", vertex, a, b)
+                                : fmt::format("{} vertices lie on edges, as vertex {} on {}-{},",
+                                              crack.t_junctions, vertex, a, b));
+  } else {
+    junctions = crack.exact
+                    ? "its two sides lie on each other (--weld merges them)"
+                    : "its two sides nearly lie on each other (`fill --stitch` merges them)";
   }
-  const auto& [vertex, a, b] = hole.t_junction;
-  return vertex >= 0 ? fmt::format(
-                           "a crack, not a hole: vertex {} lies on the edge {}-{} without "
-                           "splitting it",
-                           vertex, a, b)
-                     : "a crack, not a hole: its two sides lie on each other (--weld merges them)";
+  switch (crack.kind) {
+    case LoopKind::hole:
+      return {};
+    case LoopKind::crack:
+      return "a crack, not a hole: " + junctions;
+    case LoopKind::partial_crack:
+      return fmt::format("a crack along {} of its {} edges: {}", crack.edges, hole.edges(),
+                         junctions);
+    case LoopKind::slit:
+      return fmt::format("a slit: its two sides are at most {:.2g} apart, {:.2g} of the mean edge",
+                         crack.width, crack.width * hole.edges() / hole.perimeter);
+  }
+  return {};
 }
 
 void require_known_holes(const std::vector<Hole>& holes, const HoleChoice& choice) {

@@ -2,13 +2,34 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "ibmfair/base/types.h"
 #include "ibmfair/mesh/topology.h"
 
 namespace ibmfair {
+
+/// What a boundary loop is: a hole; a crack, whose edges all lie on other boundary edges; a crack
+/// along some of its edges; or a hole so narrow that its two sides run along each other. See
+/// fill/cracks.h.
+enum class LoopKind : std::uint8_t { hole, crack, partial_crack, slit };
+
+/// "hole", "crack", "partial crack", "slit"
+std::string_view name_of(LoopKind kind);
+
+/// What a boundary loop has of a crack.
+struct LoopCrack {
+  LoopKind kind = LoopKind::hole;
+  Index edges = 0;        ///< edges of the loop that lie completely on other boundary edges
+  bool exact = true;      ///< the ends of edges that lie on each other have equal coordinates
+  Index t_junctions = 0;  ///< vertices that lie inside an edge of the loop without splitting it
+  /// One of these vertices, and the ends of this edge; -1 if there is none.
+  std::array<Index, 3> t_junction{-1, -1, -1};
+  double width = 0;  ///< of a slit: the largest distance between its sides, length
+};
 
 /// A boundary loop with its measures.
 struct Hole {
@@ -19,11 +40,7 @@ struct Hole {
   bool closed = true;           ///< false if a non-manifold edge interrupts the loop
   bool simple = true;           ///< no vertex occurs twice
   bool touches_itself = false;  ///< two vertices have equal coordinates: welding would join them
-  /// The two sides of the loop lie on each other: it is a crack between triangles that fit.
-  bool crack = false;
-  /// For a crack, a vertex that lies inside an edge of the other side (T-junction), and the ends of
-  /// this edge; -1 if there is none.
-  std::array<Index, 3> t_junction{-1, -1, -1};
+  LoopCrack crack;
   Index component = 0;        ///< connected component of the mesh
   bool outer_border = false;  ///< the edge of a sheet rather than a hole; see `border_share`
   /// For the longest loop of a component, the area that the loop spans (the length of its vector
@@ -53,7 +70,8 @@ struct HoleChoice {
 /// is to be filled.
 std::string reason_to_skip(const Hole& hole, const HoleChoice& choice);
 
-/// What kind of crack the loop is, one sentence without a full stop; empty for a hole.
+/// What kind of crack or slit the loop is, and what closes it, one sentence without a full stop;
+/// empty for a hole.
 std::string describe_crack(const Hole& hole);
 
 /// Throws BadOption for an id in `choice.only` that no hole has.
