@@ -110,7 +110,8 @@ std::vector<std::string> crack_notes(const CrackSummary& s) {
                               result_of("--stitch", *s.stitched, s.loops));
     left = s.stitched->boundary_loops;
   }
-  if (s.stitched_within && s.stitched_within->boundary_loops < left) {
+  if (s.stitched_within && s.stitched_within->boundary_loops < left &&
+      s.stitched_within->non_manifold_edges == 0) {
     const std::string option = fmt::format("--stitch {}u", length_text(s.reach));
     notes.push_back(fmt::format("{}, whose sides run along each other: {}",
                                 counted(s.slits, "slit", "slits"),

@@ -40,7 +40,7 @@ void add_choice_options(CLI::App& app, FillArguments& a) {
       app, "--stitch", Length::Unit::absolute,
       "close cracks first, without new vertices: split edges at vertices that lie on them "
       "(T-junctions), and merge vertices of edges that lie on each other. The two sides of a crack "
-      "may be LENGTH apart",
+      "may be LENGTH apart. The ids of --only are then those of the stitched mesh",
       [&a](std::optional<Length> reach) {
         a.stitch = true;
         a.stitch_reach = reach;

@@ -1,6 +1,7 @@
 // Cracks as users meet them: `holes` and `fill` name them, say which option closes them, and
 // `--weld LENGTH` and `fill --stitch` do.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -135,6 +136,21 @@ TEST_F(Cracks, FacesApartAreMergedAndStitched) {
   }
 }
 
+TEST_F(Cracks, HolesBesideCracksAreFilled) {
+  for (const auto& [name, mesh] : coarse_meshes()) {
+    SCOPED_TRACE(name);
+    const Mesh cut = unevenly_cut(mesh, {2, 3}, 11);
+    const Mesh open = without_triangles(cut, {1, cut.faces.size() - 1});
+    const json report = fill(file(open, "in.ply"), out("out.ply"), {"--stitch"});
+    EXPECT_GE(report["holes"].size(), 1u);
+    EXPECT_GT(report["stitched"]["t_junctions"], 0);
+    const Mesh closed = read_mesh(out("out.ply")).mesh();
+    EXPECT_EQ(closed.X.topRows(open.X.rows()), open.X);
+    EXPECT_TRUE(State(closed).topology.boundary_loops.empty());
+    EXPECT_TRUE(State(closed).topology.defects.empty());
+  }
+}
+
 /// The law of every hint: the option that it names leaves as many holes as it says.
 TEST_F(Cracks, WhatIsSaidToBeLeftIsLeft) {
   std::vector<NamedMesh> meshes;
@@ -148,6 +164,10 @@ TEST_F(Cracks, WhatIsSaidToBeLeftIsLeft) {
   }
   meshes.push_back({"sphere nearly in two", cut_in_two(sphere(2), 1e-5)});
   meshes.push_back({"sphere with a slit", with_slit(sphere(2), 100, 0.01)});
+  meshes.push_back({"sphere with a slit around it", cut_in_two(sphere(2), 0.01)});
+  Mesh two_levels = unevenly_cut(sphere(2), {1, 2}, 4);
+  two_levels.X.rowwise().normalize();
+  meshes.push_back({"sphere of two levels of detail", two_levels});
   for (const auto& [name, mesh] : meshes) {
     SCOPED_TRACE(name);
     const std::string in = file(mesh, "in.ply");
@@ -193,9 +213,22 @@ TEST_F(Cracks, KindsOfLoops) {
   EXPECT_EQ(kinds(without_cap(sphere(3), 30)), Kinds{"hole"});
   EXPECT_EQ(kinds(cut_in_two(sphere(2))), (Kinds{"crack", "crack"}));
   EXPECT_EQ(kinds(cut_in_two(sphere(2), 1e-5)), (Kinds{"crack", "crack"}));
+  EXPECT_EQ(kinds(cut_in_two(sphere(2), 0.01)), (Kinds{"slit", "slit"}));
   EXPECT_EQ(kinds(cut_in_two(sphere(2), 0.3)), (Kinds{"hole", "hole"}));
   EXPECT_EQ(kinds(with_slit(sphere(2), 100, 0.01)), Kinds{"slit"});
   EXPECT_EQ(kinds(with_slit(sphere(2), 100, 0.1)), Kinds{"hole"});
+  // The two sides of a ribbon are as close to each other, but the mesh lies between them.
+  Mesh ribbon = flat_sheet(20, 1);
+  ribbon.X.col(1) *= 1e-3;
+  EXPECT_EQ(kinds(ribbon), Kinds{"hole"});
+  // A corner that only touches an edge closes nothing by splitting it.
+  Mesh touching;
+  touching.X.resize(6, 3);
+  touching.X << 0, 0, 0, 2, 0, 0, 1, 2, 0, 1, 0, 0, .5, -1, 1, 1.5, -1, 1;
+  touching.faces.add(std::array<Index, 3>{0, 1, 2});
+  touching.faces.add(std::array<Index, 3>{3, 4, 5});
+  EXPECT_EQ(kinds(touching), (Kinds{"hole", "hole"}));
+  EXPECT_EQ(holes(file(touching, "in.off"))["cracks"]["t_junctions"], 0);
 }
 
 TEST_F(Cracks, AReportedTJunctionIsClosed) {

@@ -15,9 +15,6 @@ namespace {
 constexpr double usual_reach = 1e-3;   // in lengths of the shortest boundary edge at a vertex
 constexpr double largest_reach = 0.3;  // so that the two ends of an edge never coincide
 
-constexpr double most_slit_width = 0.1;  // in mean edge lengths of the loop
-constexpr Index most_slit_edges = 3000;  // longer loops are not searched: the time is quadratic
-
 constexpr double endless = std::numeric_limits<double>::infinity();
 
 /// A directed edge of a boundary loop.
@@ -270,6 +267,7 @@ class CrackSearch {
       }
       loop.kind = LoopKind::partial_crack;
       const Piece& other = pieces_[partner_[i]];
+      name_junction(other.edge, loop);
       for (const auto& [v, w] :
            {std::pair(piece.first, other.first), std::pair(piece.last, other.last)}) {
         loop.exact = loop.exact && X_.row(v) == X_.row(w);
@@ -281,15 +279,23 @@ class CrackSearch {
     for (const Junction& junction : junctions_) {
       const LoopEdge& edge = edges_[junction.edge];
       LoopCrack& loop = result_.loops[edge.hole];
-      if (loop.t_junctions++ == 0) {
-        loop.t_junction = {junction.vertex, edge.a, edge.b};
-      }
+      ++loop.t_junctions;
+      name_junction(junction.edge, loop);
     }
     for (const Hole& hole : holes) {
       LoopCrack& loop = result_.loops[hole.id];
       if (loop.kind == LoopKind::partial_crack && loop.edges == hole.edges()) {
         loop.kind = LoopKind::crack;
       }
+    }
+  }
+
+  /// Names a junction on the edge as the example of the loop, if there is one and the loop has
+  /// none.
+  void name_junction(Index e, LoopCrack& loop) const {
+    const auto first = std::ranges::lower_bound(junctions_, e, {}, &Junction::edge);
+    if (loop.t_junction[0] < 0 && first != junctions_.end() && first->edge == e) {
+      loop.t_junction = {first->vertex, edges_[e].a, edges_[e].b};
     }
   }
 
@@ -306,13 +312,6 @@ class CrackSearch {
   Cracks result_;
 };
 
-/// The distance of x from the edge ab, unless x is nearest to one of its ends.
-double distance_inside(const Vec3& x, const Vec3& a, const Vec3& b) {
-  const Vec3 edge = b - a;
-  const double along = (x - a).dot(edge) / edge.squaredNorm();
-  return along > 0 && along < 1 ? (x - a - along * edge).norm() : endless;
-}
-
 }  // namespace
 
 Index Cracks::t_junctions() const {
@@ -326,34 +325,6 @@ Index Cracks::t_junctions() const {
 Cracks find_cracks(const Points& X, const Topology& topology, const std::vector<Hole>& holes,
                    std::optional<double> reach) {
   return holes.empty() ? Cracks{} : CrackSearch(X, topology, holes, reach).result();
-}
-
-std::optional<double> slit_width(const Points& X, const Hole& hole) {
-  const auto n = static_cast<Index>(hole.loop.size());
-  if (!hole.closed || n > most_slit_edges || !(hole.perimeter > 0)) {
-    return {};
-  }
-  const double most = most_slit_width * hole.perimeter / n;
-  const auto at = [&](Index i) { return Vec3(X.row(hole.loop[(i + n) % n])); };
-  double width = 0;
-  for (Index i = 0; i < n; ++i) {
-    const Vec3 x = at(i), next = at(i + 1), last = at(i - 1);
-    // At an end of the slit, the two edges of the vertex lie on each other.
-    double nearest = std::min(
-        {distance_inside(next, x, last), distance_inside(last, x, next), (next - last).norm()});
-    for (Index k = 1; k < n - 1 && !(nearest <= width); ++k) {
-      const Vec3 a = at(i + k), b = at(i + k + 1);
-      nearest = std::min(nearest, distance_inside(x, a, b));
-      if (k > 1) {
-        nearest = std::min(nearest, (a - x).norm());
-      }
-    }
-    if (!(nearest <= most)) {
-      return {};
-    }
-    width = std::max(width, nearest);
-  }
-  return width;
 }
 
 }  // namespace ibmfair

@@ -44,8 +44,4 @@ struct Cracks {
 Cracks find_cracks(const Points& X, const Topology& topology, const std::vector<Hole>& holes,
                    std::optional<double> reach = {});
 
-/// If the two sides of a closed loop run along each other at a distance of at most a tenth of the
-/// loop's mean edge length, the largest distance (length); otherwise nothing.
-std::optional<double> slit_width(const Points& X, const Hole& hole);
-
 }  // namespace ibmfair

@@ -9,6 +9,7 @@
 #include "ibmfair/base/errors.h"
 #include "ibmfair/fill/cracks.h"
 #include "ibmfair/fill/fins.h"
+#include "ibmfair/fill/slits.h"
 #include "ibmfair/mesh/geometry.h"
 
 namespace ibmfair {
@@ -80,10 +81,18 @@ void find_outer_borders(const Points& X, const Topology& topology, std::vector<H
   }
 }
 
-void find_slit(const Points& X, Hole& hole) {
-  if (const std::optional<double> width = slit_width(X, hole)) {
-    hole.crack.kind = LoopKind::slit;
-    hole.crack.width = *width;
+void find_cracks_and_slits(const Points& X, const Topology& topology, std::vector<Hole>& holes) {
+  const Cracks cracks = find_cracks(X, topology, holes);
+  const SlitSearch slits(X, topology, holes);
+  for (Hole& hole : holes) {
+    hole.crack = cracks.loops[hole.id];
+    if (hole.crack.kind != LoopKind::hole) {
+      continue;
+    }
+    if (const std::optional<double> width = slits.width_at(hole)) {
+      hole.crack.kind = LoopKind::slit;
+      hole.crack.width = *width;
+    }
   }
 }
 
@@ -105,13 +114,7 @@ std::vector<Hole> find_holes(const Points& X, const Topology& topology) {
     holes.push_back(measured(X, topology, id));
   }
   find_outer_borders(X, topology, holes);
-  const Cracks cracks = find_cracks(X, topology, holes);
-  for (Hole& hole : holes) {
-    hole.crack = cracks.loops[hole.id];
-    if (hole.crack.kind == LoopKind::hole) {
-      find_slit(X, hole);
-    }
-  }
+  find_cracks_and_slits(X, topology, holes);
   return holes;
 }
 
@@ -143,16 +146,20 @@ std::string describe_crack(const Hole& hole) {
   const LoopCrack& crack = hole.crack;
   const auto& [vertex, a, b] = crack.t_junction;
   std::string junctions;
-  if (crack.t_junctions > 0) {
-    junctions = fmt::format("{} without splitting it (`fill --stitch` splits it)",
-                            crack.t_junctions == 1
-                                ? fmt::format("vertex {} lies on the edge {}-{}", vertex, a, b)
-                                : fmt::format("{} vertices lie on edges, as vertex {} on {}-{},",
-                                              crack.t_junctions, vertex, a, b));
+  if (crack.t_junctions > 1) {
+    junctions = fmt::format(
+        "{} vertices lie on its edges, as vertex {} on {}-{}, without splitting them (`fill "
+        "--stitch` splits them)",
+        crack.t_junctions, vertex, a, b);
+  } else if (vertex >= 0) {
+    junctions = fmt::format(
+        "vertex {} lies on the edge {}-{} without splitting it (`fill --stitch` splits it)", vertex,
+        a, b);
   } else {
     junctions = crack.exact
-                    ? "its two sides lie on each other (--weld merges them)"
-                    : "its two sides nearly lie on each other (`fill --stitch` merges them)";
+                    ? "its edges lie on other boundary edges (--weld merges their vertices)"
+                    : "its edges nearly lie on other boundary edges (`fill --stitch` merges their "
+                      "vertices)";
   }
   switch (crack.kind) {
     case LoopKind::hole:
@@ -163,8 +170,8 @@ std::string describe_crack(const Hole& hole) {
       return fmt::format("a crack along {} of its {} edges: {}", crack.edges, hole.edges(),
                          junctions);
     case LoopKind::slit:
-      return fmt::format("a slit: its two sides are at most {:.2g} apart, {:.2g} of the mean edge",
-                         crack.width, crack.width * hole.edges() / hole.perimeter);
+      return fmt::format("a slit, at most {:.2g} wide: {:.2g} of its mean edge length", crack.width,
+                         crack.width * hole.edges() / hole.perimeter);
   }
   return {};
 }

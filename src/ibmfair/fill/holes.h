@@ -13,8 +13,8 @@
 namespace ibmfair {
 
 /// What a boundary loop is: a hole; a crack, whose edges all lie on other boundary edges; a crack
-/// along some of its edges; or a hole so narrow that its two sides run along each other. See
-/// fill/cracks.h.
+/// along some of its edges; or a side of a slit, which is a hole so narrow that its sides run along
+/// each other. See fill/cracks.h and fill/slits.h.
 enum class LoopKind : std::uint8_t { hole, crack, partial_crack, slit };
 
 /// "hole", "crack", "partial crack", "slit"
@@ -26,9 +26,10 @@ struct LoopCrack {
   Index edges = 0;        ///< edges of the loop that lie completely on other boundary edges
   bool exact = true;      ///< the ends of edges that lie on each other have equal coordinates
   Index t_junctions = 0;  ///< vertices that lie inside an edge of the loop without splitting it
-  /// One of these vertices, and the ends of this edge; -1 if there is none.
+  /// One of these vertices, and the ends of this edge; if there is none, a vertex of the loop that
+  /// lies inside an edge of another loop; else -1.
   std::array<Index, 3> t_junction{-1, -1, -1};
-  double width = 0;  ///< of a slit: the largest distance between its sides, length
+  double width = 0;  ///< of a slit: the largest distance across it, length
 };
 
 /// A boundary loop with its measures.
