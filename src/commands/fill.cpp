@@ -11,6 +11,7 @@
 #include "commands/crack_summary.h"
 #include "commands/defect_warnings.h"
 #include "commands/fill_arguments.h"
+#include "commands/fill_picture.h"
 #include "commands/fill_report.h"
 #include "commands/mesh_statistics.h"
 #include "commands/page/mesh_scene.h"
@@ -125,12 +126,15 @@ void tell(const WriteReport& written, const Console& console) {
   }
 }
 
+/// Draws the mesh before and after, seen as `rendering` says.
 void draw(const FillArguments& arguments, const Points& before, const Topology& topology,
-          const Points& after, const Topology& topology_after) {
+          const Points& after, const Topology& topology_after,
+          const RenderOptions& rendering = {}) {
   const std::string& laplacian = arguments.fill.fairing.laplacian;
   const std::array<FieldState, 2> states{
       {{before, topology, nullptr, laplacian}, {after, topology_after, &before, laplacian}}};
-  draw_picture(arguments.picture, arguments.output.write.overwrite, states, topology.F.rows());
+  draw_picture(arguments.picture, arguments.output.write.overwrite, states, topology.F.rows(),
+               rendering);
 }
 
 /// The filled mesh if a picture or page shows it; else empty.
@@ -249,7 +253,10 @@ ExitCode fill(const FillArguments& arguments, const Input& input, FillSeconds& s
                           arguments.output.path, arguments.output.write)
              : write_mesh(input.file, X, arguments.output.path, arguments.output.write),
          console);
-    draw(arguments, X, input.topology, shown.X, shown.topology);
+    if (!arguments.picture.path.empty()) {
+      draw(arguments, X, input.topology, shown.X, shown.topology,
+           view_of_largest_patch(filling, shown.X, shown.topology));
+    }
   }
   progress.end();
   const std::vector<Hole> holes = find_holes(X, input.topology);

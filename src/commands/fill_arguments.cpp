@@ -142,7 +142,8 @@ void add_fill_arguments(CLI::App& app, FillArguments& a) {
                "has defects");
   add_overwrite_option(app, a.output.write.overwrite);
   add_report_options(app, a.report);
-  add_picture_options(app, "the mesh before and after", a.picture);
+  add_picture_options(app, "the mesh before and after, seen straight onto the largest patch,",
+                      a.picture);
   documentation_of(app).examples = {
       {"ibmfair fill scan.ply closed.ply", "closes all holes except outer borders"},
       {"ibmfair fill scan.ply closed.ply --stitch",

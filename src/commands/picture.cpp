@@ -1,6 +1,5 @@
 #include "commands/picture.h"
 
-#include <algorithm>
 #include <vector>
 
 #include <CLI/CLI.hpp>
@@ -10,26 +9,19 @@
 #include "ibmfair/io/atomic_file.h"
 #include "ibmfair/picture/field_picture.h"
 #include "ibmfair/picture/png.h"
-#include "ibmfair/picture/render.h"
 
 namespace ibmfair::commands {
 namespace {
 
-constexpr Rgb patch_colour{240, 190, 120};
 constexpr const char* no_colour = "none";
 
-Image draw_plain(std::span<const FieldState> states, Eigen::Index patch_from) {
+Image draw_plain(std::span<const FieldState> states, Eigen::Index patch_from,
+                 const RenderOptions& rendering) {
   std::vector<PaintedMesh> meshes;
   for (const FieldState& state : states) {
-    const Triangles& F = state.topology.F;
-    Paint paint;
-    if (F.rows() > patch_from) {
-      paint.triangle.assign(static_cast<std::size_t>(F.rows()), paint.front);
-      std::fill(paint.triangle.begin() + patch_from, paint.triangle.end(), patch_colour);
-    }
-    meshes.push_back({state.X, F, paint});
+    meshes.push_back({state.X, state.topology.F, {.marked_from = patch_from}});
   }
-  return render_side_by_side(meshes);
+  return render_side_by_side(meshes, rendering);
 }
 
 }  // namespace
@@ -50,14 +42,14 @@ void add_picture_options(CLI::App& app, const std::string& what, PictureOptions&
 }
 
 void draw_picture(const PictureOptions& options, bool overwrite, std::span<const FieldState> states,
-                  Eigen::Index patch_from) {
+                  Eigen::Index patch_from, const RenderOptions& rendering) {
   if (options.path.empty()) {
     return;
   }
   AtomicFile file(options.path, overwrite);
   file.write(encode_png(options.colour == no_colour
-                            ? draw_plain(states, patch_from)
-                            : render_field(surface_field(options.colour), states)));
+                            ? draw_plain(states, patch_from, rendering)
+                            : render_field(surface_field(options.colour), states, rendering)));
   file.commit();
 }
 

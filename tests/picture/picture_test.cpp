@@ -328,6 +328,21 @@ TEST(Render, MeshesBesideEachOtherHaveOneScale) {
   }
 }
 
+TEST(Render, FramesTheGivenPointsAndLeavesOutWhatHidesThem) {
+  Points X(8, 3);
+  X << square_at(0.0, 2.0), square_at(3.0, 2.0);
+  Triangles F(4, 3);
+  F << two_triangles(0), two_triangles(4);
+  RenderOptions options = straight_on(40);
+  options.frame.X = square_at(0.0, 1.0);
+  const PaintedMesh hidden{X, F, {.marked_from = 2}}, alone{X, two_triangles(0)};
+  options.frame.foreground = 0.5;
+  EXPECT_EQ(render(hidden, options).pixels, render(alone, options).pixels);
+  EXPECT_EQ(pixels_unlike(render(alone, options), {255, 255, 255}), 1600U);
+  options.frame.X.row(0)[2] = 2;  // the points reach to 2, and the foreground to 2 + 1
+  EXPECT_NE(render(hidden, options).pixels, render(alone, options).pixels);
+}
+
 TEST(Render, RefusesOptionsOutOfRange) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const std::vector<RenderOptions> bad{
@@ -341,6 +356,8 @@ TEST(Render, RefusesOptionsOutOfRange) {
       {.view = {.field_of_view = -0.1}},
       {.view = {.field_of_view = nan}},
       {.view = {.margin = 0.5}},
+      {.frame = {.X = Points::Constant(1, 3, nan)}},
+      {.frame = {.foreground = 1.5}},
   };
   for (std::size_t i = 0; i < bad.size(); ++i) {
     EXPECT_THROW(render({square_at(0.0, 1.0), two_triangles(0)}, bad[i]), BadOption) << i;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <vector>
 
 #include "ibmfair/base/errors.h"
@@ -91,20 +92,59 @@ Image develop(const Visibility& seen, const std::vector<Light>& triangle_light,
   return image;
 }
 
-/// `in_view`: the points that the picture must contain.
-Image take(const PaintedMesh& mesh, const Points& in_view, const RenderOptions& options) {
-  const int width = options.samples * options.width;
-  const int height = options.samples * options.height;
-  const Camera camera(options.view, width, height, in_view);
-  const Visibility seen = find_visible(mesh.X, mesh.F, camera, width, height);
-  return develop(seen, shade_triangles(mesh.X, mesh.F, camera, seen, mesh.paint), options);
-}
+/// Takes pictures with one camera. The first picture determines which side of the triangles is the
+/// front.
+class Studio {
+ public:
+  /// `in_view`: the points that the pictures must contain.
+  Studio(const Points& in_view, const RenderOptions& options)
+      : options_(options),
+        width_(options.samples * options.width),
+        height_(options.samples * options.height),
+        camera_(options.view, width_, height_, in_view) {}
+
+  Image take(const PaintedMesh& mesh) {
+    const Triangles F = without_foreground(mesh.X, mesh.F, options_.view, options_.frame);
+    const Visibility seen = find_visible(mesh.X, F, camera_, width_, height_);
+    if (!front_is_anticlockwise_) {
+      front_is_anticlockwise_ = shows_anticlockwise_sides(mesh.X, F, camera_, seen);
+    }
+    return develop(seen,
+                   shade_triangles(mesh.X, F, camera_, seen, mesh.paint, *front_is_anticlockwise_),
+                   options_);
+  }
+
+ private:
+  const RenderOptions& options_;
+  int width_, height_;  // samples
+  Camera camera_;
+  std::optional<bool> front_is_anticlockwise_;
+};
 
 void validate(const PaintedMesh& mesh) {
   const std::size_t colours = mesh.paint.triangle.size();
   if (colours != 0 && colours != static_cast<std::size_t>(mesh.F.rows())) {
     throw BadOption("a picture needs one colour per triangle, or none");
   }
+}
+
+std::vector<Image> render_all(std::span<const PaintedMesh> meshes, const RenderOptions& options) {
+  options.validate();
+  Points in_view = options.frame.X;
+  for (const PaintedMesh& mesh : meshes) {
+    validate(mesh);
+    if (options.frame.X.rows() == 0) {
+      const Points corners = drawn_corners(mesh.X, mesh.F);
+      in_view.conservativeResize(in_view.rows() + corners.rows(), 3);
+      in_view.bottomRows(corners.rows()) = corners;
+    }
+  }
+  Studio studio(in_view, options);
+  std::vector<Image> images(meshes.size());
+  for (std::size_t i = meshes.size(); i-- > 0;) {
+    images[i] = studio.take(meshes[i]);
+  }
+  return images;
 }
 
 }  // namespace
@@ -117,27 +157,17 @@ void RenderOptions::validate() const {
     throw BadOption("a picture takes 1 to 4 samples per pixel and direction");
   }
   view.validate();
+  if (!frame.X.allFinite() || !(frame.foreground >= 0 && frame.foreground <= 1)) {
+    throw BadOption("the points of a frame must be finite, and its foreground between 0 and 1");
+  }
 }
 
 Image render(const PaintedMesh& mesh, const RenderOptions& options) {
-  options.validate();
-  validate(mesh);
-  return take(mesh, drawn_corners(mesh.X, mesh.F), options);
+  return render_all({&mesh, 1}, options).front();
 }
 
 Image render_side_by_side(std::span<const PaintedMesh> meshes, const RenderOptions& options) {
-  options.validate();
-  Points in_view(0, 3);
-  for (const PaintedMesh& mesh : meshes) {
-    validate(mesh);
-    const Points corners = drawn_corners(mesh.X, mesh.F);
-    in_view.conservativeResize(in_view.rows() + corners.rows(), 3);
-    in_view.bottomRows(corners.rows()) = corners;
-  }
-  std::vector<Image> images;
-  for (const PaintedMesh& mesh : meshes) {
-    images.push_back(take(mesh, in_view, options));
-  }
+  const std::vector<Image> images = render_all(meshes, options);
   const double margin = options.view.margin * std::min(options.width, options.height);
   return without_empty_rows(side_by_side(images, 0, options.background), options.background,
                             static_cast<int>(std::lround(margin)));

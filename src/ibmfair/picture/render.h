@@ -6,6 +6,7 @@
 
 #include "ibmfair/base/types.h"
 #include "ibmfair/picture/camera.h"
+#include "ibmfair/picture/foreground.h"
 #include "ibmfair/picture/image.h"
 #include "ibmfair/picture/shading.h"
 
@@ -16,6 +17,7 @@ struct RenderOptions {
   int height = 800;  ///< pixels, 1 .. 8192
   int samples = 3;   ///< per pixel and direction, 1 .. 4, averaged in linear light
   View view = {};
+  Frame frame = {};
   Rgb background{255, 255, 255};
   bool silhouettes = true;  ///< dark lines where the surface ends or one part occludes another
 
@@ -37,8 +39,10 @@ struct PaintedMesh {
 Image render(const PaintedMesh& mesh, const RenderOptions& options = {});
 
 /// Pictures from left to right, rendered with one camera that sees all meshes, so that their sizes
-/// can be compared. `options.width` is the width of each picture, and `options.height` the largest
-/// height: rows that are empty in all pictures are cut off, except for the view's margin.
+/// can be compared. Front and back have the same colours in all of them: the front is the side that
+/// most of the last picture shows. `options.width` is the width of each picture, and
+/// `options.height` the largest height: rows that are empty in all pictures are cut off, except for
+/// the view's margin.
 Image render_side_by_side(std::span<const PaintedMesh> meshes, const RenderOptions& options = {});
 
 }  // namespace ibmfair

@@ -40,6 +40,20 @@ std::vector<std::int64_t> pixels_of_triangles(const Visibility& seen, Eigen::Ind
   return pixels;
 }
 
+/// The direction of a triangle.
+struct Facet {
+  Vec3 normal;            // unit, on the side from which the corners run anticlockwise
+  double towards_viewer;  // cosine between the normal and the direction to the viewer
+
+  Facet(const Points& X, const Triangles& F, Eigen::Index t, const Camera& camera) {
+    const Vec3 a = X.row(F(t, 0));
+    const Vec3 b = X.row(F(t, 1));
+    const Vec3 c = X.row(F(t, 2));
+    normal = double_area_vector(a, b, c).stableNormalized();
+    towards_viewer = normal.dot(camera.towards_viewer((a + b + c) / 3.0));
+  }
+};
+
 }  // namespace
 
 Light light_of(Rgb colour) {
@@ -50,39 +64,42 @@ Rgb colour_of(const Light& light) {
   return {encode(light[0]), encode(light[1]), encode(light[2])};
 }
 
+bool shows_anticlockwise_sides(const Points& X, const Triangles& F, const Camera& camera,
+                               const Visibility& seen) {
+  const std::vector<std::int64_t> pixels = pixels_of_triangles(seen, F.rows());
+  std::int64_t balance = 0;
+  for (Eigen::Index t = 0; t < F.rows(); ++t) {
+    if (const std::int64_t count = pixels[static_cast<std::size_t>(t)]; count > 0) {
+      balance += Facet(X, F, t, camera).towards_viewer < 0.0 ? -count : count;
+    }
+  }
+  return balance >= 0;
+}
+
 std::vector<Light> shade_triangles(const Points& X, const Triangles& F, const Camera& camera,
-                                   const Visibility& seen, const Paint& paint) {
+                                   const Visibility& seen, const Paint& paint,
+                                   bool front_is_anticlockwise) {
   const Vec3 key = camera.in_scene(key_direction());
+  const Light front = light_of(paint.front), back = light_of(paint.back);
+  const Light marked = light_of(paint.marked);
   const std::vector<std::int64_t> pixels = pixels_of_triangles(seen, F.rows());
   std::vector<Light> light(pixels.size(), Light::Zero());
-  std::vector<std::uint8_t> faces_viewer(pixels.size(), 0);
-  std::int64_t balance = 0;  // pixels that show the front of their triangle, minus the others
-
   for (Eigen::Index t = 0; t < F.rows(); ++t) {
     const auto i = static_cast<std::size_t>(t);
     if (pixels[i] == 0) {
       continue;
     }
-    const Vec3 a = X.row(F(t, 0));
-    const Vec3 b = X.row(F(t, 1));
-    const Vec3 c = X.row(F(t, 2));
-    const Vec3 n = double_area_vector(a, b, c).stableNormalized();
-    const double towards_viewer = n.dot(camera.towards_viewer((a + b + c) / 3.0));
-    const double side = towards_viewer < 0.0 ? -1.0 : 1.0;
-    faces_viewer[i] = side > 0.0 ? 1 : 0;
-    balance += side > 0.0 ? pixels[i] : -pixels[i];
-    light[i] += ambient + key_light * static_cast<float>(std::max(0.0, side * n.dot(key))) +
-                headlight * static_cast<float>(side * towards_viewer);
-  }
-
-  const bool front_faces_viewer = balance >= 0;
-  const Light front = light_of(paint.front);
-  const Light back = light_of(paint.back);
-  for (std::size_t i = 0; i < light.size(); ++i) {
-    if (!paint.triangle.empty()) {
+    const Facet facet(X, F, t, camera);
+    const double side = facet.towards_viewer < 0.0 ? -1.0 : 1.0;
+    light[i] += ambient +
+                key_light * static_cast<float>(std::max(0.0, side * facet.normal.dot(key))) +
+                headlight * static_cast<float>(side * facet.towards_viewer);
+    if (t >= paint.marked_from) {
+      light[i] *= marked;
+    } else if (!paint.triangle.empty()) {
       light[i] *= light_of(paint.triangle[i]);
     } else {
-      light[i] *= (faces_viewer[i] != 0) == front_faces_viewer ? front : back;
+      light[i] *= (side > 0.0) == front_is_anticlockwise ? front : back;
     }
   }
   return light;
