@@ -53,6 +53,15 @@ FillOptions fill_options(const FillArguments& arguments) {
   return options;
 }
 
+/// The options of the run, with their lengths in the units of the mesh.
+FillOptions options_on(const FillArguments& arguments, const Points& X, const Topology& topology) {
+  FillOptions options = fill_options(arguments);
+  if (arguments.edge_length) {
+    options.edge_length = arguments.edge_length->on(X, topology);
+  }
+  return options;
+}
+
 HoleChoice hole_choice(const FillArguments& arguments, const Points& X, const Topology& topology) {
   HoleChoice choice = arguments.choice;
   if (arguments.max_perimeter) {
@@ -214,7 +223,7 @@ ExitCode conclude(const std::string& missed, bool strict, Report& report, const 
 
 Filling fill_within_memory(const FillArguments& arguments, const Input& input, Progress& progress) {
   const Points& X = input.file.mesh().X;
-  FillOptions options = fill_options(arguments);
+  FillOptions options = options_on(arguments, X, input.topology);
   progress.begin_work("triangulate");
   options.on_hole = [&progress](std::int64_t finished, std::int64_t all) {
     if (finished < all) {

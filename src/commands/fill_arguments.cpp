@@ -91,7 +91,15 @@ void add_patch_options(CLI::App& app, FillArguments& a) {
   note_of(app, *rings).unit = "rings";
   app.add_flag("--no-fair", a.no_fair,
                "triangulate and refine the holes, but do not fair the patches");
-  app.add_flag("--no-refine", a.no_refine, "add no vertices inside the holes");
+  CLI::Option* unrefined =
+      app.add_flag("--no-refine", a.no_refine, "add no vertices inside the holes");
+  CLI::Option* edge_length =
+      add_length(app, "--edge-length", a.edge_length, Length::Unit::absolute,
+                 "edge length of the triangles inside the patches; it changes gradually from the "
+                 "edge length along the rim to this one")
+          ->excludes(unrefined)
+          ->excludes("--region");
+  note_of(app, *edge_length).default_text = "the edge length along the rim";
   CLI::Option* vertices = add_integer(app, "--max-new-vertices", a.fill.most_new_vertices, Index{1},
                                       most, "most vertices to add, in all holes together");
   note_of(app, *vertices).unit = "vertices";

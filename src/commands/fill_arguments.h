@@ -28,7 +28,7 @@ struct FillArguments {
   bool stitch = false;                 ///< close cracks first
   std::optional<Length> stitch_reach;  ///< how far apart the sides of a crack may be
   HoleChoice choice;
-  std::optional<Length> max_perimeter, max_diameter;
+  std::optional<Length> max_perimeter, max_diameter, edge_length;
   FillOptions fill;
   bool no_fair = false, no_refine = false;
   std::function<bool()> laplacian_is_given;  ///< by an option, once the options are parsed

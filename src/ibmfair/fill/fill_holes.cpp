@@ -3,9 +3,13 @@
 #include <algorithm>
 #include <exception>
 #include <iterator>
+#include <limits>
 #include <mutex>
 #include <optional>
 
+#include <fmt/format.h>
+
+#include "ibmfair/base/errors.h"
 #include "ibmfair/base/parallel.h"
 #include "ibmfair/base/stopwatch.h"
 #include "ibmfair/fill/filling_assembly.h"
@@ -14,26 +18,42 @@
 #include "ibmfair/fill/hole_filler.h"
 #include "ibmfair/fill/hole_groups.h"
 #include "ibmfair/fill/islands.h"
+#include "ibmfair/mesh/geometry.h"
 
 namespace ibmfair {
 namespace {
 
+constexpr double least_edge = 1e-9;     // of a patch, in diagonals of the mesh
+constexpr double least_need = 1e-9;     // edges of a hole without length; never all are zero
 constexpr Index least_limit = 100'000;  // of the new vertices, if the options set no limit
 
-/// The most new vertices of each group. A hole of n edges needs about n^2 / 10; a badly shaped hole
-/// that would take many more must not use up the vertices that other holes need.
+void require_usable_edge_length(const Points& X, double edge_length) {
+  const double least = least_edge * bounding_box_size(X).norm();
+  if (edge_length != 0 && !(edge_length > 0 && edge_length >= least)) {
+    throw BadOption(fmt::format(
+        "an edge length of {:.3g} is too short for the mesh: at least {:.3g}", edge_length, least));
+  }
+}
+
+/// The most new vertices of each group. A hole of n edges needs about n^2 / 10, if they are as long
+/// as those of the patch; a badly shaped hole that would take many more must not use up the
+/// vertices that other holes need.
 std::vector<Index> shares(const std::vector<std::vector<Index>>& groups,
                           const std::vector<Hole>& holes, const FillOptions& options,
                           Index vertex_count) {
   const Index limit = options.most_new_vertices > 0 ? options.most_new_vertices
                                                     : std::max(least_limit, vertex_count);
   std::vector<double> need;
-  double all = 0;
+  double all = 0, longest = std::numeric_limits<double>::min();
+  for (const Hole& hole : holes) {
+    longest = std::max(longest, hole.perimeter);
+  }
   for (const auto& group : groups) {
     double edges = 0;
     for (const Index h : group) {
-      edges += holes[h].edges();
+      edges += options.edge_length > 0 ? holes[h].perimeter / longest : holes[h].edges();
     }
+    edges = std::max(edges, least_need);
     need.push_back(edges * edges);
     all += need.back();
   }
@@ -182,6 +202,7 @@ FilledMesh filled_mesh(const Topology& topology, const Filling& filling) {
 Filling fill_holes(const Points& X, const Topology& topology, const HoleChoice& choice,
                    const FillOptions& options) {
   options.fairing.validate();
+  require_usable_edge_length(X, options.edge_length);
   const SurfaceWithoutFins surface(topology);
   const std::vector<Hole> holes = find_holes(X, surface.topology());
   require_known_holes(holes, choice);

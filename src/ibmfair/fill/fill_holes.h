@@ -35,6 +35,9 @@ struct FillOptions {
   /// (fill/patch_methods.h).
   bool choose_by_surroundings = false;
   bool refine = true;  ///< false: new vertices only to avoid edges that the mesh has already
+  /// Edge length of the triangles inside of the patches, length. From the rim on, the edge length
+  /// changes gradually to this one. 0: the edge length along the rim.
+  double edge_length = 0;
   bool fair = true;
   int rim_smooth = 0;  ///< rings of mesh vertices that may move; the loop is the first ring
   /// The most new vertices in all holes together. 0: the number of vertices of the mesh, but at

@@ -28,8 +28,11 @@ std::vector<std::uint8_t> rim_of(const FilledGroup& group, Index hole) {
 }
 
 /// The number of vertices of even triangles that cover an area, with edges as long as those of the
-/// rim.
+/// rim or as `inner_spacing`.
 double vertices_needed(const Patch& patch, double area) {
+  if (patch.inner_spacing > 0) {
+    return area / (patch.inner_spacing * patch.inner_spacing) / (std::sqrt(3.0) / 2);
+  }
   double per_squared_length = 0;
   for (const RimEdge& edge : patch.rim) {
     per_squared_length += 1 / (patch.X.row(edge.a) - patch.X.row(edge.b)).squaredNorm();
@@ -123,6 +126,7 @@ FilledGroup HoleFiller::cut_together(const std::vector<Index>& group, Index most
     }
   }
   result.plain = cut_patch(X_, topology_, outlines, options_.rim_smooth);
+  result.plain->inner_spacing = options_.edge_length;
   choose_methods(result);
   return result;
 }
@@ -163,7 +167,7 @@ void HoleFiller::finish_otherwise(FilledGroup& group, const std::string& reason)
 PatchLimits HoleFiller::limits_of(const FilledGroup& group) const {
   const Patch& plain = *group.plain;
   PatchLimits limits{group.most_vertices, bound_of(plain)};
-  const auto edges = static_cast<double>(plain.rim.size());
+  const double edges = std::max(static_cast<double>(plain.rim.size()), edges_along_rim(plain));
   double most = least_vertices + vertices_per_squared_edge * edges * edges;
   if (group.holes.size() == 1 && plain.one_disc && options_.rim_smooth == 0) {
     if (const auto sphere = fit_rim_sphere(plain); sphere && sphere->is_deep()) {

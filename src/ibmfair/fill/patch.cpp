@@ -191,6 +191,17 @@ Triangles all_triangles(const Patch& patch) {
   return F;
 }
 
+double edges_along_rim(const Patch& patch) {
+  if (!(patch.inner_spacing > 0)) {
+    return static_cast<double>(patch.rim.size());
+  }
+  double length = 0;
+  for (const RimEdge& edge : patch.rim) {
+    length += (patch.X.row(edge.a) - patch.X.row(edge.b)).norm();
+  }
+  return length / patch.inner_spacing;
+}
+
 std::vector<Index> grown_by_ring(const Topology& topology, const std::vector<Index>& vertices) {
   std::vector<Index> result = vertices;
   for (const Index v : vertices) {

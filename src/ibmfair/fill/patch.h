@@ -32,7 +32,10 @@ struct Patch {
   std::vector<RimEdge> rim;
   EdgeSet taken;         ///< edges that the patch must not use: the mesh or another disc has them
   bool one_disc = true;  ///< the patch fills a single loop
-  std::vector<double> spacing;     ///< per vertex: edge length of the surrounding mesh
+  std::vector<double> spacing;  ///< per vertex: edge length of the surrounding mesh
+  /// Edge length, instead of that of the surrounding mesh, for vertices that refinement adds; 0 for
+  /// that of the surrounding mesh.
+  double inner_spacing = 0;
   std::vector<double> wanted;      ///< per vertex: edge length to refine to at present
   std::vector<std::uint8_t> free;  ///< per vertex: whether it may move
   Index own_from = 0;              ///< number of the first of the patch's own vertices
@@ -43,6 +46,10 @@ struct Patch {
 
 /// The triangles of the surroundings, followed by those of the patch, #F x 3.
 Triangles all_triangles(const Patch& patch);
+
+/// The number of edges of the rim. With `inner_spacing`, the number of edges of that length that
+/// fit along the rim.
+double edges_along_rim(const Patch& patch);
 
 /// The vertices of all triangles at `vertices`, including `vertices`, sorted.
 std::vector<Index> grown_by_ring(const Topology& topology, const std::vector<Index>& vertices);

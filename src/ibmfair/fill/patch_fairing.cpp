@@ -19,6 +19,7 @@ namespace {
 constexpr double first_cutoff = 20;       // of the flow's first step, in mean edge lengths
 constexpr double limit_growth = 1 << 24;  // of the time step; then a step is that of Gauss-Newton
 constexpr double coarse_rim = 20;         // approximate number of rim edges at the coarsest level
+constexpr double finest_level = 1 << 30;  // edge length of the coarsest level over that of the last
 constexpr int most_late_refinements = 3;
 // The patch is refined again if it has more too long edges than this, relative to its own vertices.
 constexpr double late_share = 0.05;
@@ -258,9 +259,8 @@ void refine_late(Patch& patch, PatchFairing& fairing, Index most_vertices) {
 FairingReport refine_and_fair(Patch& patch, const FairingOptions& options,
                               const PatchLimits& limits, bool& refined) {
   PatchFairing fairing(patch, options, limits.bound);
-  const auto rim = static_cast<double>(patch.rim.size());
-  const int coarsest =
-      std::clamp(static_cast<int>(std::log2(rim / coarse_rim)), 0, options.most_levels - 1);
+  const double finer = std::clamp(edges_along_rim(patch) / coarse_rim, 1.0, finest_level);
+  const int coarsest = std::min(static_cast<int>(std::log2(finer)), options.most_levels - 1);
   refined = true;
   for (int level = coarsest; level >= 0 && refined && !fairing.report().ran_away; --level) {
     const double coarsening = std::ldexp(1.0, level);

@@ -124,7 +124,8 @@ class Refinement {
       }
       p_.net.split(e, v);
       added.push_back(middle(a, b));
-      p_.spacing.push_back((p_.spacing[a] + p_.spacing[b]) / 2);
+      p_.spacing.push_back(p_.inner_spacing > 0 ? p_.inner_spacing
+                                                : (p_.spacing[a] + p_.spacing[b]) / 2);
       p_.wanted.push_back(std::min(options_.coarsening * p_.spacing.back(),
                                    wanted(a, b) + grading * length(a, b) / 2));
       p_.free.push_back(1);
