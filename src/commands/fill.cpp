@@ -41,6 +41,12 @@ struct Input {
   Topology topology;
 };
 
+Continuity continuity_of(const std::string& level) {
+  return level == "0"   ? Continuity::positions
+         : level == "1" ? Continuity::tangents
+                        : Continuity::curvature;
+}
+
 FillOptions fill_options(const FillArguments& arguments) {
   FillOptions options = arguments.fill;
   options.fair = !arguments.no_fair;
@@ -49,6 +55,7 @@ FillOptions fill_options(const FillArguments& arguments) {
   options.fairing.mass_matrix = arguments.mass.name;
   options.choose_by_surroundings =
       !arguments.laplacian_is_given() && arguments.mass.name.empty() && !arguments.mass.without;
+  options.continuity = continuity_of(arguments.continuity);
   options.fairing.relax = arguments.tangential == "relax";
   return options;
 }
@@ -355,6 +362,7 @@ Input read(const FillArguments& arguments, FillSeconds& seconds, Console& consol
 
 ExitCode run_fill(const FillArguments& given, const CLI::App& app, Console& console) {
   FillArguments arguments = given;
+  check_fill_arguments(app, arguments);
   check_reports(arguments.report,
                 {{"", arguments.output.path}, {"--picture", arguments.picture.path}},
                 arguments.output.write.overwrite);

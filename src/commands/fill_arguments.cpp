@@ -1,14 +1,17 @@
 #include "commands/fill_arguments.h"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <vector>
 
 #include <CLI/CLI.hpp>
+#include <fmt/format.h>
 
 #include "commands/argument_roles.h"
 #include "commands/documentation.h"
 #include "commands/numeric_options.h"
+#include "ibmfair/base/errors.h"
 
 namespace ibmfair::commands {
 namespace {
@@ -82,6 +85,24 @@ void add_region_options(CLI::App& app, FillArguments& a) {
   note_of(app, *tangential).default_text = "none";  // no value: it needs --region
 }
 
+/// These options steer the flow that makes patches with --continuity 2.
+constexpr std::array flow_options{"--laplacian", "--mass",      "--no-mass",
+                                  "--tolerance", "--max-steps", "--rim-smooth"};
+
+void add_continuity_option(CLI::App& app, FillArguments& a) {
+  app.add_option("--continuity", a.continuity,
+                 "what the patches continue at their rims. 2: the curvature of the mesh; the patch "
+                 "in a sphere is a part of the sphere. 1: only the tangent directions of the mesh, "
+                 "by linear fairing; there is no crease between patch and mesh. 0: only the "
+                 "positions of the rim; the patch has the least area, like a soap film, and is a "
+                 "flat lid on a flat rim. " +
+                     fmt::format("{} apply to 2 only", fmt::join(flow_options, ", ")))
+      ->check(CLI::IsMember({"0", "1", "2"}))
+      ->capture_default_str()
+      ->excludes("--no-fair")
+      ->excludes("--region");
+}
+
 void add_patch_options(CLI::App& app, FillArguments& a) {
   constexpr Index most = std::numeric_limits<Index>::max();
   begin_group(app, "Patches");
@@ -100,6 +121,7 @@ void add_patch_options(CLI::App& app, FillArguments& a) {
           ->excludes(unrefined)
           ->excludes("--region");
   note_of(app, *edge_length).default_text = "the edge length along the rim";
+  add_continuity_option(app, a);
   CLI::Option* vertices = add_integer(app, "--max-new-vertices", a.fill.most_new_vertices, Index{1},
                                       most, "most vertices to add, in all holes together");
   note_of(app, *vertices).unit = "vertices";
@@ -136,6 +158,14 @@ void add_fairing_options(CLI::App& app, FillArguments& a) {
 }
 
 }  // namespace
+
+void check_fill_arguments(const CLI::App& app, const FillArguments& a) {
+  for (const char* name : flow_options) {
+    if (a.continuity != "2" && app.count(name) > 0) {
+      throw BadOption(fmt::format("fill: {} applies to --continuity 2 only", name));
+    }
+  }
+}
 
 void add_fill_arguments(CLI::App& app, FillArguments& a) {
   add_input_argument(app, a.input);

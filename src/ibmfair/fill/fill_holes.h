@@ -23,8 +23,16 @@ namespace ibmfair {
 /// time, from any thread.
 using HoleObserver = std::function<void(std::int64_t finished, std::int64_t all)>;
 
+/// What a patch continues at the rim of its hole.
+enum class Continuity : std::uint8_t {
+  positions,  ///< the rim alone: the patch of least area, a flat lid on a planar rim
+  tangents,   ///< also the directions of the mesh: linear fairing
+  curvature,  ///< also the curvature of the mesh, as far as the energy knows it: the Willmore flow
+};
+
 struct FillOptions {
-  FairingOptions fairing;
+  Continuity continuity = Continuity::curvature;
+  FairingOptions fairing;  ///< for Continuity::curvature
   /// The patch takes its directions at the rim from a wider band (fill/rim_directions.h).
   bool smooth_directions = false;
   /// After the fairing, the patch continues the curvature of the mesh around its hole

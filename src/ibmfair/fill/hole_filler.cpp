@@ -8,6 +8,7 @@
 
 #include "ibmfair/base/errors.h"
 #include "ibmfair/fill/curvature_continuation.h"
+#include "ibmfair/fill/least_area.h"
 #include "ibmfair/fill/linear_fairing.h"
 #include "ibmfair/fill/refine.h"
 #include "ibmfair/fill/rim_directions.h"
@@ -19,6 +20,8 @@ namespace {
 constexpr double least_vertices = 64;
 constexpr double vertices_per_squared_edge = 0.5;
 constexpr double vertices_per_needed = 2;
+
+constexpr int sweeps_before_repetition = 2;  // of relaxation, before linear fairing is repeated
 
 std::vector<std::uint8_t> rim_of(const FilledGroup& group, Index hole) {
   std::vector<std::uint8_t> chosen(group.hole_of_rim.size());
@@ -49,6 +52,17 @@ std::string with_crack(const Hole& hole, const std::string& reason) {
   }
   return hole.crack.kind == LoopKind::crack ? "it is " + crack
                                             : fmt::format("{}; it is {}", reason, crack);
+}
+
+/// Whether the method makes patches of the kind that the options ask for.
+bool is_asked_for(const FilledGroup& group, const PatchMethod& method) {
+  return method.kind == group.methods.front().kind;
+}
+
+const char* quality_of(Continuity continuity) {
+  return continuity == Continuity::curvature  ? "stationary energy"
+         : continuity == Continuity::tangents ? "linear fairing"
+                                              : "least area";
 }
 
 Index count_folds(const Patch& patch) {
@@ -132,7 +146,8 @@ FilledGroup HoleFiller::cut_together(const std::vector<Index>& group, Index most
 }
 
 void HoleFiller::choose_methods(FilledGroup& group) const {
-  if (options_.fair && options_.choose_by_surroundings) {
+  if (options_.fair && options_.continuity == Continuity::curvature &&
+      options_.choose_by_surroundings) {
     group.surroundings = look_around(X_, topology_, *group.plain);
   }
   group.methods =
@@ -169,7 +184,8 @@ PatchLimits HoleFiller::limits_of(const FilledGroup& group) const {
   PatchLimits limits{group.most_vertices, bound_of(plain)};
   const double edges = std::max(static_cast<double>(plain.rim.size()), edges_along_rim(plain));
   double most = least_vertices + vertices_per_squared_edge * edges * edges;
-  if (group.holes.size() == 1 && plain.one_disc && options_.rim_smooth == 0) {
+  if (options_.continuity == Continuity::curvature && group.holes.size() == 1 && plain.one_disc &&
+      options_.rim_smooth == 0) {
     if (const auto sphere = fit_rim_sphere(plain); sphere && sphere->is_deep()) {
       limits.start = sphere;
       most = std::max(most, vertices_per_needed * vertices_needed(plain, sphere->missing_area()));
@@ -210,7 +226,7 @@ HoleFiller::Attempt HoleFiller::attempt(const FilledGroup& group, const PatchMet
             : "its area is beyond the range of numbers";
   } else if (limits.start && options_.fair && method.kind != PatchKind::stationary) {
     result.flaw = "more than a half sphere is missing, and it lies across the rim";
-  } else if (method.kind == PatchKind::stationary && count_folds(patch) > 0 &&
+  } else if (options_.fair && is_asked_for(group, method) && count_folds(patch) > 0 &&
              count_folds(*group.plain) == 0) {
     result.flaw = "it is folded";
   }
@@ -257,6 +273,15 @@ void HoleFiller::make_on_one_level(Attempt& attempt, const PatchMethod& method,
     attempt.converged = attempt.fairing.converged;
   } else if (method.kind == PatchKind::linear) {
     fair_linearly(patch);
+    for (int i = 0; i < method.repetitions; ++i) {
+      if (options_.refine) {
+        attempt.refined = refine(patch, {1, true, limits.most_vertices}) && attempt.refined;
+        even_out(patch, sweeps_before_repetition);
+      }
+      fair_linearly(patch);
+    }
+  } else if (method.kind == PatchKind::least_area) {
+    attempt.converged = span_least_area(patch);
   }
 }
 
@@ -270,9 +295,9 @@ void HoleFiller::accept(FilledGroup& group, Attempt attempt) const {
   if (!attempt.refined) {
     report.status = HoleStatus::coarse;
     report.reason = "the limit of new vertices ended its refinement";
-  } else if (options_.fair && method.kind != PatchKind::stationary) {
+  } else if (options_.fair && !is_asked_for(group, method)) {
     report.status = HoleStatus::not_converged;
-    report.reason = "no patch of stationary energy could be used";
+    report.reason = fmt::format("no patch of {} could be used", quality_of(options_.continuity));
   }
   report.protruding = attempt.patch.protruding;
   group.patch = std::move(attempt.patch);

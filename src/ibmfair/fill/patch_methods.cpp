@@ -15,6 +15,12 @@ bool has_curvature_to_continue(const RimSurroundings& surroundings) {
          surroundings.likeness < most_alike_with_curvature;
 }
 
+constexpr int repetitions = 2;  // of linear fairing; more change the shape by less than 1 %
+
+PatchMethod linear_fairing() {
+  return {"linear fairing", PatchKind::linear};
+}
+
 std::vector<PatchMethod> fairing_methods(const FillOptions& options) {
   const FairingOptions& asked = options.fairing;
   const std::string smoothed = " with smoothed directions at the rim";
@@ -42,8 +48,24 @@ std::vector<PatchMethod> fairing_methods(const FillOptions& options) {
   methods.push_back(first);
   methods.back().smooth_directions = !options.smooth_directions;
   methods.back().name = asked.laplacian + (options.smooth_directions ? "" : smoothed);
-  methods.push_back({"linear fairing", PatchKind::linear});
+  methods.push_back(linear_fairing());
   return methods;
+}
+
+/// The methods that yield what `options` ask for, and those that come near it.
+std::vector<PatchMethod> methods_for_continuity(const FillOptions& options) {
+  switch (options.continuity) {
+    case Continuity::positions:
+      return {{"least area", PatchKind::least_area}};
+    case Continuity::tangents:
+      return {{.name = "repeated linear fairing",
+               .kind = PatchKind::linear,
+               .repetitions = repetitions},
+              linear_fairing()};
+    case Continuity::curvature:
+      break;
+  }
+  return fairing_methods(options);
 }
 
 }  // namespace
@@ -62,7 +84,7 @@ FillOptions options_for(const RimSurroundings& surroundings, FillOptions options
 std::vector<PatchMethod> patch_methods(const FillOptions& options) {
   std::vector<PatchMethod> methods;
   if (options.fair) {
-    methods = fairing_methods(options);
+    methods = methods_for_continuity(options);
   }
   if (options.refine) {
     methods.push_back({"no fairing", PatchKind::unfaired});

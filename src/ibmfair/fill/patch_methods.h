@@ -12,6 +12,7 @@ namespace ibmfair {
 enum class PatchKind : std::uint8_t {
   stationary,  ///< of stationary bending energy
   linear,      ///< by linear fairing
+  least_area,  ///< a minimal surface
   unfaired,    ///< triangulated and refined only
   plain,       ///< triangulated only
 };
@@ -25,6 +26,8 @@ struct PatchMethod {
   bool smooth_directions = false;
   /// The faired patch is moved to continue the curvature of the mesh around its hole.
   bool continue_curvature = false;
+  /// Of linear fairing, each time refined and with the lengths and angles of the previous result.
+  int repetitions = 0;
 };
 
 /// The options with the Laplacian and the directions that suit such surroundings. Smooth:
