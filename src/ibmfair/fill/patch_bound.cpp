@@ -46,11 +46,11 @@ Vec3 area_vector_of_rim(const Patch& patch, const Vec3& middle) {
 }
 
 /// The triangles of the mesh along the rim: barycentres, unit normals and areas.
-struct Band {
+struct RimBand {
   Points X, N;
   Eigen::VectorXd area;
 
-  explicit Band(const Patch& patch)
+  explicit RimBand(const Patch& patch)
       : X(Points::Zero(patch.surroundings.rows(), 3)), N(X), area(X.rows()) {
     for (Eigen::Index t = 0; t < X.rows(); ++t) {
       const auto x = patch.surroundings.row(t);
@@ -76,7 +76,7 @@ double RimSphere::missing_area() const {
 std::optional<RimSphere> fit_rim_sphere(const Patch& patch) {
   const Vec3 middle = middle_of_rim(patch);
   const Vec3 area_vector = area_vector_of_rim(patch, middle);
-  const Band band(patch);
+  const RimBand band(patch);
   const double area = band.area.sum();
   if (!(area > 0) || !(area_vector.norm() > 0)) {
     return {};
