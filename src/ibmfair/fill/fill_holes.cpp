@@ -19,6 +19,7 @@
 #include "ibmfair/fill/hole_groups.h"
 #include "ibmfair/fill/islands.h"
 #include "ibmfair/mesh/geometry.h"
+#include "ibmfair/fill/sharp_lines.h"
 
 namespace ibmfair {
 namespace {
@@ -221,7 +222,11 @@ Filling fill_holes(const Points& X, const Topology& topology, const HoleChoice& 
   }
   const auto groups =
       group_holes(surface.topology(), holes, chosen, options.rim_smooth, surrounding);
-  const HoleFiller filler(X, surface.topology(), holes, surrounding, options);
+  FillOptions decided = options;
+  if (options.choose_sharp_angle) {
+    decided.sharp_angle = sharp_angle_of(X, surface.topology());
+  }
+  const HoleFiller filler(X, surface.topology(), holes, surrounding, decided);
   auto results =
       fill_groups(filler, groups, shares(groups, holes, options, static_cast<Index>(X.rows())),
                   options.on_hole);

@@ -42,6 +42,11 @@ struct FillOptions {
   /// to it, on `smooth_directions` and on `continue_curvature`, instead of these options
   /// (fill/patch_methods.h).
   bool choose_by_surroundings = false;
+  /// Sharp edges that end at the rim go on through the patch (fill/continued_creases.h): edges at
+  /// which the surface turns by more than this angle, radians. 0: no edge counts as sharp. Needs
+  /// `refine` and no `rim_smooth`. A hole whose creases do not fit together is filled without them.
+  double sharp_angle = 0;
+  bool choose_sharp_angle = false;  ///< the mesh decides on `sharp_angle` (fill/sharp_lines.h)
   bool refine = true;  ///< false: new vertices only to avoid edges that the mesh has already
   /// Edge length of the triangles inside of the patches, length. From the rim on, the edge length
   /// changes gradually to this one. 0: the edge length along the rim.
@@ -74,6 +79,16 @@ struct RejectedPatch {
   std::string reason;  ///< without a full stop
 };
 
+/// What became of the creases that reach the rim of a hole.
+struct CreaseReport {
+  std::int64_t ends = 0;       ///< the number of creases that end at the rim
+  std::int64_t left_out = 0;   ///< the number of these that are not continued
+  std::int64_t rim_edges = 0;  ///< the number of edges of the rim that lie on a crease
+  std::int64_t curves = 0;     ///< the number of curves in the patch that continue them
+  std::int64_t corners = 0;    ///< the number of places in the patch at which these curves meet
+  std::string reason;          ///< why the creases are not continued; empty if they are
+};
+
 struct HoleReport {
   Index hole = 0;  ///< Hole::id
   HoleStatus status = HoleStatus::skipped;
@@ -82,6 +97,7 @@ struct HoleReport {
   std::optional<RimSurroundings> surroundings;  ///< if they decided on the method
   std::vector<RejectedPatch> rejected;          ///< the methods that were tried before
   std::vector<Index> protruding;                ///< Patch::protruding
+  std::optional<CreaseReport> creases;          ///< if creases reach the rim
   std::int64_t new_vertices = 0, new_triangles = 0;
   double diameter_ratio = 0;  ///< diagonal of the patch's bounding box / that of the hole's
   double area_ratio = 0;      ///< area of the patch / that of the triangulated polygon

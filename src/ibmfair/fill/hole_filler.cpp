@@ -54,9 +54,11 @@ std::string with_crack(const Hole& hole, const std::string& reason) {
                                             : fmt::format("{}; it is {}", reason, crack);
 }
 
-/// Whether the method makes patches of the kind that the options ask for.
+/// Whether the method makes patches of the kind that the options ask for. Creases come on top of
+/// the methods for holes without creases.
 bool is_asked_for(const FilledGroup& group, const PatchMethod& method) {
-  return method.kind == group.methods.front().kind;
+  const bool creased = group.methods.front().kind == PatchKind::creased;
+  return method.kind == PatchKind::creased || method.kind == group.methods[creased ? 1 : 0].kind;
 }
 
 const char* quality_of(Continuity continuity) {
@@ -78,7 +80,8 @@ struct HoleFiller::Attempt {
   FairingReport fairing = {};
   bool refined = true;  ///< false if the limit of new vertices ended the refinement
   bool converged = true;
-  std::string flaw = {};  ///< the reason why the patch cannot be used; empty if it can
+  Index other_sheets = 0;  // CreasedPatch::other_sheets
+  std::string flaw = {};   ///< the reason why the patch cannot be used; empty if it can
 };
 
 HoleReport report_of(Index hole, HoleStatus status, std::string reason) {
@@ -142,6 +145,7 @@ FilledGroup HoleFiller::cut_together(const std::vector<Index>& group, Index most
   result.plain = cut_patch(X_, topology_, outlines, options_.rim_smooth);
   result.plain->inner_spacing = options_.edge_length;
   choose_methods(result);
+  continue_creases(result);
   return result;
 }
 
@@ -152,6 +156,40 @@ void HoleFiller::choose_methods(FilledGroup& group) const {
   }
   group.methods =
       patch_methods(group.surroundings ? options_for(*group.surroundings, options_) : options_);
+}
+
+/// Looks for creases, and puts the method that continues them before the others.
+void HoleFiller::continue_creases(FilledGroup& group) const {
+  if (!(options_.sharp_angle > 0) || !options_.refine || options_.rim_smooth > 0) {
+    return;
+  }
+  group.creases = look_for_creases(X_, topology_, *group.plain, options_.sharp_angle);
+  if (group.creases && group.creases->network.flaw.empty()) {
+    PatchMethod method = group.methods.front();
+    method.kind = PatchKind::creased;
+    method.name = (options_.fair ? method.fairing.laplacian : method.name) + " between creases";
+    method.smooth_directions = method.continue_curvature = false;
+    group.methods.insert(group.methods.begin(), std::move(method));
+  }
+}
+
+std::optional<CreaseReport> HoleFiller::crease_report(const FilledGroup& group) const {
+  if (!group.creases) {
+    return std::nullopt;
+  }
+  CreaseReport report;
+  report.ends = group.creases->ends;
+  report.left_out = report.ends;
+  report.rim_edges = std::ranges::count(group.creases->rim.on_crease, 1);
+  const CreaseNetwork& network = group.creases->network;
+  if (group.methods[group.method].kind == PatchKind::creased) {
+    report.left_out -= std::ssize(group.creases->rim.ends);
+    report.curves = std::ssize(network.curves);
+    report.corners = std::ssize(network.corners);
+  } else {
+    report.reason = network.flaw.empty() ? group.rejected.front().reason : network.flaw;
+  }
+  return report;
 }
 
 void HoleFiller::finish(FilledGroup& group) const {
@@ -224,7 +262,8 @@ HoleFiller::Attempt HoleFiller::attempt(const FilledGroup& group, const PatchMet
         std::isfinite(area / limits.bound.area)
             ? fmt::format("its area is {:.3g} times as large as allowed", area / limits.bound.area)
             : "its area is beyond the range of numbers";
-  } else if (limits.start && options_.fair && method.kind != PatchKind::stationary) {
+  } else if (limits.start && options_.fair && method.kind != PatchKind::stationary &&
+             method.kind != PatchKind::creased) {
     result.flaw = "more than a half sphere is missing, and it lies across the rim";
   } else if (options_.fair && is_asked_for(group, method) && count_folds(patch) > 0 &&
              count_folds(*group.plain) == 0) {
@@ -240,6 +279,10 @@ std::vector<RingShift> HoleFiller::shifts_of(const FilledGroup& group) const {
 
 void HoleFiller::make(Attempt& attempt, const FilledGroup& group, const PatchMethod& method,
                       const PatchLimits& limits) const {
+  if (method.kind == PatchKind::creased) {
+    make_creased(attempt, group, method, limits);
+    return;
+  }
   Patch& patch = attempt.patch;
   const Points surroundings = patch.X;
   if (method.smooth_directions) {
@@ -258,6 +301,19 @@ void HoleFiller::make(Attempt& attempt, const FilledGroup& group, const PatchMet
   if (method.continue_curvature && attempt.converged) {
     continue_curvature(X_, topology_, patch);
   }
+}
+
+void HoleFiller::make_creased(Attempt& attempt, const FilledGroup& group, const PatchMethod& method,
+                              const PatchLimits& limits) const {
+  FillOptions options = options_;
+  options.fairing = method.fairing;
+  options.smooth_directions = false;
+  CreasedPatch made =
+      fill_sheets(topology_, *group.plain, *group.creases, options, limits.most_vertices);
+  attempt.patch = std::move(made.patch);
+  attempt.fairing = made.fairing;
+  attempt.refined = made.refined;
+  attempt.other_sheets = made.other_sheets;
 }
 
 void HoleFiller::make_on_one_level(Attempt& attempt, const PatchMethod& method,
@@ -291,10 +347,14 @@ void HoleFiller::accept(FilledGroup& group, Attempt attempt) const {
   report.method = method.name;
   report.surroundings = group.surroundings;
   report.rejected = group.rejected;
+  report.creases = crease_report(group);
   report.fairing = attempt.fairing;
   if (!attempt.refined) {
     report.status = HoleStatus::coarse;
     report.reason = "the limit of new vertices ended its refinement";
+  } else if (attempt.other_sheets > 0) {
+    report.status = HoleStatus::not_converged;
+    report.reason = "no patch of stationary energy could be used between some of its creases";
   } else if (options_.fair && !is_asked_for(group, method)) {
     report.status = HoleStatus::not_converged;
     report.reason = fmt::format("no patch of {} could be used", quality_of(options_.continuity));

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "ibmfair/fill/continued_creases.h"
 #include "ibmfair/fill/fill_holes.h"
 #include "ibmfair/fill/patch_methods.h"
 
@@ -20,6 +21,7 @@ struct FilledGroup {
   std::vector<Index> hole_of_rim;  ///< the hole of each rim edge of the patch
   Index most_vertices = 0;         ///< the most vertices that the patch may have of its own
   std::optional<RimSurroundings> surroundings;  ///< if they decide on the methods
+  std::optional<ContinuedCreases> creases;      ///< those that end at the rim, if they are to go on
   std::vector<PatchMethod> methods;             ///< in the order in which they are tried
   std::size_t method = 0;                       ///< number of the method that made `patch`
   std::vector<RejectedPatch> rejected;          ///< by earlier methods
@@ -55,11 +57,15 @@ class HoleFiller {
 
   FilledGroup cut_together(const std::vector<Index>& group, Index most_vertices) const;
   void choose_methods(FilledGroup& group) const;
+  void continue_creases(FilledGroup& group) const;
+  std::optional<CreaseReport> crease_report(const FilledGroup& group) const;
   PatchLimits limits_of(const FilledGroup& group) const;
   Attempt attempt(const FilledGroup& group, const PatchMethod& method,
                   const PatchLimits& limits) const;
   void make(Attempt& attempt, const FilledGroup& group, const PatchMethod& method,
             const PatchLimits& limits) const;
+  void make_creased(Attempt& attempt, const FilledGroup& group, const PatchMethod& method,
+                    const PatchLimits& limits) const;
   std::vector<RingShift> shifts_of(const FilledGroup& group) const;
   void make_on_one_level(Attempt& attempt, const PatchMethod& method,
                          const PatchLimits& limits) const;

@@ -32,6 +32,7 @@ struct Patch {
   std::vector<RimEdge> rim;
   EdgeSet taken;         ///< edges that the patch must not use: the mesh or another disc has them
   bool one_disc = true;  ///< the patch fills a single loop
+  EdgeSet creases;       ///< edges of the patch at which sheets meet (fill/split_hole.h)
   std::vector<double> spacing;  ///< per vertex: edge length of the surrounding mesh
   /// Edge length, instead of that of the surrounding mesh, for vertices that refinement adds; 0 for
   /// that of the surrounding mesh.

@@ -98,8 +98,10 @@ std::vector<Index> nearest_rim_edges(const Patch& patch) {
   }
   for (std::size_t i = 0; i < front.size(); ++i) {
     for (int k = 0; k < 3; ++k) {
-      const Index next = patch.net.other_side({front[i], k}).triangle;
-      if (next >= 0 && nearest[next] < 0) {
+      const NetEdge e{front[i], k};
+      const Index next = patch.net.other_side(e).triangle;
+      if (next >= 0 && nearest[next] < 0 &&
+          !patch.creases.contains(patch.net.start(e), patch.net.end(e))) {
         nearest[next] = nearest[front[i]];
         front.push_back(next);
       }
@@ -130,7 +132,8 @@ SeamAudit audit_seam(const Patch& patch, const std::vector<Index>& nearest,
       const Vec3 other =
           o.triangle < 0 ? around.beyond(a, b) : area_vector(patch.X, patch.net.opposite(o), b, a);
       const double angle = bend(N, other);
-      audit.folds += angle > std::numbers::pi - fold_angle ? 1 : 0;
+      const bool is_fold = angle > std::numbers::pi - fold_angle && !patch.creases.contains(a, b);
+      audit.folds += is_fold ? 1 : 0;
       if (o.triangle < 0) {
         seam.push_back(angle);
         at_rim[a] = at_rim[b] = 1;

@@ -17,7 +17,8 @@ struct Bends {
 struct SeamAudit {
   Bends seam;          ///< at the edges between patch and mesh
   Bends surroundings;  ///< at the edges of the mesh at rim vertices, for comparison
-  Index folds = 0;     ///< foldovers in the patch and at the seam (flow/steps/folds.h)
+  /// Foldovers in the patch and at the seam, except at Patch::creases (flow/steps/folds.h).
+  Index folds = 0;
 };
 
 /// How large a patch, or a part of it, is.
@@ -27,7 +28,7 @@ struct PatchSize {
 };
 
 /// For each triangle of the patch, the number of the nearest rim edge; distances are counted in
-/// triangles.
+/// triangles, on the same side of creases.
 std::vector<Index> nearest_rim_edges(const Patch& patch);
 
 /// Audits the triangles whose nearest rim edge is flagged in `chosen` (one flag per rim edge).

@@ -10,6 +10,7 @@
 namespace ibmfair {
 
 enum class PatchKind : std::uint8_t {
+  creased,     ///< of several sheets of stationary bending energy (fill/continued_creases.h)
   stationary,  ///< of stationary bending energy
   linear,      ///< by linear fairing
   least_area,  ///< a minimal surface
