@@ -20,6 +20,7 @@
 #include "commands/stitch_cracks.h"
 #include "commands/value_list.h"
 #include "commands/vertex_list.h"
+#include "ibmfair/base/angle.h"
 #include "ibmfair/base/errors.h"
 #include "ibmfair/base/stopwatch.h"
 #include "ibmfair/fill/fill_region.h"
@@ -57,6 +58,9 @@ FillOptions fill_options(const FillArguments& arguments) {
       !arguments.laplacian_is_given() && arguments.mass.name.empty() && !arguments.mass.without;
   options.continuity = continuity_of(arguments.continuity);
   options.fairing.relax = arguments.tangential == "relax";
+  if (arguments.keep_sharp) {
+    options.sharp_angle = radians(*arguments.keep_sharp);
+  }
   return options;
 }
 

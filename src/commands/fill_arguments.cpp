@@ -122,6 +122,21 @@ void add_patch_options(CLI::App& app, FillArguments& a) {
           ->excludes("--region");
   note_of(app, *edge_length).default_text = "the edge length along the rim";
   add_continuity_option(app, a);
+  CLI::Option* sharp = add_parsed_option(
+      app, "--keep-sharp", "ANGLE|auto",
+      "continue sharp edges that end at a hole through the patch: edges at which the surface turns "
+      "by more than this angle; auto takes the angle from the mesh",
+      [&a](const std::string& text) {
+        a.fill.choose_sharp_angle = text == "auto";
+        a.keep_sharp.reset();
+        if (text != "auto") {
+          a.keep_sharp = parse_real_option("--keep-sharp", text, positive);
+        }
+      });
+  sharp->excludes(rings)->excludes(unrefined);
+  note_of(app, *sharp).unit = "degrees";
+  note_of(app, *sharp).default_text = "none";
+  note_of(app, *sharp).offers = {"auto"};
   CLI::Option* vertices = add_integer(app, "--max-new-vertices", a.fill.most_new_vertices, Index{1},
                                       most, "most vertices to add, in all holes together");
   note_of(app, *vertices).unit = "vertices";

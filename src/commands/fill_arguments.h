@@ -33,6 +33,7 @@ struct FillArguments {
   std::string continuity = "2";
   bool no_fair = false, no_refine = false;
   std::function<bool()> laplacian_is_given;  ///< by an option, once the options are parsed
+  std::optional<double> keep_sharp;          ///< degrees
   MassOptions mass;
   std::string region;
   std::string tangential = "none";

@@ -55,6 +55,12 @@ ordered_json rejected_json(const std::vector<RejectedPatch>& rejected) {
   return json;
 }
 
+ordered_json creases_json(const CreaseReport& creases) {
+  return {{"ends", creases.ends},           {"left_out", creases.left_out},
+          {"rim_edges", creases.rim_edges}, {"curves", creases.curves},
+          {"corners", creases.corners},     {"reason", creases.reason}};
+}
+
 ordered_json surroundings_json(const RimSurroundings& surroundings) {
   ordered_json json{{"kind", name_of(surroundings.kind)}, {"roughness", surroundings.roughness}};
   if (surroundings.likeness) {
@@ -80,6 +86,9 @@ ordered_json filled_hole_json(const Hole& rim, const HoleReport& hole) {
     if (hole.surroundings) {
       json["surroundings"] = surroundings_json(*hole.surroundings);
     }
+    if (hole.creases) {
+      json["creases"] = creases_json(*hole.creases);
+    }
     json["diameter_ratio"] = hole.diameter_ratio;
     json["area_ratio"] = hole.area_ratio;
     json.update(seam_json(hole.seam));
@@ -100,6 +109,26 @@ Warning warning_of(const Points& X, const Hole& rim, const HoleReport& hole) {
 constexpr const char* hole_columns =
     "  {:>6}  {:<14}{:>9}{:>10}{:>9}{:>8}{:>11}{:>10}{:>10}{:>8}{:>8}  {}";
 
+std::string crease_remark(const CreaseReport& creases) {
+  if (!creases.reason.empty()) {
+    return fmt::format("its creases are not continued: {}", creases.reason);
+  }
+  std::vector<std::string> parts;
+  if (creases.curves > 0) {
+    parts.push_back(counted(creases.curves, "crease", "creases"));
+  }
+  if (creases.corners > 0) {
+    parts.push_back(counted(creases.corners, "corner", "corners"));
+  }
+  if (creases.rim_edges > 0) {
+    parts.push_back(counted(creases.rim_edges, "rim edge on a crease", "rim edges on creases"));
+  }
+  if (creases.left_out > 0) {
+    parts.push_back(counted(creases.left_out, "crease not continued", "creases not continued"));
+  }
+  return fmt::format("{}", fmt::join(parts, ", "));
+}
+
 /// The reason why the hole is not filled, or the flaws of its filling.
 std::string remarks(const HoleReport& hole) {
   std::vector<std::string> parts;
@@ -116,6 +145,9 @@ std::string remarks(const HoleReport& hole) {
         "{} at its rim left aside, such as {}",
         counted(std::ssize(hole.protruding), "protruding triangle", "protruding triangles"),
         hole.protruding.front()));
+  }
+  if (hole.creases) {
+    parts.push_back(crease_remark(*hole.creases));
   }
   if (hole.seam.folds > 0) {
     parts.push_back(counted(hole.seam.folds, "fold", "folds"));

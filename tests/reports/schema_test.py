@@ -1,6 +1,7 @@
 """Reports of every command match data/report.schema.json, and all its fields occur in reports."""
 
 import json
+import math
 import os
 import pathlib
 import sys
@@ -40,6 +41,17 @@ def described_fields(part):
 
 
 class SchemaTest(ProgramTest):
+    def cut(self, source, target, middle, radius):
+        """Cuts a hole of this radius into an OFF file of triangles."""
+        lines = self.path(source).read_text().splitlines()
+        vertices, faces = map(int, lines[1].split()[:2])
+        X = [list(map(float, line.split())) for line in lines[2:2 + vertices]]
+        kept = [line for line in lines[2 + vertices:2 + vertices + faces]
+                if math.dist([sum(x) / 3 for x in zip(*(X[int(v)] for v in line.split()[1:]))],
+                             middle) > radius]
+        self.path(target).write_text("\n".join(
+            ["OFF", f"{vertices} {len(kept)} 0", *lines[2:2 + vertices], *kept, ""]))
+
     def reports(self):
         """One report of each kind, including the optional fields."""
         self.make("ball.off", "icosphere", "--subdivide", "2", "--noise", "0.2")
@@ -68,6 +80,9 @@ class SchemaTest(ProgramTest):
         yield self.json("fill", "rough.off", "out.off", "--all", "--overwrite")
         fin = pathlib.Path(__file__).parents[1] / "fill" / "reported" / "fin_at_rim.off"
         yield self.json("fill", fin, "out.off", "--overwrite")
+        self.make("box.off", "cube", "--subdivide", "3")
+        self.cut("box.off", "holed.off", (1, 1, 0), 0.3)
+        yield self.json("fill", "holed.off", "out.off", "--keep-sharp", "30", "--overwrite")
         yield self.json("holes", "open.off")
         self.path("nearly_welded.off").write_text(
             "OFF\n8 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n0 0 0\n1 1e-7 0\n0 1 0\n0 0 1\n"
