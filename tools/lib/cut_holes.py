@@ -128,9 +128,8 @@ class Hole:
         piece = mesh.X[np.unique(mesh.F[triangles])]
         self.diameter = float(np.linalg.norm(piece.max(axis=0) - piece.min(axis=0)))
 
-    def distance(self, filled):
-        """RMS distance of patch and piece, both ways, and the largest from the patch to the piece;
-        None if the hole is still open."""
+    def comparison(self, filled):
+        """Patch compared with piece and piece with patch; None if the hole is still open."""
         X, F = read_patch(filled, self.kept)
         if len(F) == 0:
             return None
@@ -138,23 +137,38 @@ class Hole:
         write_surface(patch, X, F)
         found = ibmfair("compare", patch, self.truth, "--samples", SAMPLES, "--json", "--quiet",
                         "--threads", 1)
-        there, back = (found["surface_distance"][way] for way in ("a_to_b", "b_to_a"))
-        return math.sqrt((there["rms"] ** 2 + back["rms"] ** 2) / 2), there["max"]
+        return [found["surface_distance"][way] for way in ("a_to_b", "b_to_a")]
 
-    def by_ibmfair(self, options):
+    def distance(self, filled):
+        """RMS distance of patch and piece, both ways, and the largest from the patch to the piece;
+        None if the hole is still open."""
+        ways = self.comparison(filled)
+        return ways and (rms_of(ways), ways[0]["max"])
+
+    def closeness(self, filled):
+        """RMS distance of patch and piece, both ways, and the mean angle between their normals in
+        degrees; None if the hole is still open."""
+        ways = self.comparison(filled)
+        return ways and (rms_of(ways), sum(way["normal_degrees"]["mean"] for way in ways) / 2)
+
+    def by_ibmfair(self, options, measure=None):
         target = os.path.join(self.scratch, "ours.off")
         run = subprocess.run([PROGRAM, "fill", self.source, target, "--all", "--json", "--quiet",
                               "--overwrite", "--threads", "1", *options], capture_output=True,
                              text=True)
         if run.returncode not in (0, 1):
             raise SystemExit(f"{self.source}: exit {run.returncode}\n{run.stderr}")
-        return self.distance(target), json.loads(run.stdout)["holes"][0]
+        return (measure or self.distance)(target), json.loads(run.stdout)["holes"][0]
 
-    def by_cgal(self, continuity):
+    def by_cgal(self, continuity, measure=None):
         target = os.path.join(self.scratch, "cgal.off")
         subprocess.run([CGAL_FILL, self.source, target, str(continuity)], check=True,
                        capture_output=True)
-        return self.distance(target)
+        return (measure or self.distance)(target)
+
+
+def rms_of(ways):
+    return math.sqrt(sum(way["rms"] ** 2 for way in ways) / 2)
 
 
 class Tally:
