@@ -57,7 +57,10 @@ TEST(CreaseCurves, TheEndOfAPolylineOnACircleIsTheCircle) {
       const CurveEnd end = end_of_polyline(points);
       EXPECT_LT((end.direction - circle.direction(0)).norm(), 1e-9);
       EXPECT_LT((circle.radius * end.curvature - circle.R * Vec3(-1, 0, 0)).norm(), 1e-6);
-      EXPECT_LT(deviation(end, circle.at(1.2)), 1e-6);
+      EXPECT_LT(deviation(end, circle.at(1.2)).cost, 1e-12);
+      const Vec3 ahead = circle.at(0) + circle.radius * circle.direction(0);
+      EXPECT_LT(deviation(end, ahead).angle, 1e-6);
+      EXPECT_GT(deviation(end, ahead).cost, 0.01);
     }
   }
 }

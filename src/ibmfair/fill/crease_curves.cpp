@@ -8,8 +8,9 @@
 namespace ibmfair {
 namespace {
 
-constexpr int fine_steps = 16;        // for each segment, where a length is measured
-constexpr std::size_t most_span = 3;  // edges from the end of a polyline to the middle point
+constexpr int fine_steps = 16;            // for each segment, where a length is measured
+constexpr double share_of_ignored = 0.3;  // of the turn by a curvature that a line ignores
+constexpr std::size_t most_span = 3;      // edges from the end of a polyline to the middle point
 
 double sinc(double x) {
   return std::abs(x) < 1e-4 ? 1 - x * x / 6 : std::sin(x) / x;
@@ -131,12 +132,15 @@ CurvePoints blend(const CurveEnd& start, const CurveEnd& other, double spacing) 
   return points;
 }
 
-double deviation(const CurveEnd& end, const Vec3& target) {
+Deviation deviation(const CurveEnd& end, const Vec3& target) {
   const Vec3 chord = target - end.position;
   const Circle circle(end);
-  const Vec3 reached = circle.at(circle.distance_of_chord(chord.norm())).position;
-  return std::min(angle_between(end.direction, chord),
-                  angle_between(reached - end.position, chord));
+  const Vec3 curved = circle.at(circle.distance_of_chord(chord.norm())).position - end.position;
+  const double on_line = angle_between(end.direction, chord);
+  const double on_circle = angle_between(curved, chord);
+  const double ignored = share_of_ignored * angle_between(curved, end.direction);
+  return {std::min(on_line, on_circle),
+          std::min(on_circle * on_circle, on_line * on_line + ignored * ignored)};
 }
 
 }  // namespace ibmfair

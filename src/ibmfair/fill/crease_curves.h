@@ -59,8 +59,13 @@ CurvePoints arc_to(const CurveEnd& start, const Vec3& target, double spacing);
 /// circles do that go on from either end and end at the other.
 CurvePoints blend(const CurveEnd& start, const CurveEnd& other, double spacing);
 
-/// By how much the direction of a curve's end differs from the direction that leads to `target`,
-/// radians: along a circle of the end's curvature, or along any circle's chord if that fits better.
-double deviation(const CurveEnd& end, const Vec3& target);
+/// How well a curve's end leads to `target`, radians.
+struct Deviation {
+  /// The angle by which the direction of the end would have to turn: on the circle of the end's
+  /// curvature, or on a line if that fits better.
+  double angle = 0;
+  double cost = 0;  ///< the same, but a line costs more at an end that is curved, radians^2
+};
+Deviation deviation(const CurveEnd& end, const Vec3& target);
 
 }  // namespace ibmfair

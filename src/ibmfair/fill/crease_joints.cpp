@@ -27,9 +27,10 @@ double squared(double x) {
 
 double JointChoice::curve_cost(Index i, Index j) const {
   const CurveEnd &a = rim_.ends[i].curve, &b = rim_.ends[j].curve;
-  const double at_a = deviation(a, b.position), at_b = deviation(b, a.position);
-  return std::max(at_a, at_b) < most_turn_of_curve ? squared(at_a) + squared(at_b)
-                                                   : std::numeric_limits<double>::infinity();
+  const Deviation at_a = deviation(a, b.position), at_b = deviation(b, a.position);
+  return std::max(at_a.angle, at_b.angle) < most_turn_of_curve
+             ? at_a.cost + at_b.cost
+             : std::numeric_limits<double>::infinity();
 }
 
 Index JointChoice::arc_before(Index end) const {
@@ -88,11 +89,11 @@ std::optional<JointChoice::Corner> JointChoice::corner(const std::vector<Index>&
   Corner result{*point, cost_of_corner};
   for (const Index end : ends) {
     const CurveEnd& curve = rim_.ends[end].curve;
-    const double turn = deviation(curve, *point);
-    if (!(turn < most_turn_to_corner)) {
+    const Deviation turn = deviation(curve, *point);
+    if (!(turn.angle < most_turn_to_corner)) {
       return std::nullopt;
     }
-    result.cost += squared(turn);
+    result.cost += turn.cost;
   }
   return result;
 }
