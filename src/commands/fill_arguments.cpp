@@ -86,8 +86,8 @@ void add_region_options(CLI::App& app, FillArguments& a) {
 }
 
 /// These options steer the flow that makes patches with --continuity 2.
-constexpr std::array flow_options{"--laplacian", "--mass",      "--no-mass",
-                                  "--tolerance", "--max-steps", "--rim-smooth"};
+constexpr std::array flow_options{"--laplacian", "--mass",       "--no-mass",   "--tolerance",
+                                  "--max-steps", "--rim-smooth", "--keep-sharp"};
 
 void add_continuity_option(CLI::App& app, FillArguments& a) {
   app.add_option("--continuity", a.continuity,

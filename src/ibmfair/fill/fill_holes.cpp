@@ -18,8 +18,8 @@
 #include "ibmfair/fill/hole_filler.h"
 #include "ibmfair/fill/hole_groups.h"
 #include "ibmfair/fill/islands.h"
-#include "ibmfair/mesh/geometry.h"
 #include "ibmfair/fill/sharp_lines.h"
+#include "ibmfair/mesh/geometry.h"
 
 namespace ibmfair {
 namespace {
