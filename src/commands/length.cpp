@@ -67,7 +67,8 @@ CLI::Option* add_optional_length(CLI::App& app, const std::string& name, Length:
                                  const std::string& help,
                                  const std::function<void(std::optional<Length>)>& set) {
   auto text = std::make_shared<std::string>();  // the parser stores the value here
-  CLI::Option* option = app.add_flag(name, *text, help);
+  CLI::Option* option =
+      app.add_flag(name, *text, help + " (the next word is its LENGTH only if it is a length)");
   option->type_name("LENGTH")->each([text, name, unit, set](const std::string& word) {
     if (word == flag_alone) {
       set(std::nullopt);

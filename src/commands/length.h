@@ -35,8 +35,8 @@ Length parse_length_option(std::string_view name, std::string_view text, Length:
 void note_units_of_length(CLI::App& app, const CLI::Option& option, Length::Unit unit);
 
 /// Declares a flag that takes a length as its optional value: `--weld`, `--weld=1e-6u` or `--weld
-/// 1e-6u`. `set` is called with no length if
-/// only the flag is given.
+/// 1e-6u`. The help also says that the next word is the value only if it is a length. `set` is
+/// called with no length if only the flag is given.
 CLI::Option* add_optional_length(CLI::App& app, const std::string& name, Length::Unit unit,
                                  const std::string& help,
                                  const std::function<void(std::optional<Length>)>& set);
