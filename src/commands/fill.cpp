@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <array>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -42,12 +41,6 @@ struct Input {
   Topology topology;
 };
 
-Continuity continuity_of(const std::string& level) {
-  return level == "0"   ? Continuity::positions
-         : level == "1" ? Continuity::tangents
-                        : Continuity::curvature;
-}
-
 FillOptions fill_options(const FillArguments& arguments) {
   FillOptions options = arguments.fill;
   options.fair = !arguments.no_fair;
@@ -56,7 +49,7 @@ FillOptions fill_options(const FillArguments& arguments) {
   options.fairing.mass_matrix = arguments.mass.name;
   options.choose_by_surroundings =
       !arguments.laplacian_is_given() && arguments.mass.name.empty() && !arguments.mass.without;
-  options.continuity = continuity_of(arguments.continuity);
+  options.continuity = continuity_of(arguments);
   options.fairing.relax = arguments.tangential == "relax";
   if (arguments.keep_sharp) {
     options.sharp_angle = radians(*arguments.keep_sharp);
@@ -144,17 +137,6 @@ void tell(const WriteReport& written, const Console& console) {
   for (const std::string& note : written.notes) {
     console.note(note);
   }
-}
-
-/// Draws the mesh before and after, seen as `rendering` says.
-void draw(const FillArguments& arguments, const Points& before, const Topology& topology,
-          const Points& after, const Topology& topology_after,
-          const RenderOptions& rendering = {}) {
-  const std::string& laplacian = arguments.fill.fairing.laplacian;
-  const std::array<FieldState, 2> states{
-      {{before, topology, nullptr, laplacian}, {after, topology_after, &before, laplacian}}};
-  draw_picture(arguments.picture, arguments.output.write.overwrite, states, topology.F.rows(),
-               rendering);
 }
 
 /// The filled mesh if a picture or page shows it; else empty.
@@ -273,10 +255,7 @@ ExitCode fill(const FillArguments& arguments, const Input& input, FillSeconds& s
                           arguments.output.path, arguments.output.write)
              : write_mesh(input.file, X, arguments.output.path, arguments.output.write),
          console);
-    if (!arguments.picture.path.empty()) {
-      draw(arguments, X, input.topology, shown.X, shown.topology,
-           view_of_largest_patch(filling, shown.X, shown.topology));
-    }
+    draw_filling(arguments, X, input.topology, filling, shown.X, shown.topology);
   }
   progress.end();
   const std::vector<Hole> holes = find_holes(X, input.topology);
@@ -333,7 +312,7 @@ ExitCode fair_again(const FillArguments& arguments, const Input& input, FillSeco
     const Stopwatch watch(seconds.write);
     progress.begin("write");
     tell(write_mesh(input.file, X, arguments.output.path, arguments.output.write), console);
-    draw(arguments, input.file.mesh().X, input.topology, X, input.topology);
+    draw_region(arguments, input.file.mesh().X, input.topology, X);
   }
   progress.end();
   add_region(region, seconds, report);

@@ -16,16 +16,42 @@
 namespace ibmfair::commands {
 namespace {
 
-std::vector<Index> parse_ids(const std::string& text) {
+std::vector<Index> parse_ids(const std::string& option, const std::string& text) {
   std::vector<Index> ids;
   std::size_t begin = 0;
   while (begin <= text.size()) {
     const std::size_t end = std::min(text.find(',', begin), text.size());
-    ids.push_back(static_cast<Index>(parse_integer_option("--only", text.substr(begin, end - begin),
+    ids.push_back(static_cast<Index>(parse_integer_option(option, text.substr(begin, end - begin),
                                                           0, std::numeric_limits<Index>::max())));
     begin = end + 1;
   }
   return ids;
+}
+
+std::array<Index, 2> parse_pair(const std::string& text) {
+  const std::vector<Index> ids = parse_ids("--bridge", text);
+  if (ids.size() != 2) {
+    throw BadOption(fmt::format("--bridge: '{}' is not a pair of ids such as 0,3", text));
+  }
+  return {ids[0], ids[1]};
+}
+
+void add_bridge_option(CLI::App& app, FillArguments& a) {
+  CLI::Option* bridge =
+      app.add_option_function<std::vector<std::string>>(
+             "--bridge",
+             [&a](const std::vector<std::string>& pairs) {
+               for (const std::string& pair : pairs) {
+                 a.choice.bridges.push_back(parse_pair(pair));
+               }
+             },
+             "join these two holes by a tube that continues the mesh at both ends, instead of "
+             "filling them: two pieces become one, or one piece gets a handle. All other holes are "
+             "filled as usual; --only A,B leaves them open. Where the tube does not converge, as "
+             "on long thin tubes, --continuity 1 makes one. Can be given several times")
+          ->type_name("A,B")
+          ->allow_extra_args(false);
+  note_of(app, *bridge).unit = "ids that `ibmfair holes` lists";
 }
 
 void add_choice_options(CLI::App& app, FillArguments& a) {
@@ -34,9 +60,9 @@ void add_choice_options(CLI::App& app, FillArguments& a) {
   app.add_flag("--all", a.choice.all,
                "also fill the outer borders of open sheets: boundary loops that span more than 60 "
                "% of the area of their component");
-  CLI::Option* only =
-      add_parsed_option(app, "--only", "ID,...", "fill only these holes",
-                        [&a](const std::string& text) { a.choice.only = parse_ids(text); });
+  CLI::Option* only = add_parsed_option(
+      app, "--only", "ID,...", "fill only these holes",
+      [&a](const std::string& text) { a.choice.only = parse_ids("--only", text); });
   note_of(app, *only).unit = "ids that `ibmfair holes` lists";
   note_of(app, *only).default_text = "all but outer borders";
   CLI::Option* stitch = add_optional_length(
@@ -51,6 +77,7 @@ void add_choice_options(CLI::App& app, FillArguments& a) {
   note_of(app, *stitch).default_text =
       "no cracks are closed; with --stitch alone, a thousandth of the shortest boundary edge at a "
       "vertex";
+  add_bridge_option(app, a);
   CLI::Option* edges = add_integer(app, "--max-edges", a.choice.most_edges, Index{1}, most,
                                    "leave holes open that have more edges than this");
   CLI::Option* perimeter =
@@ -174,7 +201,16 @@ void add_fairing_options(CLI::App& app, FillArguments& a) {
 
 }  // namespace
 
+Continuity continuity_of(const FillArguments& a) {
+  return a.continuity == "0"   ? Continuity::positions
+         : a.continuity == "1" ? Continuity::tangents
+                               : Continuity::curvature;
+}
+
 void check_fill_arguments(const CLI::App& app, const FillArguments& a) {
+  if (!a.choice.bridges.empty() && !a.region.empty()) {
+    throw BadOption("fill: --region excludes --bridge");
+  }
   for (const char* name : flow_options) {
     if (a.continuity != "2" && app.count(name) > 0) {
       throw BadOption(fmt::format("fill: {} applies to --continuity 2 only", name));

@@ -30,7 +30,7 @@ struct FillArguments {
   HoleChoice choice;
   std::optional<Length> max_perimeter, max_diameter, edge_length;
   FillOptions fill;
-  std::string continuity = "2";
+  std::string continuity = "2";  ///< "0", "1" or "2"
   bool no_fair = false, no_refine = false;
   std::function<bool()> laplacian_is_given;  ///< by an option, once the options are parsed
   std::optional<double> keep_sharp;          ///< degrees
@@ -41,6 +41,9 @@ struct FillArguments {
 
 /// Declares the arguments and options; their values are stored in `a`.
 void add_fill_arguments(CLI::App& app, FillArguments& a);
+
+/// The meaning of `a.continuity`.
+Continuity continuity_of(const FillArguments& a);
 
 /// Throws BadOption for options that exclude each other because of their values.
 void check_fill_arguments(const CLI::App& app, const FillArguments& a);

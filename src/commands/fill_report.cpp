@@ -73,6 +73,9 @@ ordered_json filled_hole_json(const Hole& rim, const HoleReport& hole) {
   ordered_json json = hole_json(rim);
   json["status"] = name_of(hole.status);
   json["reason"] = hole.reason;
+  if (hole.bridged_to >= 0) {
+    json["bridged_to"] = hole.bridged_to;
+  }
   json["new_vertices"] = hole.new_vertices;
   json["new_triangles"] = hole.new_triangles;
   if (!hole.protruding.empty()) {
@@ -94,6 +97,21 @@ ordered_json filled_hole_json(const Hole& rim, const HoleReport& hole) {
     json.update(seam_json(hole.seam));
     json["intersections"] = hole.intersections;
     json["fairing"] = fairing_json(hole.fairing);
+  }
+  return json;
+}
+
+/// The bridges, once each, with what they added to the mesh.
+ordered_json bridges_json(const std::vector<HoleReport>& holes) {
+  ordered_json json = ordered_json::array();
+  for (const HoleReport& hole : holes) {
+    if (hole.bridged_to > hole.hole) {
+      const HoleReport& other = holes[static_cast<std::size_t>(hole.bridged_to)];
+      json.push_back({{"holes", {hole.hole, other.hole}},
+                      {"status", name_of(hole.status)},
+                      {"new_vertices", hole.new_vertices + other.new_vertices},
+                      {"new_triangles", hole.new_triangles + other.new_triangles}});
+    }
   }
   return json;
 }
@@ -134,6 +152,9 @@ std::string remarks(const HoleReport& hole) {
   std::vector<std::string> parts;
   if (!hole.reason.empty()) {
     parts.push_back(hole.reason);
+  }
+  if (hole.bridged_to >= 0 && hole.new_triangles > 0) {
+    parts.push_back(fmt::format("bridged to hole {}", hole.bridged_to));
   }
   if (!hole.rejected.empty() && !hole.method.empty()) {
     const RejectedPatch& first = hole.rejected.front();
@@ -247,6 +268,9 @@ void add_filling(const Filling& filling, const std::vector<Hole>& holes, const F
     if (hole.status != HoleStatus::filled && hole.status != HoleStatus::skipped) {
       report.warnings.push_back(warning_of(filling.X, rim, hole));
     }
+  }
+  if (ordered_json bridges = bridges_json(filling.holes); !bridges.empty()) {
+    json["bridges"] = std::move(bridges);
   }
   json["seconds"] = seconds_json(seconds);
 }

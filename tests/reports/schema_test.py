@@ -52,6 +52,16 @@ class SchemaTest(ProgramTest):
         self.path(target).write_text("\n".join(
             ["OFF", f"{vertices} {len(kept)} 0", *lines[2:2 + vertices], *kept, ""]))
 
+    def cut_ring(self, name, cut):
+        """Leaves out the triangles of an OFF file at vertices near the plane y = 0 with x > 0."""
+        lines = self.path(name).read_text().splitlines()
+        vertices = int(lines[1].split()[0])
+        places = [[float(x) for x in line.split()] for line in lines[2:2 + vertices]]
+        kept = [line for line in lines[2 + vertices:] if not any(
+            places[int(v)][0] > 0 and abs(places[int(v)][1]) < 0.3 for v in line.split()[1:])]
+        self.path(cut).write_text("\n".join(
+            ["OFF", f"{vertices} {len(kept)} 0", *lines[2:2 + vertices], *kept, ""]))
+
     def reports(self):
         """One report of each kind, including the optional fields."""
         self.make("ball.off", "icosphere", "--subdivide", "2", "--noise", "0.2")
@@ -75,6 +85,9 @@ class SchemaTest(ProgramTest):
         yield self.json("fill", "open.off", "out.off", "--overwrite")
         yield self.json("fill", "open.off", "out.off", "--all", "--max-new-vertices", "1",
                         "--overwrite", code=1)
+        self.make("torus.off", "torus", "--columns", "24")
+        self.cut_ring("torus.off", "ring.off")
+        yield self.json("fill", "ring.off", "out.off", "--bridge", "0,1", "--overwrite")
         yield self.json("fill", "open.off", "out.off", "--region", "@all", "--overwrite")
         self.make("rough.off", "cylinder", "--rows", "30", "--noise", "0.2")
         yield self.json("fill", "rough.off", "out.off", "--all", "--overwrite")

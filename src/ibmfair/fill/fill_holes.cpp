@@ -12,6 +12,7 @@
 #include "ibmfair/base/errors.h"
 #include "ibmfair/base/parallel.h"
 #include "ibmfair/base/stopwatch.h"
+#include "ibmfair/fill/bridges.h"
 #include "ibmfair/fill/filling_assembly.h"
 #include "ibmfair/fill/fins.h"
 #include "ibmfair/fill/harmonic_extension.h"
@@ -134,6 +135,10 @@ class SurfaceWithoutFins {
 
   const Topology& topology() const { return copy_ ? *copy_ : whole_; }
 
+  void reverse(const std::vector<std::uint8_t>& components) {
+    copy_ = with_reversed_components(topology(), components);
+  }
+
   const std::vector<Index>& fins() const { return fins_; }
 
   /// Adds each fin to the report of a hole at whose rim it stands.
@@ -154,6 +159,32 @@ class SurfaceWithoutFins {
   std::optional<Topology> copy_;
   std::vector<Index> fins_;
 };
+
+/// Removes the ends of bridges from the relation, and lets one end of each surround the other.
+std::vector<Index> with_bridges(std::vector<Index> surrounding, const BridgePlan& plan) {
+  const auto is_end = [&](Index hole) { return hole >= 0 && plan.other_end[hole] >= 0; };
+  for (std::size_t i = 0; i < surrounding.size(); ++i) {
+    const auto hole = static_cast<Index>(i);
+    if (is_end(hole) || is_end(surrounding[i])) {
+      surrounding[i] = is_end(hole) && plan.other_end[i] < hole ? plan.other_end[i] : -1;
+    }
+  }
+  return surrounding;
+}
+
+/// Orients the patches of other holes like the mesh around them, which was reversed for a bridge,
+/// and notes the bridges in the reports.
+void conclude(const BridgePlan& plan, const std::vector<Hole>& holes, Filling& filling) {
+  for (Eigen::Index t = 0; t < filling.new_F.rows(); ++t) {
+    const Index hole = filling.hole_of_triangle[static_cast<std::size_t>(t)];
+    if (plan.other_end[hole] < 0 && plan.reversed[holes[hole].component]) {
+      std::swap(filling.new_F(t, 1), filling.new_F(t, 2));
+    }
+  }
+  for (HoleReport& report : filling.holes) {
+    report.bridged_to = plan.other_end[report.hole];
+  }
+}
 
 /// Chooses the islands in holes that are to be filled, too, unless the holes to fill are given one
 /// by one. Returns `surrounding` for the islands that are joined to the mesh around them.
@@ -204,16 +235,26 @@ Filling fill_holes(const Points& X, const Topology& topology, const HoleChoice& 
                    const FillOptions& options) {
   options.fairing.validate();
   require_usable_edge_length(X, options.edge_length);
-  const SurfaceWithoutFins surface(topology);
-  const std::vector<Hole> holes = find_holes(X, surface.topology());
+  SurfaceWithoutFins surface(topology);
+  std::vector<Hole> holes = find_holes(X, surface.topology());
   require_known_holes(holes, choice);
+  const BridgePlan plan = plan_bridges(X, surface.topology(), holes, choice);
+  if (plan.reverses_any()) {
+    surface.reverse(plan.reversed);
+    holes = find_holes(X, surface.topology());
+  }
   Filling filling;
   double audit_seconds = 0;
   for (const Hole& hole : holes) {
     filling.holes.push_back(report_of(hole.id, HoleStatus::skipped, reason_to_skip(hole, choice)));
   }
-  const std::vector<Index> surrounding =
-      choose_islands(surrounding_holes(X, surface.topology(), holes), choice, filling.holes);
+  for (const Hole& hole : holes) {
+    if (plan.other_end[hole.id] >= 0) {
+      filling.holes[hole.id].reason.clear();
+    }
+  }
+  const std::vector<Index> surrounding = choose_islands(
+      with_bridges(surrounding_holes(X, surface.topology(), holes), plan), choice, filling.holes);
   std::vector<Index> chosen;
   for (const HoleReport& hole : filling.holes) {
     if (hole.reason.empty()) {
@@ -226,7 +267,7 @@ Filling fill_holes(const Points& X, const Topology& topology, const HoleChoice& 
   if (options.choose_sharp_angle) {
     decided.sharp_angle = sharp_angle_of(X, surface.topology());
   }
-  const HoleFiller filler(X, surface.topology(), holes, surrounding, decided);
+  const HoleFiller filler(X, surface.topology(), holes, surrounding, plan.other_end, decided);
   auto results =
       fill_groups(filler, groups, shares(groups, holes, options, static_cast<Index>(X.rows())),
                   options.on_hole);
@@ -234,6 +275,7 @@ Filling fill_holes(const Points& X, const Topology& topology, const HoleChoice& 
     const Stopwatch watch(audit_seconds);
     filling = assemble_without_intersections(X, topology, filling.holes, filler, results);
   }
+  conclude(plan, holes, filling);
   surface.name_fins(holes, filling.holes);
   filling.fins = surface.fins();
   filling.audit_seconds = audit_seconds;

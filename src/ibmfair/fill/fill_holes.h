@@ -92,8 +92,9 @@ struct CreaseReport {
 struct HoleReport {
   Index hole = 0;  ///< Hole::id
   HoleStatus status = HoleStatus::skipped;
-  std::string reason;  ///< for every status except `filled`; without a full stop
-  std::string method;  ///< how the patch was made; empty for a hole that stays open
+  std::string reason;     ///< for every status except `filled`; without a full stop
+  Index bridged_to = -1;  ///< the hole at the other end of a bridge, or -1
+  std::string method;     ///< how the patch was made; empty for a hole that stays open
   std::optional<RimSurroundings> surroundings;  ///< if they decided on the method
   std::vector<RejectedPatch> rejected;          ///< the methods that were tried before
   std::vector<Index> protruding;                ///< Patch::protruding
@@ -133,9 +134,9 @@ struct FilledMesh {
 };
 FilledMesh filled_mesh(const Topology& topology, const Filling& filling);
 
-/// Fills the holes that `choice` selects. Each hole is triangulated, refined and faired separately
-/// (holes that touch: together). Holes are filled in parallel; the result does not depend on the
-/// number of threads.
+/// Fills the holes that `choice` selects, and joins its pairs of holes by tubes. Each hole is
+/// triangulated, refined and faired separately (holes that touch, and both ends of a tube:
+/// together). Holes are filled in parallel; the result does not depend on the number of threads.
 ///
 /// A patch is used only if it stays within the bound that the surroundings of its hole suggest
 /// (fill/patch_bound.h), if its fairing converged, and if it has no intersections and foldovers

@@ -93,8 +93,21 @@ HoleReport report_of(Index hole, HoleStatus status, std::string reason) {
 }
 
 HoleFiller::HoleFiller(const Points& X, const Topology& topology, const std::vector<Hole>& holes,
-                       const std::vector<Index>& surrounding, const FillOptions& options)
-    : X_(X), topology_(topology), holes_(holes), surrounding_(surrounding), options_(options) {}
+                       const std::vector<Index>& surrounding, const std::vector<Index>& bridges,
+                       const FillOptions& options)
+    : X_(X),
+      topology_(topology),
+      holes_(holes),
+      surrounding_(surrounding),
+      bridges_(bridges),
+      options_(options) {}
+
+/// The hole, or the two ends of a bridge if it is one of them.
+std::vector<Index> HoleFiller::together_with(Index hole) const {
+  const Index other = bridges_[hole];
+  return other < 0 ? std::vector<Index>{hole}
+                   : std::vector<Index>{std::min(hole, other), std::max(hole, other)};
+}
 
 std::vector<FilledGroup> HoleFiller::cut(const std::vector<Index>& group,
                                          Index most_vertices) const {
@@ -103,16 +116,23 @@ std::vector<FilledGroup> HoleFiller::cut(const std::vector<Index>& group,
     results.push_back(cut_together(group, most_vertices));
     return results;
   } catch (const BadMesh& error) {
-    if (group.size() == 1) {
+    if (group == together_with(group.front())) {
       results.emplace_back();
-      results.back().reports.push_back(report_of(group.front(), HoleStatus::failed,
-                                                 with_crack(holes_[group.front()], error.what())));
+      for (const Index hole : group) {
+        results.back().reports.push_back(
+            report_of(hole, HoleStatus::failed, with_crack(holes_[hole], error.what())));
+      }
       return results;
     }
   }
   for (const Index hole : group) {
-    for (FilledGroup& part : cut({hole}, most_vertices / static_cast<Index>(group.size()))) {
-      results.push_back(std::move(part));
+    const std::vector<Index> part = together_with(hole);
+    if (hole != part.front()) {
+      continue;  // cut with the other end of its bridge
+    }
+    const auto share = most_vertices / static_cast<Index>(group.size() / part.size());
+    for (FilledGroup& result : cut(part, share)) {
+      results.push_back(std::move(result));
     }
   }
   return results;
@@ -138,6 +158,7 @@ FilledGroup HoleFiller::cut_together(const std::vector<Index>& group, Index most
     for (const Index island : group) {
       if (surrounding_[island] == hole) {
         outlines.back().island = holes_[island].loop;
+        outlines.back().tube = bridges_[island] == hole;
         result.hole_of_rim.insert(result.hole_of_rim.end(), holes_[island].loop.size(), island);
       }
     }
@@ -222,6 +243,7 @@ PatchLimits HoleFiller::limits_of(const FilledGroup& group) const {
   PatchLimits limits{group.most_vertices, bound_of(plain)};
   const double edges = std::max(static_cast<double>(plain.rim.size()), edges_along_rim(plain));
   double most = least_vertices + vertices_per_squared_edge * edges * edges;
+  limits.tube = std::ranges::any_of(group.holes, [&](Index h) { return bridges_[h] >= 0; });
   if (options_.continuity == Continuity::curvature && group.holes.size() == 1 && plain.one_disc &&
       options_.rim_smooth == 0) {
     if (const auto sphere = fit_rim_sphere(plain); sphere && sphere->is_deep()) {

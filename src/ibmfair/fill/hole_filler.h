@@ -31,12 +31,14 @@ struct FilledGroup {
 class HoleFiller {
  public:
   /// All arguments must outlive this object. `holes`: the result of find_holes. `surrounding`: the
-  /// result of surrounding_holes, for holes that are to be filled as rings.
+  /// result of surrounding_holes, for holes that are to be filled as rings; of a bridge, one end
+  /// counts as surrounded by the other. `bridges`: BridgePlan::other_end.
   HoleFiller(const Points& X, const Topology& topology, const std::vector<Hole>& holes,
-             const std::vector<Index>& surrounding, const FillOptions& options);
+             const std::vector<Index>& surrounding, const std::vector<Index>& bridges,
+             const FillOptions& options);
 
   /// Triangulates the holes of a group (by Hole::id) together; if one of them cannot be
-  /// triangulated, each hole separately.
+  /// triangulated, each hole or bridge separately.
   std::vector<FilledGroup> cut(const std::vector<Index>& group, Index most_vertices) const;
 
   /// Refines, fairs and audits the patch that `cut` has triangulated, by the first method whose
@@ -55,6 +57,7 @@ class HoleFiller {
  private:
   struct Attempt;
 
+  std::vector<Index> together_with(Index hole) const;
   FilledGroup cut_together(const std::vector<Index>& group, Index most_vertices) const;
   void choose_methods(FilledGroup& group) const;
   void continue_creases(FilledGroup& group) const;
@@ -76,6 +79,7 @@ class HoleFiller {
   const Topology& topology_;
   const std::vector<Hole>& holes_;
   const std::vector<Index>& surrounding_;
+  const std::vector<Index>& bridges_;
   const FillOptions& options_;
 };
 

@@ -1,6 +1,7 @@
 #include "ibmfair/fill/hole_triangulation.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -11,6 +12,7 @@
 #include <CGAL/Has_timestamp.h>
 #include <CGAL/Polygon_mesh_processing/triangulate_hole.h>
 #include <CGAL/Random.h>
+#include <Eigen/Geometry>
 
 namespace ibmfair {
 
@@ -97,20 +99,34 @@ namespace {
 
 constexpr Eigen::Index most_pairs = 25'000'000;  // of corners of two polygons
 
+/// The cost of a triangle of a strip: at an edge from a to b of one polygon, with the third corner
+/// on the other polygon.
+using StripCost = double (*)(const Vec3& a, const Vec3& b, const Vec3& opposite);
+
+double area_cost(const Vec3& a, const Vec3& b, const Vec3& opposite) {
+  return (b - a).cross(opposite - a).norm();
+}
+
+/// In all, the squared distance between the polygons, integrated along both.
+double distance_cost(const Vec3& a, const Vec3& b, const Vec3& opposite) {
+  return (b - a).norm() * ((a + b) / 2 - opposite).squaredNorm();
+}
+
 /// Dynamic programme over strips of triangles between two polygons that run side by side, from the
 /// pair of corners (0, 0) back to itself. After i edges of p and j edges of r, the strip ends at
 /// the edge from p_i to r_j.
 class Strip {
  public:
-  Strip(Points p, Points r) : p_(std::move(p)), r_(std::move(r)), n_(p_.rows()), m_(r_.rows()) {
+  Strip(Points p, Points r, StripCost cost)
+      : p_(std::move(p)), r_(std::move(r)), n_(p_.rows()), m_(r_.rows()) {
     by_p_.resize((n_ + 1) * (m_ + 1), 0);
     std::vector<double> before(m_ + 1), now(m_ + 1);
     for (Eigen::Index i = 0; i <= n_; ++i) {
       for (Eigen::Index j = 0; j <= m_; ++j) {
-        const double along_p = i > 0 ? before[j] + area(P(i - 1), P(i), R(j)) : endless;
-        const double along_r = j > 0 ? now[j - 1] + area(P(i), R(j), R(j - 1)) : endless;
+        const double along_p = i > 0 ? before[j] + cost(P(i - 1), P(i), R(j)) : endless;
+        const double along_r = j > 0 ? now[j - 1] + cost(R(j), R(j - 1), P(i)) : endless;
         now[j] = i + j == 0 ? 0 : std::min(along_p, along_r);
-        by_p_[i * (m_ + 1) + j] = along_p <= along_r ? 1 : 0;
+        by_p_[i * (m_ + 1) + j] = j == 0 || (i > 0 && along_p <= along_r) ? 1 : 0;
       }
       before.swap(now);
     }
@@ -136,18 +152,13 @@ class Strip {
 
   Vec3 P(Eigen::Index i) const { return p_.row(i % n_); }
   Vec3 R(Eigen::Index j) const { return r_.row(j % m_); }
-  static double area(const Vec3& a, const Vec3& b, const Vec3& c) {
-    return (b - a).cross(c - a).norm();
-  }
 
   Points p_, r_;
   Eigen::Index n_, m_;
   std::vector<std::uint8_t> by_p_;  // whether the last triangle lies at an edge of p
 };
 
-}  // namespace
-
-Triangles triangulate_ring(const Points& outer, const Points& inner) {
+Triangles cheapest_strip(const Points& outer, const Points& inner, StripCost cost) {
   const Eigen::Index n = outer.rows(), m = inner.rows();
   if (n * m > most_pairs) {
     return {};
@@ -173,11 +184,59 @@ Triangles triangulate_ring(const Points& outer, const Points& inner) {
   for (Eigen::Index j = 0; j < m; ++j) {
     r.row(j) = inner.row(row_of_r(j));
   }
-  Triangles F = Strip(std::move(p), std::move(r)).triangles();
+  Triangles F = Strip(std::move(p), std::move(r), cost).triangles();
   for (Index& corner : F.reshaped()) {
     corner = static_cast<Index>(corner < n ? row_of_p(corner) : n + row_of_r(corner - n));
   }
   return F;
+}
+
+/// The middle of a polygon, and its area vector.
+struct PolygonFrame {
+  Vec3 middle, area = Vec3::Zero();
+  double size = 0;  // root mean square distance of the corners from the middle, length
+
+  explicit PolygonFrame(const Points& X) : middle(X.colwise().mean()) {
+    for (Eigen::Index i = 0; i < X.rows(); ++i) {
+      const Vec3 a = X.row(i).transpose() - middle;
+      const Vec3 b = X.row((i + 1) % X.rows()).transpose() - middle;
+      area += a.cross(b) / 2;
+      size += a.squaredNorm() / static_cast<double>(X.rows());
+    }
+    size = std::max(std::sqrt(size), std::numeric_limits<double>::min());
+  }
+};
+
+/// The linear map of the plane of one polygon to that of another that a tube between them makes. If
+/// the polygons face each other, as the ends of an S do, it is a rotation; if they face alike, as
+/// the ends of a U do, the reflection that maps one end of the U to the other, with a rotation that
+/// makes up for differences.
+Eigen::Matrix3d along_tube(const PolygonFrame& from, const PolygonFrame& to) {
+  const Vec3 n = to.area.stableNormalized(), m = from.area.stableNormalized();
+  if (n.dot(m) <= 0) {
+    return Eigen::Quaterniond::FromTwoVectors(-m, n).toRotationMatrix();
+  }
+  Vec3 across = (from.middle - to.middle).stableNormalized();
+  if (!(across.norm() > 0)) {
+    across = n.unitOrthogonal();
+  }
+  const Eigen::Matrix3d mirror = Eigen::Matrix3d::Identity() - 2 * across * across.transpose();
+  return Eigen::Quaterniond::FromTwoVectors(mirror * m, n).toRotationMatrix() * mirror;
+}
+
+}  // namespace
+
+Triangles triangulate_ring(const Points& outer, const Points& inner) {
+  return cheapest_strip(outer, inner, area_cost);
+}
+
+Triangles triangulate_tube(const Points& one, const Points& other) {
+  const PolygonFrame frame(one), other_frame(other);
+  const Eigen::Matrix3d map = along_tube(other_frame, frame);
+  const Points X = (one.rowwise() - frame.middle.transpose()) / frame.size;
+  const Points Y =
+      (other.rowwise() - other_frame.middle.transpose()) * map.transpose() / other_frame.size;
+  return cheapest_strip(X, Y, distance_cost);
 }
 
 }  // namespace ibmfair

@@ -22,4 +22,10 @@ Triangles triangulate_hole(const Points& loop, const Points& apex);
 /// `inner` plus the number of rows of `outer`. Empty if the polygons have too many corners.
 Triangles triangulate_ring(const Points& outer, const Points& inner);
 
+/// Triangulates the tube between two closed polygons, which run so that the tube is to their left.
+/// The polygons are brought to one size and into one plane as a tube without twist would do, and
+/// the strip keeps near corners together; the least area would close each polygon by a disc if they
+/// are far apart. Corners and failure as for triangulate_ring.
+Triangles triangulate_tube(const Points& one, const Points& other);
+
 }  // namespace ibmfair

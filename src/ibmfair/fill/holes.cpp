@@ -177,7 +177,11 @@ std::string describe_crack(const Hole& hole) {
 }
 
 void require_known_holes(const std::vector<Hole>& holes, const HoleChoice& choice) {
-  for (const Index id : choice.only) {
+  std::vector<Index> ids = choice.only;
+  for (const auto& bridge : choice.bridges) {
+    ids.insert(ids.end(), bridge.begin(), bridge.end());
+  }
+  for (const Index id : ids) {
     if (id < 0 || id >= static_cast<Index>(holes.size())) {
       throw BadOption(holes.empty() ? fmt::format("there is no hole {}: the mesh is closed", id)
                                     : fmt::format("there is no hole {}: the mesh has holes 0 to {}",

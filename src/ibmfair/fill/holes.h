@@ -63,7 +63,8 @@ std::vector<Hole> find_holes(const Points& X, const Topology& topology);
 struct HoleChoice {
   bool all = false;         ///< fill outer borders, too
   std::vector<Index> only;  ///< ids, even of outer borders; empty: choose among all holes
-  Index most_edges = 0;     ///< 0: no limit
+  std::vector<std::array<Index, 2>> bridges = {};  ///< pairs of ids to join by tubes (bridges.h)
+  Index most_edges = 0;                            ///< 0: no limit
   double longest_perimeter = 0, largest_diameter = 0;  ///< length; 0: no limit
 };
 
@@ -75,7 +76,7 @@ std::string reason_to_skip(const Hole& hole, const HoleChoice& choice);
 /// empty for a hole.
 std::string describe_crack(const Hole& hole);
 
-/// Throws BadOption for an id in `choice.only` that no hole has.
+/// Throws BadOption for an id in `choice.only` or `choice.bridges` that no hole has.
 void require_known_holes(const std::vector<Hole>& holes, const HoleChoice& choice);
 
 /// Splits a loop at every vertex that occurs twice, into closed polygons without repeated corners.

@@ -130,10 +130,12 @@ Triangles triangulated(const Points& X, const Topology& topology, const Polygon&
   return F;
 }
 
-Triangles triangulated_ring(const Points& X, const Polygon& outer, const Polygon& inner) {
-  Triangles F = triangulate_ring(X(outer.corners, Eigen::all), X(inner.corners, Eigen::all));
+Triangles triangulated_ring(const Points& X, const Polygon& outer, const Polygon& inner,
+                            bool tube) {
+  const Points one = X(outer.corners, Eigen::all), other = X(inner.corners, Eigen::all);
+  Triangles F = tube ? triangulate_tube(one, other) : triangulate_ring(one, other);
   if (F.rows() == 0) {
-    throw BadMesh("it and the island inside it have too many edges");
+    throw BadMesh("the two loops to join have too many edges");
   }
   return F;
 }
@@ -257,8 +259,9 @@ Patch cut_patch(const Points& X, const Topology& topology,
                              polygon.mesh_triangles[i]});
       }
     }
-    discs.push_back(polygons.size() == 1 ? triangulated(X, topology, polygons[0])
-                                         : triangulated_ring(X, polygons[0], polygons[1]));
+    discs.push_back(polygons.size() == 1
+                        ? triangulated(X, topology, polygons[0])
+                        : triangulated_ring(X, polygons[0], polygons[1], outline.tube));
     for (Index& corner : discs.back().reshaped()) {
       corner = local(corners[corner]);
     }

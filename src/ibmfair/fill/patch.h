@@ -60,6 +60,7 @@ std::vector<Index> grown_by_ring(const Topology& topology, const std::vector<Ind
 struct PatchOutline {
   std::vector<Index> loop;
   std::vector<Index> island = {};  ///< a loop of another component
+  bool tube = false;               ///< a bridge: `island` is the loop at the other end of a tube
 };
 
 /// Triangulates the outlines and cuts the part of the mesh out that the fairing of the patch needs.

@@ -7,6 +7,7 @@
 #include "ibmfair/base/errors.h"
 #include "ibmfair/energy/bending_energy.h"
 #include "ibmfair/energy/mass_matrices.h"
+#include "ibmfair/fill/linear_fairing.h"
 #include "ibmfair/fill/refine.h"
 #include "ibmfair/flow/steps/stationary_flow.h"
 #include "ibmfair/flow/time_scale.h"
@@ -23,7 +24,8 @@ constexpr double finest_level = 1 << 30;  // edge length of the coarsest level o
 constexpr int most_late_refinements = 3;
 // The patch is refined again if it has more too long edges than this, relative to its own vertices.
 constexpr double late_share = 0.05;
-constexpr int sweeps_on_sphere = 4;  // of relaxation
+constexpr int sweeps_at_start = 4;  // of relaxation
+constexpr int linear_starts = 3;
 // The largest move along a normal in the last step of a converged level, in edge lengths.
 constexpr double small_move = 0.004;
 constexpr double coarse_small_move = 0.02;   // the same if a finer level follows
@@ -226,10 +228,22 @@ bool refine_on(const RimSphere& sphere, Patch& patch, double coarsening, Index m
     return true;
   }
   const bool refined = refine(patch, {coarsening, true, most_vertices});
-  even_out(patch, sweeps_on_sphere);
+  even_out(patch, sweeps_at_start);
   for (Index v = patch.own_from; v < patch.size(); ++v) {
     const Vec3 ray = patch.X.row(v).transpose() - sphere.center;
     patch.X.row(v) = sphere.center + sphere.radius * ray.normalized();
+  }
+  return refined;
+}
+
+/// Fairs a tube linearly, each time with the lengths and angles of the previous result: straight
+/// edges between its ends are much too short where the tube bends. Returns what `refine` returns.
+bool start_linearly(Patch& patch, double coarsening, Index most_vertices) {
+  bool refined = true;
+  for (int i = 0; i < linear_starts && refined; ++i) {
+    fair_linearly(patch);
+    refined = refine(patch, {coarsening, true, most_vertices});
+    even_out(patch, sweeps_at_start);
   }
   return refined;
 }
@@ -267,6 +281,9 @@ FairingReport refine_and_fair(Patch& patch, const FairingOptions& options,
     refined = refine(patch, {coarsening, level < coarsest, limits.most_vertices});
     if (level == coarsest && limits.start) {
       refined = refined && refine_on(*limits.start, patch, coarsening, limits.most_vertices);
+    }
+    if (level == coarsest && limits.tube) {
+      refined = refined && start_linearly(patch, coarsening, limits.most_vertices);
     }
     fairing.run(level == coarsest, level == 0 || !refined);
   }

@@ -43,6 +43,7 @@ struct PatchLimits {
   Index most_vertices = 0;  ///< of the patch's own
   PatchBound bound;
   std::optional<RimSphere> start = {};
+  bool tube = false;  ///< the patch starts from the result of linear fairing
 };
 
 /// Moves the patch's free vertices to the stationary point of E_b on its present triangles; all
@@ -56,7 +57,8 @@ FairingReport fair(Patch& patch, const FairingOptions& options);
 /// as large as the size of the hole allows. On the coarsest level the patch takes its shape, and
 /// its triangulation is adapted (relaxation and Delaunay flips); every finer level refines the
 /// previous one along its curvature and changes little. With `limits.start` the patch starts on
-/// this sphere instead of across the rim. The patch never gets more vertices of its own than the
+/// this sphere instead of across the rim; a tube, which may have to bend, starts from linear
+/// fairing. The patch never gets more vertices of its own than the
 /// limit; `refined` becomes false if the limit ended the refinement.
 FairingReport refine_and_fair(Patch& patch, const FairingOptions& options,
                               const PatchLimits& limits, bool& refined);
