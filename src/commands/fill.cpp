@@ -345,7 +345,7 @@ Input read(const FillArguments& arguments, FillSeconds& seconds, Console& consol
 
 ExitCode run_fill(const FillArguments& given, const CLI::App& app, Console& console) {
   FillArguments arguments = given;
-  check_fill_arguments(app, arguments);
+  check_fill_arguments(arguments);
   check_reports(arguments.report,
                 {{"", arguments.output.path}, {"--picture", arguments.picture.path}},
                 arguments.output.write.overwrite);

@@ -116,6 +116,23 @@ void add_region_options(CLI::App& app, FillArguments& a) {
 constexpr std::array flow_options{"--laplacian", "--mass",       "--no-mass",   "--tolerance",
                                   "--max-steps", "--rim-smooth", "--keep-sharp"};
 
+/// Throws BadOption for the first of these options that has another value than its default.
+void refuse_flow_options(const FillArguments& a) {
+  const FillOptions defaults;
+  const std::array<bool, flow_options.size()> changed{
+      a.laplacian_is_given(),
+      !a.mass.name.empty(),
+      a.mass.without,
+      a.fill.fairing.tolerance != defaults.fairing.tolerance,
+      a.fill.fairing.most_steps != defaults.fairing.most_steps,
+      a.fill.rim_smooth != defaults.rim_smooth};
+  for (std::size_t i = 0; i < changed.size(); ++i) {
+    if (changed[i]) {
+      throw BadOption(fmt::format("fill: {} applies to --continuity 2 only", flow_options[i]));
+    }
+  }
+}
+
 void add_continuity_option(CLI::App& app, FillArguments& a) {
   app.add_option("--continuity", a.continuity,
                  "what the patches continue at their rims. 2: the curvature of the mesh; the patch "
@@ -207,14 +224,12 @@ Continuity continuity_of(const FillArguments& a) {
                                : Continuity::curvature;
 }
 
-void check_fill_arguments(const CLI::App& app, const FillArguments& a) {
+void check_fill_arguments(const FillArguments& a) {
   if (!a.choice.bridges.empty() && !a.region.empty()) {
     throw BadOption("fill: --region excludes --bridge");
   }
-  for (const char* name : flow_options) {
-    if (a.continuity != "2" && app.count(name) > 0) {
-      throw BadOption(fmt::format("fill: {} applies to --continuity 2 only", name));
-    }
+  if (continuity_of(a) != Continuity::curvature) {
+    refuse_flow_options(a);
   }
 }
 

@@ -46,6 +46,6 @@ void add_fill_arguments(CLI::App& app, FillArguments& a);
 Continuity continuity_of(const FillArguments& a);
 
 /// Throws BadOption for options that exclude each other because of their values.
-void check_fill_arguments(const CLI::App& app, const FillArguments& a);
+void check_fill_arguments(const FillArguments& a);
 
 }  // namespace ibmfair::commands

@@ -168,6 +168,17 @@ TEST_F(FillContinuity, TheLimitsOfOtherPatchesHold) {
   EXPECT_EQ(coarse.new_X().rows(), 0);
 }
 
+/// A job with all defaults written out is no contradiction.
+TEST_F(FillContinuity, ADumpedJobRuns) {
+  write_mesh(without_cap(sphere(2), 60), directory_ / "in.off");
+  const RunResult job = run_program({"fill", directory_ / "in.off", directory_ / "out.off",
+                                     "--continuity", "0", "--edge-length", "2e", "--dump-config"});
+  ASSERT_EQ(job.exit_code, 0) << job.err;
+  write_bytes(directory_ / "jobs.json", job.out);
+  const RunResult run = run_program({"batch", directory_ / "jobs.json"});
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+}
+
 TEST_F(FillContinuity, OptionsWithoutEffectAreRefused) {
   write_mesh(without_cap(sphere(2), 60), directory_ / "in.off");
   const std::vector<std::pair<std::vector<std::string>, std::string>> bad{
