@@ -198,6 +198,28 @@ TEST(Fill, AFlatHoleStaysFlat) {
       1e-12);
 }
 
+/// In a plane that is not parallel to an axis, the gradient consists of rounding errors.
+TEST(Fill, AFlatHoleInAnyPlaneIsFilledWell) {
+  const Mesh sheet = with_square_hole(flat_sheet(12, 12), 3);
+  for (const double scale : {1e-8, 1.0, 1e8}) {
+    const Vec3 offset = scale * Vec3(1, -2, 3);
+    const State state(moved(sheet, scale, offset));
+    const Vec3 normal =
+        moved(mesh_from_triangles(Points(Vec3(0, 0, 1).transpose()), {}), 1, Vec3::Zero()).X.row(0);
+    for (const BendingModel& model : bending_models()) {
+      SCOPED_TRACE(std::string(model.name));
+      FillOptions options;
+      options.fairing.laplacian = model.name;
+      const Filling filling = fill_holes(state.X, state.topology, {}, options);
+      ASSERT_GT(filling.new_X.rows(), 0);
+      EXPECT_EQ(filling.holes[1].status, HoleStatus::filled) << filling.holes[1].reason;
+      EXPECT_TRUE(model.evens_edges || filling.holes[1].method == model.name);
+      const Eigen::VectorXd height = (filling.new_X.rowwise() - offset.transpose()) * normal;
+      EXPECT_LT(height.cwiseAbs().maxCoeff(), 1e-12 * scale);
+    }
+  }
+}
+
 /// Spheres are stationary: the patch must be the cap that was cut out. The test bounds the largest
 /// radial error in units of the cap's height, with 2562 vertices on the whole sphere.
 TEST(Fill, SphericalCapsComeBack) {

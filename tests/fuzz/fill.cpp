@@ -23,6 +23,7 @@ FillOptions fill_options(Bytes& bytes, HoleChoice& choice) {
   options.refine = (kinds & 4) == 0;
   options.fair = (kinds & 8) == 0;
   choice.all = (kinds & 16) == 0;
+  options.sharp_angle = (kinds & 96) == 96 ? 0.3 : 0;
   options.rim_smooth = bytes.below(3);
   options.fairing.most_steps = 10;
   options.most_new_vertices = 1 + bytes.below(most);

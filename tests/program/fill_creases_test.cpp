@@ -236,6 +236,18 @@ TEST_F(FillCreases, TheCreaseIsContinuedAtEveryPatchMethod) {
   }
 }
 
+TEST_F(FillCreases, TheLimitOfNewVerticesHolds) {
+  const Mesh mesh = without_rings(cube(5), Vec3(1, 1, 0), 7);
+  for (const int limit : {1, 13, 40}) {
+    const Filled filled =
+        fill(mesh, {"--keep-sharp", "30", "--max-new-vertices", std::to_string(limit)});
+    EXPECT_EQ(filled.exit_code, 1);
+    EXPECT_EQ(filled.hole["status"], "coarse");
+    EXPECT_LE(filled.new_X.rows(), limit);
+    EXPECT_EQ(filled.hole["creases"]["curves"], limit < 13 ? 0 : 1);
+  }
+}
+
 TEST_F(FillCreases, OptionsThatDoNotGoTogetherAreRefused) {
   write_mesh(without_rings(cube(3), Vec3(1, 1, 0), 1), directory_ / "in.off");
   for (const Words& options :

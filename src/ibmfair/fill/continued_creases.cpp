@@ -115,6 +115,9 @@ CreasedPatch fill_sheets(const Topology& topology, const Patch& plain,
   std::vector<PatchMethod> methods = patch_methods(options);
   std::erase_if(methods, [](const PatchMethod& method) { return method.smooth_directions; });
   const SplitHole split(topology, plain, creases.rim, creases.network);
+  if (split.crease_size() > most_vertices) {
+    throw BadMesh("its creases alone exceed the limit of new vertices");
+  }
   std::vector<Sheet> sheets;
   CreasedPatch result;
   result.fairing.converged = options.fair;
@@ -123,7 +126,7 @@ CreasedPatch fill_sheets(const Topology& topology, const Patch& plain,
   for (std::size_t i = 0; i < split.size(); ++i) {
     sheets.push_back(split.cut(i));
     Patch& patch = sheets.back().patch;
-    const PatchLimits limits{std::max(left, Index{0}), bound_of(patch)};
+    const PatchLimits limits{left, bound_of(patch)};
     const PatchMethod* used = &methods.front();
     std::optional<MadeSheet> made = make(patch, *used, limits);
     while (!made && used != &methods.back()) {

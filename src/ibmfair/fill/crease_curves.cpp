@@ -8,7 +8,8 @@
 namespace ibmfair {
 namespace {
 
-constexpr int fine_steps = 16;            // for each segment, where a length is measured
+constexpr int fine_steps = 16;  // for each segment, where a length is measured
+constexpr double most_segments = 100'000;
 constexpr double share_of_ignored = 0.3;  // of the turn by a curvature that a line ignores
 constexpr std::size_t most_span = 3;      // edges from the end of a polyline to the middle point
 
@@ -22,7 +23,8 @@ double versine_ratio(double x) {
 }
 
 int segments(double length, double spacing) {
-  return std::max(1, static_cast<int>(std::lround(length / spacing)));
+  const double count = std::clamp(length / spacing, 1.0, most_segments);
+  return std::isfinite(count) ? static_cast<int>(std::lround(count)) : 1;
 }
 
 /// The blend of a circle from the start and one from the other end, by the share of its length.

@@ -14,9 +14,8 @@ namespace ibmfair {
 namespace {
 
 constexpr std::size_t least_edges = 3;  // of a line that ends within a smooth part of the surface
-constexpr double along_rim =
-    radians(20.0);  // the largest angle of a rim edge to a crease it continues
-constexpr std::size_t edges_for_normal = 3;
+constexpr double along_rim = radians(20.0);  // between a crease and a rim edge that continues it
+constexpr std::size_t edges_for_normal = 3, most_points = 8;
 constexpr double flat = radians(2.0);  // the largest angle of a flat sheet's triangles to its plane
 
 /// The triangles around a vertex of the rim, from the rim edge before it to the one after it.
@@ -142,6 +141,7 @@ class RimCreases {
       result_.on_crease[edge] = 1;
       normal_beside_[edge] = start.normal[side];
       chain.insert(chain.begin(), rim_[to]);
+      chain.resize(std::min(chain.size(), most_points));
       k = to;
       if (chains_.contains(k)) {
         return;
@@ -236,7 +236,7 @@ class RimCreases {
       part(k, side, &last);
       end.normal[side] = sheet_normal(k, side);
       const auto edge = side == 0 ? previous(k) : k;
-      end.last[side] = result_.on_crease[edge] ? -1 : local(last);
+      end.last[side] = result_.on_crease[edge] || last < 0 ? -1 : local(last);
     }
     if (chain.size() > 1) {
       std::vector<Vec3> points;
