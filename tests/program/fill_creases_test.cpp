@@ -12,6 +12,7 @@
 #include "ibmfair/io/mesh_file.h"
 #include "ibmfair/mesh/geometry.h"
 #include "ibmfair/shapes/noise.h"
+#include "ibmfair/shapes/shapes.h"
 #include "support/creased_meshes.h"
 #include "support/files.h"
 #include "support/holed_meshes.h"
@@ -123,6 +124,35 @@ TEST_F(FillCreases, ACubeComesBack) {
   }
 }
 
+/// A hole in which a whole edge of the cube is missing, and one in which a whole face is missing.
+TEST_F(FillCreases, EdgesAndFacesOfACubeComeBack) {
+  const Mesh whole = cube(4);
+  const Points N = triangle_normals(whole.X, State(whole).topology.F);
+  std::vector<Index> at_edge, on_face;
+  for (Index t = 0; t < whole.faces.size(); ++t) {
+    const Vec3 x = whole.X(whole.faces[t], Eigen::all).colwise().mean();
+    const double beyond = std::max(0.0, std::abs(x[2]) - 1);
+    if (Vec3(x[0] - 1, x[1] - 1, beyond).norm() < 0.45) {
+      at_edge.push_back(t);
+    }
+    if (N(t, 1) > 0.5) {
+      on_face.push_back(t);
+    }
+  }
+  for (const Placed& placed : places) {
+    for (const std::vector<Index>& gone : {at_edge, on_face}) {
+      const Filled filled =
+          fill(placed.mesh(without_triangles(whole, gone)), {"--keep-sharp", "30"});
+      expect_good(filled);
+      const bool is_edge = gone == at_edge;
+      EXPECT_EQ(filled.hole["creases"]["curves"], is_edge ? 5 : 0);
+      EXPECT_EQ(filled.hole["creases"]["corners"], is_edge ? 2 : 0);
+      const Points all = placed.back(filled.after.X);
+      EXPECT_NEAR(enclosed_volume(all, State(filled.after).topology.F), 8, 1e-7);
+    }
+  }
+}
+
 /// The test above can fail: without the option the edges are round.
 TEST_F(FillCreases, WithoutTheOptionEdgesAreRound) {
   for (const Vec3& place : {Vec3(1, 1, 0), Vec3(1, 1, 1)}) {
@@ -166,14 +196,16 @@ TEST_F(FillCreases, TheEndOfACylinderComesBack) {
 }
 
 TEST_F(FillCreases, NothingChangesIfNoCreaseReachesTheHole) {
-  const std::vector<Mesh> meshes{
-      without_cap(sphere(4), 30), without_rings(cube(5), Vec3(1, 0, 0), 4),
-      without_rings(closed_cone(64), Vec3(0, 0, 1), 4),
-      without_rings(closed_cylinder(64), Vec3(1, 0, 0.5), 3), flat_sheet(12, 12)};
+  const std::vector<Mesh> meshes{without_cap(sphere(4), 30),
+                                 without_rings(cube(5), Vec3(1, 0, 0), 4),
+                                 without_rings(closed_cone(64), Vec3(0, 0, 1), 4),
+                                 without_rings(closed_cylinder(64), Vec3(1, 0, 0.5), 3),
+                                 flat_sheet(12, 12),
+                                 make_shape("cylinder", {.rows = 12, .columns = 40})};
   for (const Mesh& mesh : meshes) {
-    const Filled before = fill(mesh, {});
+    const Filled before = fill(mesh, {"--all"});
     for (const std::string angle : {"30", "60", "auto"}) {
-      const Filled after = fill(mesh, {"--keep-sharp", angle});
+      const Filled after = fill(mesh, {"--all", "--keep-sharp", angle});
       EXPECT_EQ(after.bytes, before.bytes);
       EXPECT_EQ(after.hole, before.hole);
     }

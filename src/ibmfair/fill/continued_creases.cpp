@@ -1,18 +1,22 @@
 #include "ibmfair/fill/continued_creases.h"
 
 #include <algorithm>
+#include <cmath>
 
+#include "ibmfair/base/angle.h"
 #include "ibmfair/base/errors.h"
 #include "ibmfair/fill/linear_fairing.h"
 #include "ibmfair/fill/patch_audit.h"
 #include "ibmfair/fill/patch_methods.h"
 #include "ibmfair/fill/refine.h"
 #include "ibmfair/fill/split_hole.h"
+#include "ibmfair/mesh/geometry.h"
 
 namespace ibmfair {
 namespace {
 
-constexpr double corner_reach = 2;  // of corners, in radii of the rim
+constexpr double corner_reach = 2;    // of corners, in radii of the rim
+constexpr double flat_height = 0.01;  // of a flat rim, in mean edge lengths
 
 /// The loops of a rim, each in order.
 std::vector<std::vector<RimEdge>> loops_of(const std::vector<RimEdge>& rim) {
@@ -24,6 +28,42 @@ std::vector<std::vector<RimEdge>> loops_of(const std::vector<RimEdge>& rim) {
     loops.back().push_back(edge);
   }
   return loops;
+}
+
+/// What a rim encloses.
+struct RimExtent {
+  Vec3 middle = Vec3::Zero(), normal = Vec3::Zero();
+  double radius = 0, height = 0;  // the largest distances from the middle, and from its plane
+  double spacing = 0;             // mean edge length
+
+  explicit RimExtent(const Patch& plain) {
+    const auto count = static_cast<double>(plain.rim.size());
+    for (const RimEdge& edge : plain.rim) {
+      middle += plain.X.row(edge.a) / count;
+      spacing += plain.spacing[edge.a] / count;
+    }
+    Vec3 area = Vec3::Zero();
+    for (const RimEdge& edge : plain.rim) {
+      const Vec3 a = plain.X.row(edge.a), b = plain.X.row(edge.b);
+      area += (a - middle).cross(b - middle);
+      radius = std::max(radius, (a - middle).norm());
+    }
+    normal = area.normalized();
+    for (const RimEdge& edge : plain.rim) {
+      height = std::max(height, std::abs((plain.X.row(edge.a).transpose() - middle).dot(normal)));
+    }
+  }
+};
+
+/// Whether the rim lies in a plane from which all triangles of the mesh at the rim turn away by
+/// more than `angle`, as where one face of a box is missing.
+bool borders_flat_face(const Points& X, const Topology& topology, const Patch& plain,
+                       const RimExtent& extent, double angle) {
+  return extent.height < flat_height * extent.spacing &&
+         std::ranges::all_of(plain.rim, [&](const RimEdge& edge) {
+           const Vec3 N = double_area_vector(X, topology.F, edge.mesh_triangle);
+           return angle_between(N, extent.normal) > angle;
+         });
 }
 
 Index count_folds(const Patch& patch) {
@@ -95,17 +135,14 @@ std::optional<ContinuedCreases> look_for_creases(const Points& X, const Topology
   if (!creases.rim.has_creases()) {
     return std::nullopt;
   }
-  Vec3 middle = Vec3::Zero();
-  double spacing = 0;
-  for (const RimEdge& edge : plain.rim) {
-    middle += plain.X.row(edge.a) / static_cast<double>(plain.rim.size());
-    spacing += plain.spacing[edge.a] / static_cast<double>(plain.rim.size());
+  const RimExtent extent(plain);
+  creases.network =
+      continue_creases(creases.rim, extent.middle, corner_reach * extent.radius, extent.spacing);
+  if (creases.rim.ends.empty() && borders_flat_face(X, topology, plain, extent, angle)) {
+    creases.rim.arcs = {{.normal = extent.normal}};
+    creases.rim.on_crease.assign(plain.rim.size(), 1);
+    creases.network = {.sheets = {{{SheetSide::Kind::arc, 0}}}};
   }
-  double radius = 0;
-  for (const RimEdge& edge : plain.rim) {
-    radius = std::max(radius, (plain.X.row(edge.a).transpose() - middle).norm());
-  }
-  creases.network = continue_creases(creases.rim, middle, corner_reach * radius, spacing);
   return creases;
 }
 

@@ -25,12 +25,12 @@ struct SheetSide {
 };
 
 struct CreaseNetwork {
-  std::vector<Vec3> corners;
-  std::vector<CreaseCurve> curves;
+  std::vector<Vec3> corners = {};
+  std::vector<CreaseCurve> curves = {};
   /// The border of each sheet, in order: parts of the rim and curves.
-  std::vector<std::vector<SheetSide>> sheets;
+  std::vector<std::vector<SheetSide>> sheets = {};
   /// The reason why the creases cannot be continued, without a full stop; empty if they can.
-  std::string flaw;
+  std::string flaw = {};
 };
 
 /// Joins the ends so that no two curves cross. Two ends are joined by one curve; three and more

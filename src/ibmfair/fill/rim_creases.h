@@ -32,9 +32,9 @@ struct SheetPlane {
 
 /// The part of the rim from one crease end to the next.
 struct RimArc {
-  std::vector<Index> triangles;  ///< of the mesh: those of the arc's sheet at its vertices
-  Vec3 normal = Vec3::Zero();    ///< the mean of their unit normals by area, unit
-  std::optional<SheetPlane> plane;
+  std::vector<Index> triangles = {};  ///< of the mesh: those of the arc's sheet at its vertices
+  Vec3 normal = Vec3::Zero();         ///< the mean of their unit normals by area, unit
+  std::optional<SheetPlane> plane = {};
 };
 
 /// The rim of a hole, cut at the ends of creases.
