@@ -125,7 +125,8 @@ void refuse_flow_options(const FillArguments& a) {
       a.mass.without,
       a.fill.fairing.tolerance != defaults.fairing.tolerance,
       a.fill.fairing.most_steps != defaults.fairing.most_steps,
-      a.fill.rim_smooth != defaults.rim_smooth};
+      a.fill.rim_smooth != defaults.rim_smooth,
+      a.keep_sharp || a.fill.choose_sharp_angle};
   for (std::size_t i = 0; i < changed.size(); ++i) {
     if (changed[i]) {
       throw BadOption(fmt::format("fill: {} applies to --continuity 2 only", flow_options[i]));

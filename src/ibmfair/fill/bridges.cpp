@@ -34,7 +34,7 @@ void require_end(const Pair& bridge, const Hole& hole, HoleChoice choice) {
   if (!hole.simple) {
     refuse(bridge, fmt::format("the loop of hole {} passes a vertex twice", hole.id));
   }
-  if (hole.crack) {
+  if (hole.crack.kind == LoopKind::crack) {
     refuse(bridge, fmt::format("hole {} is {}", hole.id, describe_crack(hole)));
   }
 }

@@ -8,6 +8,7 @@
 
 #include "ibmfair/base/errors.h"
 #include "ibmfair/fill/curvature_continuation.h"
+#include "ibmfair/fill/group_limits.h"
 #include "ibmfair/fill/least_area.h"
 #include "ibmfair/fill/linear_fairing.h"
 #include "ibmfair/fill/refine.h"
@@ -16,11 +17,6 @@
 namespace ibmfair {
 namespace {
 
-// The most vertices of a patch: for a hole of n edges, or for an area that needs m vertices.
-constexpr double least_vertices = 64;
-constexpr double vertices_per_squared_edge = 0.5;
-constexpr double vertices_per_needed = 2;
-
 constexpr int sweeps_before_repetition = 2;  // of relaxation, before linear fairing is repeated
 
 std::vector<std::uint8_t> rim_of(const FilledGroup& group, Index hole) {
@@ -28,19 +24,6 @@ std::vector<std::uint8_t> rim_of(const FilledGroup& group, Index hole) {
   std::transform(group.hole_of_rim.begin(), group.hole_of_rim.end(), chosen.begin(),
                  [hole](Index h) { return h == hole ? 1 : 0; });
   return chosen;
-}
-
-/// The number of vertices of even triangles that cover an area, with edges as long as those of the
-/// rim or as `inner_spacing`.
-double vertices_needed(const Patch& patch, double area) {
-  if (patch.inner_spacing > 0) {
-    return area / (patch.inner_spacing * patch.inner_spacing) / (std::sqrt(3.0) / 2);
-  }
-  double per_squared_length = 0;
-  for (const RimEdge& edge : patch.rim) {
-    per_squared_length += 1 / (patch.X.row(edge.a) - patch.X.row(edge.b)).squaredNorm();
-  }
-  return area * per_squared_length / static_cast<double>(patch.rim.size()) / (std::sqrt(3.0) / 2);
 }
 
 /// The reason why a hole stays open. That a hole is a crack is reason enough; if only a part of it
@@ -217,7 +200,7 @@ void HoleFiller::finish(FilledGroup& group) const {
   if (!group.plain) {
     return;
   }
-  const PatchLimits limits = limits_of(group);
+  const PatchLimits limits = limits_of(group, bridges_, options_);
   for (; group.method < group.methods.size(); ++group.method) {
     const PatchMethod& method = group.methods[group.method];
     Attempt made = attempt(group, method, limits);
@@ -236,28 +219,6 @@ void HoleFiller::finish_otherwise(FilledGroup& group, const std::string& reason)
   group.patch.reset();
   ++group.method;
   finish(group);
-}
-
-PatchLimits HoleFiller::limits_of(const FilledGroup& group) const {
-  const Patch& plain = *group.plain;
-  PatchLimits limits{group.most_vertices, bound_of(plain)};
-  const double edges = std::max(static_cast<double>(plain.rim.size()), edges_along_rim(plain));
-  double most = least_vertices + vertices_per_squared_edge * edges * edges;
-  limits.tube = std::ranges::any_of(group.holes, [&](Index h) { return bridges_[h] >= 0; });
-  if (options_.continuity == Continuity::curvature && group.holes.size() == 1 && plain.one_disc &&
-      options_.rim_smooth == 0) {
-    if (const auto sphere = fit_rim_sphere(plain); sphere && sphere->is_deep()) {
-      limits.start = sphere;
-      most = std::max(most, vertices_per_needed * vertices_needed(plain, sphere->missing_area()));
-    }
-  }
-  if (options_.most_new_vertices > 0) {  // more than this not even the largest patch needs
-    most = std::max(most, vertices_per_needed * vertices_needed(plain, limits.bound.area));
-  }
-  if (most < limits.most_vertices) {
-    limits.most_vertices = static_cast<Index>(most);
-  }
-  return limits;
 }
 
 HoleFiller::Attempt HoleFiller::attempt(const FilledGroup& group, const PatchMethod& method,

@@ -62,7 +62,6 @@ class HoleFiller {
   void choose_methods(FilledGroup& group) const;
   void continue_creases(FilledGroup& group) const;
   std::optional<CreaseReport> crease_report(const FilledGroup& group) const;
-  PatchLimits limits_of(const FilledGroup& group) const;
   Attempt attempt(const FilledGroup& group, const PatchMethod& method,
                   const PatchLimits& limits) const;
   void make(Attempt& attempt, const FilledGroup& group, const PatchMethod& method,
