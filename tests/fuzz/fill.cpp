@@ -23,7 +23,14 @@ FillOptions fill_options(Bytes& bytes, HoleChoice& choice) {
   options.refine = (kinds & 4) == 0;
   options.fair = (kinds & 8) == 0;
   choice.all = (kinds & 16) == 0;
-  options.sharp_angle = (kinds & 96) == 96 ? 0.3 : 0;
+  options.continuity = (kinds & 32) == 0  ? Continuity::curvature
+                       : (kinds & 2) == 0 ? Continuity::tangents
+                                          : Continuity::positions;
+  if ((kinds & 64) != 0) {
+    choice.bridges.push_back({0, 1});
+  }
+  options.edge_length = (kinds & 128) != 0 ? 0.3 : 0;
+  options.sharp_angle = (bytes.next() & 1) != 0 ? 0.3 : 0;
   options.rim_smooth = bytes.below(3);
   options.fairing.most_steps = 10;
   options.most_new_vertices = 1 + bytes.below(most);

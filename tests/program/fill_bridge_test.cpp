@@ -129,7 +129,7 @@ class FillBridge : public testing::Test {
 };
 
 TEST_F(FillBridge, TheMissingRingOfATorusComesBack) {
-  for (const double half_angle : {0.2, 0.6, 1.2}) {
+  for (const double half_angle : {0.2, 0.7, 1.4}) {
     for (const double scale : {1.0, 1e-8}) {
       SCOPED_TRACE(fmt::format("{} radians, scale {}", half_angle, scale));
       const Mesh mesh = moved(torus_without_ring(half_angle), scale, Vec3::Zero(), 0);
@@ -143,6 +143,14 @@ TEST_F(FillBridge, TheMissingRingOfATorusComesBack) {
       EXPECT_EQ(topology.euler_characteristic(), 0);
     }
   }
+}
+
+/// Both ends lie in one plane and face alike: the tube has to leave the plane.
+TEST_F(FillBridge, TheMissingHalfOfATorusComesBack) {
+  const Filled filled = fill(torus_without_ring(std::numbers::pi / 2), {"--bridge", "0,1"});
+  EXPECT_EQ(filled.exit_code, 0);
+  EXPECT_LT(torus_error(filled.new_X()), 0.03);
+  EXPECT_EQ(filled.topology().euler_characteristic(), 0);
 }
 
 TEST_F(FillBridge, TwoPiecesOfATorusBecomeOne) {
@@ -204,6 +212,48 @@ TEST_F(FillBridge, ABridgeBetweenTwoPiecesIsOneSphereAndWithinOneAHandle) {
   EXPECT_EQ(handle.topology().boundary_loops.size(), 0u);
   EXPECT_EQ(handle.topology().euler_characteristic(), 0);
   EXPECT_EQ(handle.topology().turned_triangles, 0);
+}
+
+/// Whether one hole faces the other, and this one faces away.
+bool face_alike(const Mesh& mesh, const Hole& a, const Hole& b) {
+  const auto outlook = [&](const Hole& hole) {
+    const Points X = mesh.X(hole.loop, Eigen::all);
+    const Vec3 x = X.row(0), y = X.row(1), z = X.row(2);
+    return std::pair<Vec3, Vec3>((x + y + z) / 3, (y - x).cross(z - x).normalized());
+  };
+  const auto [middle, normal] = outlook(a);
+  const auto [other_middle, other_normal] = outlook(b);
+  const Vec3 way = (other_middle - middle).normalized();
+  return normal.dot(way) * other_normal.dot(way) > 0.2;
+}
+
+/// Also between the smallest holes, where the strip could go round one of them at a single corner.
+TEST_F(FillBridge, TheResultIsASurface) {
+  int bridges = 0;
+  for (const Index columns : {6, 8}) {
+    const Mesh torus = make_shape("torus", {.rows = 4, .columns = columns});
+    for (Index f = 1; f < torus.faces.size(); ++f) {
+      const auto shares_vertex = [&](Index v) {
+        return std::ranges::find(torus.faces[f], v) != torus.faces[f].end();
+      };
+      if (std::ranges::any_of(torus.faces[0], shares_vertex)) {
+        continue;
+      }
+      const Mesh mesh = without_triangles(torus, {0, f});
+      const std::vector<Hole> holes = find_holes(mesh.X, State(mesh).topology);
+      if (face_alike(mesh, holes[0], holes[1])) {
+        continue;  // refused
+      }
+      const Filled filled = fill(mesh, {"--bridge", "0,1"});
+      const Topology topology = filled.topology();
+      EXPECT_TRUE(topology.defects.non_manifold_edges.empty()) << columns << " " << f;
+      if (filled.told["holes"][0]["status"] != "failed") {
+        EXPECT_TRUE(topology.boundary_loops.empty()) << columns << " " << f;
+        ++bridges;
+      }
+    }
+  }
+  EXPECT_GT(bridges, 10);
 }
 
 TEST_F(FillBridge, OtherHolesAreFilledAsUsual) {

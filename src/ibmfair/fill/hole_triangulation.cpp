@@ -114,19 +114,27 @@ double distance_cost(const Vec3& a, const Vec3& b, const Vec3& opposite) {
 
 /// Dynamic programme over strips of triangles between two polygons that run side by side, from the
 /// pair of corners (0, 0) back to itself. After i edges of p and j edges of r, the strip ends at
-/// the edge from p_i to r_j.
+/// the edge from p_i to r_j. The cheapest strip may go round one polygon at a single corner of the
+/// other and so use an edge twice. A strip cannot if it has to begin with an edge of p and to end
+/// with an edge of r (`without_fans`).
 class Strip {
  public:
-  Strip(Points p, Points r, StripCost cost)
-      : p_(std::move(p)), r_(std::move(r)), n_(p_.rows()), m_(r_.rows()) {
+  Strip(const Points& p, const Points& r, StripCost cost, bool without_fans)
+      : p_(p), r_(r), n_(p_.rows()), m_(r_.rows()) {
     by_p_.resize((n_ + 1) * (m_ + 1), 0);
     std::vector<double> before(m_ + 1), now(m_ + 1);
     for (Eigen::Index i = 0; i <= n_; ++i) {
       for (Eigen::Index j = 0; j <= m_; ++j) {
         const double along_p = i > 0 ? before[j] + cost(P(i - 1), P(i), R(j)) : endless;
         const double along_r = j > 0 ? now[j - 1] + cost(R(j), R(j - 1), P(i)) : endless;
+        bool by_p = j == 0 || (i > 0 && along_p <= along_r);
         now[j] = i + j == 0 ? 0 : std::min(along_p, along_r);
-        by_p_[i * (m_ + 1) + j] = j == 0 || (i > 0 && along_p <= along_r) ? 1 : 0;
+        if (without_fans && ((i == 0 && j > 0) || (i == n_ && j == 0))) {
+          now[j] = endless;
+        } else if (without_fans && i == n_ && j == m_) {
+          by_p = false;
+        }
+        by_p_[i * (m_ + 1) + j] = by_p ? 1 : 0;
       }
       before.swap(now);
     }
@@ -145,6 +153,20 @@ class Strip {
       }
     }
     return F;
+  }
+
+  /// Whether the strip goes round one of the polygons at a single corner of the other.
+  bool has_fan() const {
+    Eigen::Index i = n_, j = m_, run = 0, longest_p = 0, longest_r = 0;
+    bool last = false;
+    while (i + j > 0) {
+      const bool by_p = by_p_[i * (m_ + 1) + j] != 0;
+      run = by_p == last ? run + 1 : 1;
+      last = by_p;
+      (by_p ? longest_p : longest_r) = std::max(by_p ? longest_p : longest_r, run);
+      (by_p ? i : j) -= 1;
+    }
+    return longest_p == n_ || longest_r == m_;
   }
 
  private:
@@ -184,7 +206,8 @@ Triangles cheapest_strip(const Points& outer, const Points& inner, StripCost cos
   for (Eigen::Index j = 0; j < m; ++j) {
     r.row(j) = inner.row(row_of_r(j));
   }
-  Triangles F = Strip(std::move(p), std::move(r), cost).triangles();
+  const Strip cheapest(p, r, cost, false);
+  Triangles F = cheapest.has_fan() ? Strip(p, r, cost, true).triangles() : cheapest.triangles();
   for (Index& corner : F.reshaped()) {
     corner = static_cast<Index>(corner < n ? row_of_p(corner) : n + row_of_r(corner - n));
   }
