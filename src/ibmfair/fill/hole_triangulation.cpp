@@ -119,8 +119,8 @@ double distance_cost(const Vec3& a, const Vec3& b, const Vec3& opposite) {
 /// with an edge of r (`without_fans`).
 class Strip {
  public:
-  Strip(const Points& p, const Points& r, StripCost cost, bool without_fans)
-      : p_(p), r_(r), n_(p_.rows()), m_(r_.rows()) {
+  Strip(Points p, Points r, StripCost cost, bool without_fans)
+      : p_(std::move(p)), r_(std::move(r)), n_(p_.rows()), m_(r_.rows()) {
     by_p_.resize((n_ + 1) * (m_ + 1), 0);
     std::vector<double> before(m_ + 1), now(m_ + 1);
     for (Eigen::Index i = 0; i <= n_; ++i) {
