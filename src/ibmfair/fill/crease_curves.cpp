@@ -78,7 +78,7 @@ double Circle::distance_of_chord(double chord) const {
 }
 
 CurveEnd end_of_polyline(const std::vector<Vec3>& points) {
-  const Vec3 end = points.front();
+  const Vec3& end = points.front();
   CurveEnd result{end, (end - points[1]).normalized(), Vec3::Zero()};
   Vec3 direction = Vec3::Zero(), curvature = Vec3::Zero();
   double weights = 0;

@@ -134,7 +134,7 @@ CreaseJoint JointChoice::best(const std::vector<Index>& ends) const {
   for (std::size_t begin = 0; begin < ends.size(); ++begin) {
     for (std::size_t size = 2; size + 2 <= ends.size() && begin + size <= ends.size(); ++size) {
       std::vector<Index> order = ends;
-      std::ranges::rotate(order, order.begin() + static_cast<std::ptrdiff_t>(begin));
+      std::rotate(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(begin), order.end());
       const auto middle = order.begin() + static_cast<std::ptrdiff_t>(size);
       const auto one = corner({order.begin(), middle}), two = corner({middle, order.end()});
       if (!one || !two) {

@@ -3,6 +3,7 @@
 
 #include <limits>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "ibmfair/fill/rim_creases.h"
@@ -22,8 +23,8 @@ struct CreaseJoint {
 class JointChoice {
  public:
   /// The rim must outlive this object. Corners lie within `reach` of `middle`.
-  JointChoice(const CreasedRim& rim, const Vec3& middle, double reach)
-      : rim_(rim), middle_(middle), reach_(reach) {}
+  JointChoice(const CreasedRim& rim, Vec3 middle, double reach)
+      : rim_(rim), middle_(std::move(middle)), reach_(reach) {}
 
   /// The joint of least cost for these ends, which are in the order of the rim.
   CreaseJoint best(const std::vector<Index>& ends) const;

@@ -296,7 +296,7 @@ Patch SplitHole::joined(const std::vector<Sheet>& sheets) const {
   patch.net = {};
   patch.protruding.clear();
   std::vector<Index> corners;
-  Index size = static_cast<Index>(all_X_.rows());
+  auto size = static_cast<Index>(all_X_.rows());
   for (const Sheet& sheet : sheets) {
     for (Index t = 0; t < sheet.patch.net.size(); ++t) {
       for (const Index v : sheet.patch.net[t]) {
@@ -312,7 +312,7 @@ Patch SplitHole::joined(const std::vector<Sheet>& sheets) const {
   patch.free.assign(static_cast<std::size_t>(size), 1);
   std::fill_n(patch.free.begin(), plain_.own_from, 0);
   patch.spacing.resize(static_cast<std::size_t>(size), 0);
-  Index row = static_cast<Index>(all_X_.rows());
+  auto row = static_cast<Index>(all_X_.rows());
   for (const Sheet& sheet : sheets) {
     const Patch& part = sheet.patch;
     patch.X.middleRows(row, part.own_size()) = part.X.bottomRows(part.own_size());
