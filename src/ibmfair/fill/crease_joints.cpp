@@ -69,6 +69,7 @@ std::optional<Vec3> JointChoice::meeting_point(const std::vector<Index>& ends,
 std::optional<JointChoice::Corner> JointChoice::corner(const std::vector<Index>& ends,
                                                        bool curved) const {
   std::vector<CurvePoint> lines;
+  lines.reserve(ends.size());
   for (const Index end : ends) {
     lines.push_back({rim_.ends[end].curve.position, rim_.ends[end].curve.direction});
   }
