@@ -4,6 +4,7 @@
 #include <numbers>
 #include <random>
 #include <set>
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -201,8 +202,9 @@ TEST(Fill, AFlatHoleStaysFlat) {
 /// In a plane that is not parallel to an axis, the gradient consists of rounding errors.
 TEST(Fill, AFlatHoleInAnyPlaneIsFilledWell) {
   const Mesh sheet = with_square_hole(flat_sheet(12, 12), 3);
-  for (const double scale : {1e-8, 1.0, 1e8}) {
-    const Vec3 offset = scale * Vec3(1, -2, 3);
+  for (const auto& [scale, distance] :
+       {std::pair{1e-8, 1.0}, std::pair{1.0, 1.0}, std::pair{1e8, 1.0}, std::pair{1.0, 1e5}}) {
+    const Vec3 offset = scale * distance * Vec3(1, -2, 3);
     const State state(moved(sheet, scale, offset));
     const Vec3 normal =
         moved(mesh_from_triangles(Points(Vec3(0, 0, 1).transpose()), {}), 1, Vec3::Zero()).X.row(0);
@@ -215,7 +217,7 @@ TEST(Fill, AFlatHoleInAnyPlaneIsFilledWell) {
       EXPECT_EQ(filling.holes[1].status, HoleStatus::filled) << filling.holes[1].reason;
       EXPECT_TRUE(model.evens_edges || filling.holes[1].method == model.name);
       const Eigen::VectorXd height = (filling.new_X.rowwise() - offset.transpose()) * normal;
-      EXPECT_LT(height.cwiseAbs().maxCoeff(), 1e-12 * scale);
+      EXPECT_LT(height.cwiseAbs().maxCoeff(), 1e-12 * scale * distance);
     }
   }
 }
@@ -420,27 +422,6 @@ TEST(Intersections, CrossingsAreFoundAndNeighboursAreNot) {
   X.row(4) << 1, 1, 1;
   X.row(5) << 1, 0.5, -1;
   EXPECT_EQ(patch_intersections(X, through_a_shared_corner, 1).size(), 1u);
-}
-
-TEST(FillHoles, PlanesStayPlanes) {
-  for (const Placement placement : all_placements) {
-    const Mesh sheet = moved(with_square_hole(flat_sheet(24, 24), 4), 1, Vec3::Zero());
-    for (const NamedMesh& plane : placed({{"plane", sheet}}, placement)) {
-      SCOPED_TRACE(plane.name);
-      const State state(plane.mesh);
-      const Filling filling = fill_holes(state.X, state.topology, {}, FillOptions());
-      ASSERT_EQ(filling.holes.size(), 2u);
-      EXPECT_EQ(filling.holes[1].status, HoleStatus::filled) << filling.holes[1].reason;
-      EXPECT_EQ(filling.holes[1].method, "lagrange");
-      const Vec3 a = state.X.row(0), b = state.X.row(24), c = state.X.row(24 * 25);
-      const Vec3 n = (b - a).cross(c - a).normalized();
-      const double size = (b - a).norm();
-      const double rounding = 1e-15 * state.X.cwiseAbs().maxCoeff();
-      EXPECT_GT(filling.new_X.rows(), 0);
-      EXPECT_LT(((filling.new_X.rowwise() - a.transpose()) * n).cwiseAbs().maxCoeff(),
-                1e-12 * size + 100 * rounding);
-    }
-  }
 }
 
 }  // namespace

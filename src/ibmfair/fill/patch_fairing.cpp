@@ -11,7 +11,6 @@
 #include "ibmfair/fill/refine.h"
 #include "ibmfair/flow/steps/stationary_flow.h"
 #include "ibmfair/flow/time_scale.h"
-#include "ibmfair/mesh/geometry.h"
 #include "ibmfair/mesh/topology.h"
 
 namespace ibmfair {
@@ -28,8 +27,8 @@ constexpr int sweeps_at_start = 4;  // of relaxation
 constexpr int linear_starts = 3;
 // The largest move along a normal in the last step of a converged level, in edge lengths.
 constexpr double small_move = 0.004;
-constexpr double coarse_small_move = 0.02;   // the same if a finer level follows
-constexpr double rounding_of_gradient = 10;  // in units of an estimate of the rounding errors
+constexpr double coarse_small_move = 0.02;  // the same if a finer level follows
+constexpr double flat_energy = 1e-12;       // of a flat patch, at most; a sphere has 25
 
 std::vector<std::uint8_t> fixed_vertices(const Patch& patch, const Topology& topology) {
   std::vector<std::uint8_t> fixed(patch.free.size());
@@ -123,15 +122,11 @@ class PatchFairing {
   StationaryFlow& flow() { return stage_->flow(); }
   double gradient_ratio() { return start_ > 0 ? flow().normal_gradient() / start_ : 0; }
 
-  /// Whether the gradient cannot be told from the rounding errors of the coordinates, as on a
-  /// plane: errors of delta change mean curvatures by delta / length^2, and their Laplacians, which
-  /// are the normal part of the gradient, by delta / length^4.
-  bool is_at_rounding() {
-    const double length = mean_edge_length(patch_);
-    const double delta = std::numeric_limits<double>::epsilon() * patch_.X.cwiseAbs().maxCoeff();
-    const double area = triangle_areas(patch_.X, patch_.net.triangles()).sum();
-    return flow().normal_gradient() <=
-           rounding_of_gradient * std::sqrt(area) * delta / std::pow(length, 4);
+  /// Whether the patch is flat up to rounding errors. Its gradient consists of these errors and
+  /// cannot fall.
+  bool is_flat() const {
+    const double length = first_length(patch_);  // without mass, the energy has unit length^2
+    return report_.energy_after < flat_energy * (options_.mass ? 1 : length * length);
   }
 
   void rebuild() {
@@ -179,7 +174,7 @@ class PatchFairing {
     report_.energy_after = flow().energy();
     report_.gradient_ratio = gradient_ratio();
     // A patch without free vertices, or at a stationary point from the start, has converged.
-    report_.converged = report_.converged || start_ == 0 || is_at_rounding();
+    report_.converged = report_.converged || start_ == 0 || is_flat();
     close_stage();
     stage_.reset();
   }

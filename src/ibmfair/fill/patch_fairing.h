@@ -48,8 +48,9 @@ struct PatchLimits {
 
 /// Moves the patch's free vertices to the stationary point of E_b on its present triangles; all
 /// other vertices are fixed. `converged` means that the normal gradient fell below the tolerance
-/// and that the last step moved no vertex along its normal by more than 0.004 edge lengths. Throws
-/// OutOfMemory if the available memory or the memory limit is too small.
+/// and that the last step moved no vertex along its normal by more than 0.004 edge lengths, or that
+/// the patch is flat up to rounding errors. Throws OutOfMemory if the available memory or the
+/// memory limit is too small.
 FairingReport fair(Patch& patch, const FairingOptions& options);
 
 /// Refines the patch to the edge length of the surrounding mesh and fairs it, level by level from
