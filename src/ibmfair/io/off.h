@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "ibmfair/io/byte_patcher.h"
 #include "ibmfair/io/face_edits.h"
 #include "ibmfair/io/formats.h"
 #include "ibmfair/io/token_cursor.h"
@@ -61,6 +62,10 @@ Mesh read_binary_body(const SourceBytes& source, Layout& layout);
 /// The counts of vertices, faces and edges, including the extension of the request, if there is
 /// one. Few files give the number of edges; if it is 0 in the file, it remains 0.
 std::array<std::int64_t, 3> extended_counts(const PatchRequest& request, const Layout& layout);
+
+/// Replaces the counts in the header of a text file where they have changed.
+void replace_counts(const std::array<std::int64_t, 3>& counts, const Layout& layout,
+                    BytePatcher& file);
 
 /// #new vertices x extra_columns(): the values after x, y, z in the rows of new vertices. `at_rim`
 /// (#rim x extra_columns()) has the values of the rim's vertices.

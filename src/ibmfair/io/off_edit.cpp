@@ -44,7 +44,7 @@ class TextEditor {
         file_(request.source, out) {}
 
   void run() {
-    edit_counts();
+    replace_counts(edited_counts(request_, layout_), layout_, file_);
     for (std::int64_t i = 0; i < layout_.vertex_count * (3 + layout_.extra_columns()); ++i)
       cursor_.token();
     TokenCursor ahead = cursor_;
@@ -67,19 +67,6 @@ class TextEditor {
   }
 
  private:
-  void edit_counts() {
-    const std::array<std::int64_t, 3> counts = edited_counts(request_, layout_);
-    const std::array<std::int64_t, 3> old{layout_.vertex_count, layout_.face_count,
-                                          layout_.edge_count};
-    for (std::size_t i = 0; i < 3; ++i) {
-      if (counts[i] == old[i]) continue;
-      std::string text;
-      append_integer(text, counts[i]);
-      const std::string_view token = layout_.count_texts[i];
-      file_.replace(token.data(), token.data() + token.size(), std::string_view(text));
-    }
-  }
-
   /// The colour after the corners of a face; the cursor stays at the end of the last number.
   std::string_view take_colour() {
     if (!layout_.faces_end_lines) return {};

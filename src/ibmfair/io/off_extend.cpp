@@ -2,6 +2,7 @@
 #include <unordered_set>
 
 #include "ibmfair/io/extend_values.h"
+#include "ibmfair/io/numbers.h"
 #include "ibmfair/io/off.h"
 
 namespace ibmfair::off {
@@ -36,6 +37,18 @@ std::int64_t count_new_edges(const Mesh& mesh, const Extension& extension) {
 }
 
 }  // namespace
+
+void replace_counts(const std::array<std::int64_t, 3>& counts, const Layout& layout,
+                    BytePatcher& file) {
+  const std::array<std::int64_t, 3> old{layout.vertex_count, layout.face_count, layout.edge_count};
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (counts[i] == old[i]) continue;
+    std::string text;
+    append_integer(text, counts[i]);
+    const std::string_view token = layout.count_texts[i];
+    file.replace(token.data(), token.data() + token.size(), std::string_view(text));
+  }
+}
 
 std::array<std::int64_t, 3> extended_counts(const PatchRequest& request, const Layout& layout) {
   std::array<std::int64_t, 3> counts{layout.vertex_count, layout.face_count, layout.edge_count};

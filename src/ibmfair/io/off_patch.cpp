@@ -32,7 +32,7 @@ class TextPatcher {
   }
 
   void run() {
-    patch_counts();
+    replace_counts(extended_counts(request_, layout_), layout_, file_);
     row_.resize(3 + static_cast<std::size_t>(layout_.extra_columns()));
     for (std::int64_t v = 0; v < layout_.vertex_count; ++v) {
       for (Token& token : row_)
@@ -50,19 +50,6 @@ class TextPatcher {
  private:
   void replace(Token token, double value) {
     file_.replace(token.data(), token.data() + token.size(), value);
-  }
-
-  void patch_counts() {
-    const std::array<std::int64_t, 3> counts = extended_counts(request_, layout_);
-    const std::array<std::int64_t, 3> old{layout_.vertex_count, layout_.face_count,
-                                          layout_.edge_count};
-    for (std::size_t i = 0; i < 3; ++i) {
-      if (counts[i] == old[i]) continue;
-      std::string text;
-      append_integer(text, counts[i]);
-      const Token token = layout_.count_texts[i];
-      file_.replace(token.data(), token.data() + token.size(), Token(text));
-    }
   }
 
   double value(std::size_t column) const {
