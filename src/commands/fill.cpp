@@ -205,11 +205,31 @@ void deliver_region(const FillArguments& arguments, const Input& input, const Po
   deliver(arguments, input, {"after", &X, &input.topology}, marks, report, console);
 }
 
+/// A bridge can join pieces of opposite orientations. The triangles of the file stay as they are.
+void warn_of_orientation(const FillArguments& arguments, const Input& input, const Filling& filling,
+                         Report& report, const Console& console) {
+  if (arguments.choice.bridges.empty()) {
+    return;
+  }
+  Points X(filling.X.rows() + filling.new_X.rows(), 3);
+  X << filling.X, filling.new_X;
+  Triangles F(input.triangulation.F.rows() + filling.new_F.rows(), 3);
+  F << input.triangulation.F, filling.new_F;
+  const Index turned = build_topology(X, std::move(F)).turned_triangles;
+  if (turned > input.topology.turned_triangles) {
+    report.warnings.push_back(
+        {fmt::format("--bridge joins pieces of opposite orientations: in {}, {} triangles are "
+                     "oriented against the others",
+                     arguments.output.path, turned)});
+    console.warning(report.warnings.back().text);
+  }
+}
+
 ExitCode conclude(const std::string& missed, bool strict, Report& report, const Console& console) {
   if (missed.empty()) {
     return ExitCode::done;
   }
-  report.warnings.push_back({missed + (strict ? "; nothing was written (--strict)" : "")});
+  report.warnings.push_back({missed + (strict ? "; no mesh was written (--strict)" : "")});
   console.warning(report.warnings.back().text);
   return ExitCode::not_reached;
 }
@@ -264,6 +284,7 @@ ExitCode fill(const FillArguments& arguments, const Input& input, FillSeconds& s
     console.note(note);
   }
   report.figures["cracks"] = crack_json(cracks);
+  warn_of_orientation(arguments, input, filling, report, console);
   add_filling(filling, holes, seconds, report);
   const auto filled = std::count_if(filling.holes.begin(), filling.holes.end(),
                                     [](const HoleReport& hole) { return hole.new_triangles > 0; });

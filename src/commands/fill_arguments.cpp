@@ -69,7 +69,8 @@ void add_choice_options(CLI::App& app, FillArguments& a) {
       app, "--stitch", Length::Unit::absolute,
       "close cracks first, without new vertices: split edges at vertices that lie on them "
       "(T-junctions), and merge vertices of edges that lie on each other. The two sides of a crack "
-      "may be LENGTH apart. The ids of --only are then those of the stitched mesh",
+      "may be LENGTH apart, but at most 0.3 of the shortest boundary edge at a vertex. The ids of "
+      "--only are then those of the stitched mesh",
       [&a](std::optional<Length> reach) {
         a.stitch = true;
         a.stitch_reach = reach;
@@ -225,9 +226,35 @@ Continuity continuity_of(const FillArguments& a) {
                                : Continuity::curvature;
 }
 
+/// Throws BadOption for the first option about holes and patches that is given beside --region.
+void refuse_hole_options(const FillArguments& a) {
+  const FillOptions defaults;
+  const HoleChoice all_holes;
+  const std::array<std::pair<const char*, bool>, 11> given{
+      {{"--bridge", !a.choice.bridges.empty()},
+       {"--all", a.choice.all},
+       {"--only", !a.choice.only.empty()},
+       {"--max-edges", a.choice.most_edges != all_holes.most_edges},
+       {"--max-perimeter", a.max_perimeter.has_value()},
+       {"--max-diameter", a.max_diameter.has_value()},
+       {"--rim-smooth", a.fill.rim_smooth != defaults.rim_smooth},
+       {"--no-fair", a.no_fair},
+       {"--no-refine", a.no_refine},
+       {"--keep-sharp", a.keep_sharp || a.fill.choose_sharp_angle},
+       {"--max-new-vertices", a.fill.most_new_vertices != defaults.most_new_vertices}}};
+  for (const auto& [name, is_given] : given) {
+    if (is_given) {
+      throw BadOption(fmt::format("fill: --region excludes {}", name));
+    }
+  }
+}
+
 void check_fill_arguments(const FillArguments& a) {
-  if (!a.choice.bridges.empty() && !a.region.empty()) {
-    throw BadOption("fill: --region excludes --bridge");
+  if (!a.region.empty()) {
+    refuse_hole_options(a);
+  }
+  if (a.keep_sharp && !(*a.keep_sharp < 180)) {
+    throw BadOption("fill: --keep-sharp must be between 0 and 180 degrees");
   }
   if (continuity_of(a) != Continuity::curvature) {
     refuse_flow_options(a);

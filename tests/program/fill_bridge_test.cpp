@@ -175,6 +175,9 @@ TEST_F(FillBridge, TwoPiecesOfATorusBecomeOne) {
       EXPECT_EQ(topology.euler_characteristic(), 0);
       EXPECT_TRUE(topology.orientable);
       EXPECT_TRUE(topology.defects.empty());
+      EXPECT_EQ(topology.turned_triangles > 0, inside_out);
+      const json& warnings = filled.told["warnings"];
+      EXPECT_EQ(warnings.size(), inside_out ? 1u : 0u) << warnings;
     }
   }
 }

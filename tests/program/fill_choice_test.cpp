@@ -11,6 +11,7 @@
 
 #include "ibmfair/io/mesh_file.h"
 #include "ibmfair/shapes/noise.h"
+#include "ibmfair/shapes/shapes.h"
 #include "support/files.h"
 #include "support/holed_meshes.h"
 #include "support/run_program.h"
@@ -65,6 +66,7 @@ TEST_F(FillChoice, SmoothSurroundingsGetTheMostExactLaplacian) {
     const Filled chosen = fill(mesh);
     EXPECT_EQ(chosen.hole["surroundings"]["kind"], "smooth");
     EXPECT_EQ(chosen.hole["method"], "intrinsic-delaunay");
+    EXPECT_LT(chosen.hole["surroundings_degrees"]["largest"], 20);
     EXPECT_EQ(chosen.after.X, fill(mesh, {"--laplacian", "intrinsic-delaunay"}).after.X);
     EXPECT_LT(sphere_error(mesh, chosen.after),
               1e-3 * (1 - std::cos(degrees * std::numbers::pi / 180)));
@@ -143,6 +145,29 @@ TEST_F(FillChoice, NoiseIsNotTakenForDirections) {
   }
   EXPECT_GE(noisy, 0.7 * all);
   EXPECT_LT(std::exp((chosen - std::min(fixed, moved)) / all), 1.1);
+}
+
+TEST_F(FillChoice, PlanesBesideCreasesStayPlanes) {
+  // A hole in a face of a cube; the edge of the cube is within three rings of its rim.
+  Mesh cube = make_shape("cube", {.subdivide = 4});
+  std::vector<Index> gone;
+  const double top = cube.X.col(2).maxCoeff();
+  for (Index f = 0; f < cube.faces.size(); ++f) {
+    Vec3 middle = Vec3::Zero();
+    const auto corners = cube.faces[f];
+    for (const Index v : corners) {
+      middle += cube.X.row(v).transpose() / static_cast<double>(corners.size());
+    }
+    if (middle[2] > top * (1 - 1e-9) && middle[0] > 0.3 * top && middle[0] < 0.8 * top &&
+        std::abs(middle[1]) < 0.4 * top) {
+      gone.push_back(f);
+    }
+  }
+  const Mesh mesh = without_triangles(cube, gone);
+  const Filled filled = fill(mesh);
+  EXPECT_GT(filled.hole["new_triangles"], 0);
+  const Points X = filled.after.X.bottomRows(filled.after.X.rows() - mesh.X.rows());
+  EXPECT_LT((X.col(2).array() - top).abs().maxCoeff(), 1e-9 * top) << filled.hole;
 }
 
 }  // namespace

@@ -280,11 +280,23 @@ TEST_F(FillCreases, TheLimitOfNewVerticesHolds) {
   }
 }
 
+TEST_F(FillCreases, TheEdgeLengthHoldsBetweenCreases) {
+  const Mesh mesh = without_rings(cube(5), Vec3(1, 1, 0), 7);
+  const auto vertices = [&](const Words& length) {
+    const Filled filled = fill(mesh, Words{"--keep-sharp", "30"} + length);
+    EXPECT_EQ(filled.hole["creases"]["curves"], 1);
+    return filled.new_X.rows();
+  };
+  EXPECT_GT(vertices({"--edge-length", "0.5e"}), 2 * vertices({}));
+}
+
 TEST_F(FillCreases, OptionsThatDoNotGoTogetherAreRefused) {
   write_mesh(without_rings(cube(3), Vec3(1, 1, 0), 1), directory_ / "in.off");
   for (const Words& options :
        {Words{"--keep-sharp", "0"}, Words{"--keep-sharp", "blunt"}, Words{"--keep-sharp", ""},
-        Words{"--keep-sharp", "30", "--no-refine"},
+        Words{"--keep-sharp", "180"}, Words{"--keep-sharp", "30", "--no-refine"},
+        Words{"--keep-sharp", "30", "--region", "@all"}, Words{"--no-fair", "--region", "@all"},
+        Words{"--only", "0", "--region", "@all"}, Words{"--rim-smooth", "1", "--region", "@all"},
         Words{"--keep-sharp", "auto", "--rim-smooth", "2"}}) {
     Words arguments{"fill", directory_ / "in.off", directory_ / "out.off"};
     arguments.insert(arguments.end(), options.begin(), options.end());

@@ -68,8 +68,8 @@ Bends bends_at(const Patch& patch, const Surroundings& around,
     for (int i = 0; i < 3; ++i) {
       const Index a = x[i], b = x[(i + 1) % 3];
       if (a < b && (at_vertex[a] || at_vertex[b])) {
-        const Vec3 other = around.beyond(a, b);
-        if (other != Vec3::Zero() && N != Vec3::Zero()) {
+        const Vec3 other = around.beyond(a, b);  // -N: the triangle itself, at an open edge
+        if (other != Vec3::Zero() && N != Vec3::Zero() && other != -N) {
           angles.push_back(bend(N, other));
         }
       }

@@ -12,7 +12,8 @@ constexpr double most_alike_with_curvature = 0.86;
 bool has_curvature_to_continue(const RimSurroundings& surroundings) {
   return surroundings.kind == SurroundingsKind::shaped &&
          surroundings.roughness < most_rough_with_curvature &&
-         surroundings.likeness < most_alike_with_curvature;
+         surroundings.likeness < most_alike_with_curvature && !surroundings.has_creases &&
+         !surroundings.has_planes;
 }
 
 constexpr int repetitions = 2;  // of linear fairing; more change the shape by less than 1 %

@@ -36,7 +36,9 @@ class SheetCutter {
   SheetCutter(const Topology& topology, const Patch& plain, const CreasedRim& rim,
               const CreaseNetwork& network, const Points& X,
               const std::vector<std::vector<Index>>& on_curve)
-      : topology_(topology), plain_(plain), rim_(rim), X_(X), on_curve_(on_curve), net_(network) {}
+      : topology_(topology), plain_(plain), rim_(rim), X_(X), on_curve_(on_curve), net_(network) {
+    sheet_.patch.inner_spacing = plain.inner_spacing;
+  }
 
   Sheet cut(const std::vector<SheetSide>& sides) {
     const std::vector<BorderCurve> curves = border_curves(rim_, net_, sides);

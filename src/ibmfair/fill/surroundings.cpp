@@ -1,10 +1,13 @@
 #include "ibmfair/fill/surroundings.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <map>
 #include <unordered_map>
 #include <vector>
 
+#include "ibmfair/base/angle.h"
 #include "ibmfair/mesh/geometry.h"
 
 namespace ibmfair {
@@ -16,6 +19,8 @@ constexpr int rings = 3;  // of vertices around the rim
 constexpr double smooth = 0.005;
 // The largest likeness of noisy surroundings. White noise on a sphere has 0.3; scans have 0.6.
 constexpr double independent = 0.4;
+// Radians, and the least share of hinges that turn less: noise turns all hinges.
+constexpr double sharp_turn = radians(60), flat_turn = radians(0.1), flat_share = 0.3;
 
 double cotangent(const Vec3& u, const Vec3& v) {
   return u.dot(v) / u.cross(v).norm();
@@ -63,17 +68,25 @@ class MeanCurvatures {
   std::unordered_map<Index, double> known_;
 };
 
-std::optional<double> roughness_at(const Points& X, const Topology& topology, const Patch& patch) {
+/// The vertices within `rings` rings of the rim.
+std::vector<Index> band_of(const Topology& topology, const Patch& patch) {
   std::vector<Index> band;
-  double length = 0;
   for (const RimEdge& edge : patch.rim) {
     band.push_back(patch.mesh_vertex[edge.a]);
-    length += (patch.X.row(edge.a) - patch.X.row(edge.b)).norm();
   }
-  length /= static_cast<double>(patch.rim.size());
   for (int ring = 0; ring < rings; ++ring) {
     band = grown_by_ring(topology, band);
   }
+  return band;
+}
+
+std::optional<double> roughness_at(const Points& X, const Topology& topology, const Patch& patch,
+                                   const std::vector<Index>& band) {
+  double length = 0;
+  for (const RimEdge& edge : patch.rim) {
+    length += (patch.X.row(edge.a) - patch.X.row(edge.b)).norm();
+  }
+  length /= static_cast<double>(patch.rim.size());
   const auto is_interior = [&](Index v) {
     return topology.kind[v] == VertexKind::interior && !topology.defective[v];
   };
@@ -105,6 +118,39 @@ std::optional<double> roughness_at(const Points& X, const Topology& topology, co
   return *middle;
 }
 
+/// The angles by which the surface turns at the hinges in the band, radians.
+std::vector<double> turns_in(const Points& X, const Topology& topology,
+                             const std::vector<Index>& band) {
+  std::map<std::array<Index, 2>, Vec3> waiting;  // the normals of triangles, by their edges
+  std::vector<double> turns;
+  for (const Index v : band) {
+    for (const Index t : topology.stars[v]) {
+      if (topology.F(t, 0) != v) {
+        continue;  // each triangle once: from its first corner
+      }
+      const Vec3 N = double_area_vector(X, topology.F, t);
+      for (int i = 0; i < 3; ++i) {
+        const Index a = topology.F(t, i), b = topology.F(t, (i + 1) % 3);
+        if (const auto other = waiting.find({b, a}); other != waiting.end()) {
+          turns.push_back(std::atan2(N.cross(other->second).norm(), N.dot(other->second)));
+        } else {
+          waiting[{a, b}] = N;
+        }
+      }
+    }
+  }
+  return turns;
+}
+
+bool has_creases(const std::vector<double>& turns) {
+  return std::ranges::any_of(turns, [](double turn) { return turn > sharp_turn; });
+}
+
+bool has_planes(const std::vector<double>& turns) {
+  const auto flat = std::ranges::count_if(turns, [](double turn) { return turn < flat_turn; });
+  return static_cast<double>(flat) > flat_share * static_cast<double>(turns.size());
+}
+
 }  // namespace
 
 std::string_view name_of(SurroundingsKind kind) {
@@ -121,16 +167,20 @@ std::string_view name_of(SurroundingsKind kind) {
 
 std::optional<RimSurroundings> look_around(const Points& X, const Topology& topology,
                                            const Patch& patch) {
-  const std::optional<double> roughness = roughness_at(X, topology, patch);
+  const std::vector<Index> band = band_of(topology, patch);
+  const std::optional<double> roughness = roughness_at(X, topology, patch, band);
   if (!roughness) {
     return std::nullopt;
   }
   RimSurroundings result{SurroundingsKind::smooth, *roughness};
   if (result.roughness > smooth) {
+    const std::vector<double> turns = turns_in(X, topology, band);
+    result.has_creases = has_creases(turns);
+    result.has_planes = has_planes(turns);
     result.shifts = direction_shifts(X, topology, patch);
     result.likeness = likeness_of_neighbors(result.shifts, topology, patch);
-    result.kind =
-        *result.likeness < independent ? SurroundingsKind::noisy : SurroundingsKind::shaped;
+    const bool noisy = *result.likeness < independent && !result.has_planes;
+    result.kind = noisy ? SurroundingsKind::noisy : SurroundingsKind::shaped;
   }
   return result;
 }

@@ -27,6 +27,9 @@ struct RimSurroundings {
   /// interior vertices within three rings of the rim. About four times the noise, if the noise is
   /// given in edge lengths.
   double roughness = 0;
+  /// Whether a hinge within three rings of the rim turns by more than 60 degrees, and whether three
+  /// in ten are flat, which noise does not leave. Not computed for smooth surroundings.
+  bool has_creases = false, has_planes = false;
   /// How much alike neighbours on the second ring are moved if directions are smoothed
   /// (fill/rim_directions.h). Not computed for smooth surroundings.
   std::optional<double> likeness = {};
