@@ -21,8 +21,8 @@ std::vector<FaceEdit> split_faces(const Mesh& mesh, const std::vector<EdgeSplit>
 /// stand for another one no longer belong to a face.
 Mesh stitched(const Mesh& mesh, const Cracks& cracks);
 
-/// The same for a file, whose bytes stay as they are except for the faces at T-junctions
-/// (io/face_edits.h). If vertices are merged, the file is generated when it is written.
+/// The file of a mesh with its cracks closed. Its bytes stay as they are except for the faces at
+/// T-junctions (io/face_edits.h). If vertices are merged, the file is generated when it is written.
 EditedFile stitched(const MeshFile& file, const Cracks& cracks);
 
 /// What is open in a mesh.
