@@ -152,10 +152,19 @@ void add_continuity_option(CLI::App& app, FillArguments& a) {
 void add_patch_options(CLI::App& app, FillArguments& a) {
   constexpr Index most = std::numeric_limits<Index>::max();
   begin_group(app, "Patches");
-  CLI::Option* rings = add_integer(app, "--rim-smooth", a.fill.rim_smooth, 0, 1000,
-                                   "also move N rings of vertices around each hole, beginning with "
-                                   "its rim; for ragged rims only");
+  CLI::Option* rings = add_parsed_option(
+      app, "--rim-smooth", "N|auto",
+      "also move N rings of vertices around each hole, beginning with its rim; for ragged rims "
+      "only. auto moves none; where the mesh around a hole is noisy, the patch takes smoothed "
+      "directions, unless --laplacian is given",
+      [&a](const std::string& text) {
+        a.fill.rim_smooth =
+            text == "auto" ? 0
+                           : static_cast<int>(parse_integer_option("--rim-smooth", text, 0, 1000));
+      });
   note_of(app, *rings).unit = "rings";
+  note_of(app, *rings).default_text = "auto";
+  note_of(app, *rings).offers = {"auto"};
   app.add_flag("--no-fair", a.no_fair,
                "triangulate and refine the holes, but do not fair the patches");
   CLI::Option* unrefined =

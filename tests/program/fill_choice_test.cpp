@@ -122,6 +122,7 @@ TEST_F(FillChoice, AnOptionWins) {
     EXPECT_EQ(filled.hole["method"], laplacian);
     EXPECT_FALSE(filled.hole.contains("surroundings"));
   }
+  EXPECT_EQ(fill(mesh, {"--rim-smooth", "auto"}).after.X, fill(mesh).after.X);
   const Filled filled = fill(mesh, {"--mass", "voronoi"});
   EXPECT_EQ(filled.hole["method"], "lagrange");
   EXPECT_FALSE(filled.hole.contains("surroundings"));
