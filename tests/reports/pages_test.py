@@ -110,8 +110,7 @@ class PagesTest(ProgramTest):
         lines = [line for line in self.page("p.html").scene["lines"] if line["kind"] == "held"]
         self.assertEqual(len(lines), 1)  # the second ring along the border
         self.assertTrue(lines[0]["closed"])
-        self.run_program("fill", "open.off", "c.off", "--region", "@all", "--report", "c.html",
-                         "--no-fair", code=0)
+        self.run_program("fill", "open.off", "c.off", "--region", "@all", "--report", "c.html", code=0)
         lines = self.page("c.html").scene["lines"]
         self.assertEqual(sum(line["kind"] == "held" for line in lines), 1)
 
