@@ -28,13 +28,7 @@ struct Neighborhood {
 };
 
 Neighborhood neighborhood_of(const Points& X, const Topology& topology, const Patch& patch) {
-  std::vector<Index> around;
-  for (const RimEdge& edge : patch.rim) {
-    around.push_back(patch.mesh_vertex[edge.a]);
-  }
-  for (int ring = 0; ring < rings; ++ring) {
-    around = grown_by_ring(topology, around);
-  }
+  const std::vector<Index> around = vertices_around_rim(topology, patch, rings);
   std::unordered_map<Index, Index> number;
   for (const Index v : around) {
     number.emplace(v, static_cast<Index>(number.size()));
@@ -69,14 +63,6 @@ Neighborhood neighborhood_of(const Points& X, const Topology& topology, const Pa
   }
   result.topology = build_topology(result.X, std::move(F));
   return result;
-}
-
-double mean_rim_edge(const Patch& patch) {
-  double sum = 0;
-  for (const RimEdge& edge : patch.rim) {
-    sum += (patch.X.row(edge.a) - patch.X.row(edge.b)).norm();
-  }
-  return sum / static_cast<double>(patch.rim.size());
 }
 
 Sparse both_triangles(const SymmetricMatrix& lower) {
@@ -133,7 +119,7 @@ void continue_curvature(const Points& X, const Topology& topology, Patch& patch)
     return;
   }
   // In units of the rim's mean edge.
-  const double edge = mean_rim_edge(patch);
+  const double edge = mean_rim_edge_length(patch);
   const Sparse L = both_triangles(matrices.L);
   const Eigen::VectorXd mass = both_triangles(matrices.M).diagonal() / (edge * edge);
   const Sparse ML = mass.cwiseInverse().asDiagonal() * L;

@@ -215,6 +215,25 @@ std::vector<Index> grown_by_ring(const Topology& topology, const std::vector<Ind
   return result;
 }
 
+std::vector<Index> vertices_around_rim(const Topology& topology, const Patch& patch, int rings) {
+  std::vector<Index> vertices;
+  for (const RimEdge& edge : patch.rim) {
+    vertices.push_back(patch.mesh_vertex[edge.a]);
+  }
+  for (int ring = 0; ring < rings; ++ring) {
+    vertices = grown_by_ring(topology, vertices);
+  }
+  return vertices;
+}
+
+double mean_rim_edge_length(const Patch& patch) {
+  double sum = 0;
+  for (const RimEdge& edge : patch.rim) {
+    sum += (patch.X.row(edge.a) - patch.X.row(edge.b)).norm();
+  }
+  return sum / static_cast<double>(patch.rim.size());
+}
+
 Patch cut_patch(const Points& X, const Topology& topology,
                 const std::vector<PatchOutline>& outlines, int free_rings) {
   std::vector<Index> rim;

@@ -55,6 +55,12 @@ double edges_along_rim(const Patch& patch);
 /// The vertices of all triangles at `vertices`, including `vertices`, sorted.
 std::vector<Index> grown_by_ring(const Topology& topology, const std::vector<Index>& vertices);
 
+/// The vertices of the mesh within so many rings of the patch's rim, sorted.
+std::vector<Index> vertices_around_rim(const Topology& topology, const Patch& patch, int rings);
+
+/// The mean length of the rim's edges.
+double mean_rim_edge_length(const Patch& patch);
+
 /// What a disc or a ring of a patch fills: a loop (mesh vertices, none twice, the mesh to its
 /// left), without the island inside it if there is one.
 struct PatchOutline {

@@ -68,25 +68,9 @@ class MeanCurvatures {
   std::unordered_map<Index, double> known_;
 };
 
-/// The vertices within `rings` rings of the rim.
-std::vector<Index> band_of(const Topology& topology, const Patch& patch) {
-  std::vector<Index> band;
-  for (const RimEdge& edge : patch.rim) {
-    band.push_back(patch.mesh_vertex[edge.a]);
-  }
-  for (int ring = 0; ring < rings; ++ring) {
-    band = grown_by_ring(topology, band);
-  }
-  return band;
-}
-
 std::optional<double> roughness_at(const Points& X, const Topology& topology, const Patch& patch,
                                    const std::vector<Index>& band) {
-  double length = 0;
-  for (const RimEdge& edge : patch.rim) {
-    length += (patch.X.row(edge.a) - patch.X.row(edge.b)).norm();
-  }
-  length /= static_cast<double>(patch.rim.size());
+  const double length = mean_rim_edge_length(patch);
   const auto is_interior = [&](Index v) {
     return topology.kind[v] == VertexKind::interior && !topology.defective[v];
   };
@@ -167,7 +151,7 @@ std::string_view name_of(SurroundingsKind kind) {
 
 std::optional<RimSurroundings> look_around(const Points& X, const Topology& topology,
                                            const Patch& patch) {
-  const std::vector<Index> band = band_of(topology, patch);
+  const std::vector<Index> band = vertices_around_rim(topology, patch, rings);
   const std::optional<double> roughness = roughness_at(X, topology, patch, band);
   if (!roughness) {
     return std::nullopt;
