@@ -24,10 +24,10 @@ constexpr const char* crease_laplacian = "crouzeix-raviart";  // only this one k
 // With more steps the error is the same (within 1 % on all meshes of the table) and the run takes
 // longer. With fewer steps, the choice of the cut-off cannot continue the flow of one trial for the
 // next trial.
-constexpr std::array defaults{DefaultValue{"--cutoff", "auto", "auto"},
-                              DefaultValue{"--laplacian", "umbrella", crease_laplacian},
-                              DefaultValue{"--twicing", "1", "0"},
-                              DefaultValue{"--steps", "8", "8"}};
+constexpr std::array defaults{
+    DefaultValue{"--cutoff", "auto", "auto"},
+    DefaultValue{"--laplacian", "umbrella", crease_laplacian}, DefaultValue{"--twicing", "1", "0"},
+    DefaultValue{"--steps", "8", "8"}, DefaultValue{"--first-stage", "normals", "normals"}};
 
 using Value = const char* DefaultValue::*;
 

@@ -119,6 +119,12 @@ void add_flow_options(CLI::App& app, SmoothArguments& a) {
   note_of(app, *tangential).default_text =
       "relax; first for a mesh with texture coordinates; none with --plain and with --laplacian "
       "umbrella";
+  app.add_option("--first-stage", a.first_stage,
+                 "what removes noise before edges are kept sharp: a short flow that keeps only "
+                 "edges of more than 60 degrees (flow), or a guided filter of the triangles' "
+                 "normals, which is better where the noise is strong (normals)")
+      ->check(CLI::IsMember({"flow", "normals"}))
+      ->capture_default_str();
   app.add_flag("--plain", a.plain,
                "run the scheme as published: steps are not checked, and vertices are not relaxed");
 }

@@ -37,7 +37,7 @@ struct SmoothArguments {
   std::optional<double> keep_sharp;  // degrees
   bool plain = false, dry_run = false;
   MassOptions mass;
-  std::string metric = "mass", boundary = "fixed", tangential;
+  std::string metric = "mass", boundary = "fixed", tangential, first_stage = "flow";
   std::string fix_file, mask, weights, h0;
 };
 

@@ -67,6 +67,7 @@ class Planner {
     flow.mass_matrix = arguments_.mass.name;
     flow.metric = arguments_.metric == "mass" ? Metric::mass : Metric::identity;
     flow.guarded = !arguments_.plain;
+    flow.first_stage = arguments_.first_stage == "normals" ? FirstStage::normals : FirstStage::flow;
     set_relaxation(flow);
     if (arguments_.keep_sharp) {
       flow.sharp_angle = radians(*arguments_.keep_sharp);
@@ -174,8 +175,8 @@ class Planner {
       plan_.flow = options;
       return;
     }
-    if (const auto creases = choose_creases(input_.X, input_.topology, plan_.fixed, options,
-                                            *plan_.choice, search)) {
+    if (const auto creases = choose_creases(input_.X, input_.topology, plan_.fixed, plan_.flow,
+                                            options, *plan_.choice, search)) {
       options.sharp_angle = creases->sharp_angle;
       plan_.flow = options;
       plan_.creases = {creases->sharp_angle, *plan_.choice};

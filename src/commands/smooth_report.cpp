@@ -263,7 +263,8 @@ void add_result(const SmoothResult& result, Report& report) {
       {"twicing", options.twicing},
       {"solver_tolerance", options.solver_tolerance},
       {"guarded", options.guarded},
-      {"tangential", tangential(options)}};
+      {"tangential", tangential(options)},
+      {"first_stage", options.first_stage == FirstStage::normals ? "normals" : "flow"}};
   add_cutoff_choice(result.plan, report);
   json["mesh"] = {{"vertices", result.vertices},
                   {"triangles", result.triangles},

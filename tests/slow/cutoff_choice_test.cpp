@@ -208,6 +208,7 @@ FlowOptions keeping_creases(double angle) {
   FlowOptions options;
   options.steps = 8;
   options.sharp_angle = angle;
+  options.first_stage = FirstStage::normals;
   return options;
 }
 
@@ -234,30 +235,6 @@ TEST(CutoffChoice, ComparesWhatIsLeftWhereCreasesAreKept) {
   }
 }
 
-TEST(CutoffChoice, ForgetsTheCreasesOfTheLastOne) {
-  const NoisyPolyhedron noisy("icosahedron", 0.2);
-  const auto fixed = fixed_vertices(noisy.state.topology, BoundaryCondition::fixed);
-  const auto chooser = [&] {
-    return CutoffChooser(noisy.state.X, noisy.state.topology, fixed, keeping_creases(0),
-                         {.largest = 6 * noisy.edge, .noise = noisy.noise});
-  };
-  const auto risks_of = [](const CutoffChoice& choice) {
-    std::vector<double> risks;
-    for (const CutoffTrial& trial : choice.trials) {
-      risks.push_back(trial.risk);
-    }
-    return risks;
-  };
-  CutoffChooser used = chooser();
-  used.choose(0.15, 3 * noisy.edge);
-  for (const double angle : {0.3, 0.0}) {
-    CutoffChooser unused = chooser();
-    EXPECT_EQ(risks_of(used.choose(angle, 4 * noisy.edge)),
-              risks_of(unused.choose(angle, 4 * noisy.edge)))
-        << angle;
-  }
-}
-
 FlowOptions without_creases() {
   return {.laplacian = "umbrella", .steps = 8, .relax = false, .twicing = 1};
 }
@@ -269,8 +246,9 @@ TEST(CreaseChoice, KeepsThoseOfPolyhedra) {
       const NoisyPolyhedron noisy(shape, noise);
       const auto fixed = fixed_vertices(noisy.state.topology, BoundaryCondition::fixed);
       const CutoffChoice without = choice_for(noisy.state, 2, without_creases());
-      const auto creases = choose_creases(noisy.state.X, noisy.state.topology, fixed,
-                                          keeping_creases(0), without, {.largest = 2});
+      const auto creases =
+          choose_creases(noisy.state.X, noisy.state.topology, fixed, without_creases(),
+                         keeping_creases(0), without, {.largest = 2});
       ASSERT_TRUE(creases);
       EXPECT_EQ(creases->cutoff.noise, without.noise);
       const double left =
@@ -281,12 +259,24 @@ TEST(CreaseChoice, KeepsThoseOfPolyhedra) {
   }
 }
 
+TEST(CreaseChoice, KeepsThoseOfACubeUnderNoiseThatFoldsTriangles) {
+  const NoisyPolyhedron noisy("cube", 0.5);
+  const auto fixed = fixed_vertices(noisy.state.topology, BoundaryCondition::fixed);
+  const CutoffChoice without = choice_for(noisy.state, 2, without_creases());
+  const auto creases = choose_creases(noisy.state.X, noisy.state.topology, fixed, without_creases(),
+                                      keeping_creases(0), without, {.largest = 2});
+  ASSERT_TRUE(creases);
+  const double left =
+      noisy.squared_error_after(creases->cutoff.cutoff, keeping_creases(creases->sharp_angle));
+  EXPECT_LT(left, 0.7 * noisy.squared_error_after(without.cutoff, without_creases()));
+}
+
 TEST(CreaseChoice, FindsNoneInSmoothShapes) {
   for (const Noisy& noisy : noisy_shapes()) {
     const auto fixed = fixed_vertices(noisy.state.topology, BoundaryCondition::fixed);
     const CutoffChoice without = choice_for(noisy.state, noisy.diagonal / 2, without_creases());
-    EXPECT_FALSE(choose_creases(noisy.state.X, noisy.state.topology, fixed, keeping_creases(0),
-                                without, {.largest = noisy.diagonal / 2}))
+    EXPECT_FALSE(choose_creases(noisy.state.X, noisy.state.topology, fixed, without_creases(),
+                                keeping_creases(0), without, {.largest = noisy.diagonal / 2}))
         << noisy.name;
   }
 }

@@ -8,6 +8,7 @@
 #include "ibmfair/flow/time_scale.h"
 #include "ibmfair/flow/tuning.h"
 #include "ibmfair/mesh/geometry.h"
+#include "ibmfair/mesh/guided_normals.h"
 
 namespace ibmfair {
 namespace {
@@ -50,7 +51,25 @@ std::optional<FlowOptions> first_stage_options(const FlowProblem& problem) {
   stage.relax = options.relax_first;
   stage.twicing = 0;
   stage.clean_up = false;
+  if (!problem.topology.orientable) {
+    stage.first_stage = FirstStage::flow;  // where no orientation agrees, normals do not compare
+  }
+  if (stage.first_stage == FirstStage::normals) {
+    stage.keep_volume = stage.keep_area = false;  // the time steps restore them
+  }
   return stage;
+}
+
+void filter_normals(FlowProblem& stage) {
+  const FirstStageTuning& tuned = tuning.first_stage;
+  const Points& start = stage.start();
+  const Points normals = guided_normals(start, stage.topology, tuned.normal_sweeps, tuned.unlike);
+  const Points fitted =
+      fit_to_normals(start, stage.topology, stage.fixed, normals, tuned.vertex_sweeps);
+  const auto& vertex = stage.unknowns.vertex;
+  Points Y;
+  stage.displace(fitted(vertex, Eigen::all) - start(vertex, Eigen::all), Y);
+  stage.move_to(Y);
 }
 
 }  // namespace ibmfair

@@ -26,6 +26,11 @@ using SolverMaker = std::function<std::unique_ptr<JacobianSolver>(const Jacobian
 /// energy) or identity ([W07]; time has unit length^2).
 enum class Metric : std::uint8_t { mass, identity };
 
+/// How noise is removed before a flow that keeps creases (flow/first_stage.h): by a short flow that
+/// keeps only the sharpest hinges, or by a guided filter of the triangles' normals
+/// (mesh/guided_normals.h), which leaves less where the noise is strong.
+enum class FirstStage : std::uint8_t { flow, normals };
+
 /// The stages of solving a linear system that may take long, for progress messages.
 enum class FlowStage : std::uint8_t { analyse, factor, solve };
 using StageObserver = std::function<void(FlowStage)>;
@@ -55,6 +60,7 @@ struct FlowOptions {
   bool relax = true;
   double relaxation = 1;    ///< factor of the moves of tangential relaxation, 0 to 1
   bool relax_first = true;  ///< the value of `relax` for the first stage (flow/first_stage.h)
+  FirstStage first_stage = FirstStage::flow;
   /// The largest distance of a vertex from its start, length.
   double max_move = std::numeric_limits<double>::infinity();
   std::string solver = "auto";   ///< a name from jacobian_backends(), or "auto"

@@ -21,13 +21,12 @@ void run_passes(FlowProblem& problem, const StepObserver& observer) {
   const auto goes_on = [&] { return report.status == FlowStatus::completed; };
   const CompressedRows rings = options.guarded ? vertex_rings(problem.topology) : CompressedRows();
 
-  const FlowReport first = run_first_stage(problem, rings, observer);
-  const bool had_noise = first.solves > 0;
+  const std::optional<FlowReport> first = run_first_stage(problem, rings, observer);
   if (goes_on()) run_time_steps(problem, rings, observer);
-  if (goes_on() && options.clean_up && had_noise) flatten_residual_spikes(problem, rings);
+  if (goes_on() && options.clean_up && first) flatten_residual_spikes(problem, rings);
   if (goes_on() && options.twicing > 0) apply_twicing(problem);
   if (problem.quantities_are_suspended() && report.solves > 0) restore_quantities(problem);
-  report.add_effort(first);
+  if (first) report.add_effort(*first);
 }
 
 void run_time_steps(FlowProblem& problem, const CompressedRows& rings,
@@ -41,19 +40,26 @@ void run_time_steps(FlowProblem& problem, const CompressedRows& rings,
   if (problem.options.clean_up) clean_up(problem, rings, folds, missed);
 }
 
-FlowReport run_first_stage(FlowProblem& problem, const CompressedRows& rings,
-                           const StepObserver& observer) {
+std::optional<FlowReport> run_first_stage(FlowProblem& problem, const CompressedRows& rings,
+                                          const StepObserver& observer) {
   const auto options = first_stage_options(problem);
   if (!options) {
-    return {};
+    return std::nullopt;
   }
   FlowProblem stage(problem.start(), problem.topology, problem.fixed, *options, problem.parts);
-  const FoldWatch folds(stage.X, stage.topology);
-  run_guarded(stage, rings, folds, [&](StepRecord record) {
-    record.step = 0;
-    record.time = 0;
-    return !observer || observer(record);
-  });
+  const bool filters = options->first_stage == FirstStage::normals;
+  if (filters) {
+    filter_normals(stage);
+  }
+  // A flow that relaxes in its first stage only needs the steps of that stage.
+  if (!filters || (options->relax && !problem.options.relax)) {
+    const FoldWatch folds(stage.X, stage.topology);
+    run_guarded(stage, rings, folds, [&](StepRecord record) {
+      record.step = 0;
+      record.time = 0;
+      return !observer || observer(record);
+    });
+  }
   problem.move_to(stage.X);
   problem.update_gradient();
   if (problem.energy() > problem.report.energy_before) {
@@ -75,6 +81,9 @@ void require_usable(const Points& X, const std::vector<std::uint8_t>& fixed,
   }
   if (!parts.is_whole() && (options.keep_volume || options.keep_area)) {
     throw BadOption("volume and area can be kept of a mesh in one piece only");
+  }
+  if (!parts.is_whole() && options.first_stage == FirstStage::normals) {
+    throw BadOption("normals can be filtered of a mesh in one piece only");
   }
   const Eigen::VectorXd& factor = options.cutoff_factor;
   if (factor.size() > 0 && factor.size() != X.rows()) {

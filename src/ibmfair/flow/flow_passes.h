@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "ibmfair/base/compressed_rows.h"
@@ -19,11 +20,11 @@ void run_passes(FlowProblem& problem, const StepObserver& observer = {});
 // The first two passes, for trials of settings (flow/settings/cutoff_trials.h).
 
 /// Runs the first stage of the flow (flow/first_stage.h), if it has one, from the problem's start.
-/// Moves the problem to the result unless that raises its energy. Returns the report of the stage.
-/// If the observer asks to stop, the problem's status is `interrupted`. `rings`: the result of
-/// vertex_rings.
-FlowReport run_first_stage(FlowProblem& problem, const CompressedRows& rings,
-                           const StepObserver& observer = {});
+/// Moves the problem to the result unless that raises its energy. Returns the report of the stage,
+/// or nothing if there is none. If the observer asks to stop, the problem's status is
+/// `interrupted`. `rings`: the result of vertex_rings.
+std::optional<FlowReport> run_first_stage(FlowProblem& problem, const CompressedRows& rings,
+                                          const StepObserver& observer = {});
 
 /// Takes the problem's state through `options.total_time`, guarded (and then cleaned up) or as
 /// published. `rings`: the result of vertex_rings.

@@ -111,6 +111,12 @@ struct FirstStageTuning {
   /// The cut-off (mean edge lengths) if hinges turn by `noisy_turn` (radians) or more on the mean,
   /// as with noise of a fifth of the edge length.
   double edges = 2.8, noisy_turn = radians(25);
+  /// The stage by normals: sweeps (counts) of the filter and of the vertices' fit, and the
+  /// difference of guides (distance of unit vectors) that counts as unlike. Chosen on three
+  /// benchmark meshes with noise of 0.4 to 0.6 edges, from 1 to 20 sweeps and differences of 0.25
+  /// to 0.5; results differ by a few per cent between 2 and 4 sweeps (no script).
+  int normal_sweeps = 2, vertex_sweeps = 10;
+  double unlike = 0.35;
 };
 
 /// Short cut-offs (flow/short_cutoff.h), in mean edge lengths. The shortest cut-off that removes
@@ -194,9 +200,9 @@ struct CutoffTuning {
   double law_edges = 8;    ///< mean edge lengths; from here on, the trace may follow Weyl's law
   double near_law = 0.15;  ///< ratio; the largest deviation of a trace that follows Weyl's law
   std::size_t noise_trial = 1;  ///< index; this trial measures noise, and hardly changes the shape
-  /// The distance by which the mesh of the second flow is moved: ratio to the noise, and at least
-  /// ratio to the mean edge length; not measured.
-  double little_noise = 0.1, little_edge = 1e-5;
+  /// The noise that is added to estimate risks where creases are kept: ratio to the noise, and at
+  /// least ratio to the mean edge length; not measured.
+  double added_noise = 0.3, least_added = 1e-5;
 };
 
 /// The kind of the noise (flow/settings/noise_kind.h, level_steps.h). The limits are about midway
@@ -261,19 +267,19 @@ struct NoiseTuning {
 };
 
 /// The choice of creases (flow/settings/crease_choice.h). Risks are in variances of the noise,
-/// "shares" are of the risk without creases. Chosen on the parts and scans of tools/denoise_table.
+/// "shares" are of the risk without creases. Chosen on the pairs of `tools/denoise_table --pairs`
+/// and shown on the meshes of `tools/denoise_table`.
 struct CreaseTuning {
-  double first_angle = 20, blunter_angles[3] = {14, 10, 7};  ///< degrees; sharp angles to try
-  double clear_gain = 0.008;  ///< risk; the least decrease for a smaller angle to be taken
-  /// Creases are kept below this share (ratio). On mechanical parts with creases the share is at
-  /// most 0.12, for noise of 0.05 to 0.3 edges. On scans it is 0.5 or more: they gain little, and
-  /// keeping creases would change them more than necessary.
-  double clear_share = 0.4;
-  /// Smaller angles are tried below this share (ratio), which noisy scans never reach: an
-  /// icosahedron with noise of 0.3 edges has 0.57 at 20 degrees, and nearly none at 10.
-  double some_share = 0.8;
-  double edges = 4;  ///< mean edge lengths; first cut-off: at shorter ones, noise makes creases
-  double least_risk = 0.06;  ///< risk; below, no creases are looked for
+  /// Degrees; sharp angles to try, the sharper or the blunter ones after the first.
+  double first_angle = 14, sharper_angles[2] = {20, 28}, blunter_angles[2] = {10, 7};
+  double clear_gain = 0.004;  ///< risk; the least decrease for another angle to be taken
+  /// Creases are kept below this share (ratio). On parts with creases it is at most 0.74, with
+  /// noise of 0.2 to 0.7 edges; on scans it is 0.99 or more.
+  double clear_share = 0.85;
+  double some_share = 0.95;     ///< other angles are tried below this share (ratio)
+  double chance = 1.5;          ///< risk; differences over the root of the number of vertices
+  double first_cutoff = 5.657;  ///< mean edge lengths; the first cut-off to try
+  double least_risk = 0.01;     ///< risk; below, no creases are looked for
 };
 
 /// The choice of the solver (flow/linear_system/). Seconds are those of one core of a machine of

@@ -1,6 +1,6 @@
 // Decides whether a noisy mesh has creases, and how sharp they are. Flows that keep hinges (edges
 // with their two triangles) sharper than some angle are compared with a flow in which all hinges
-// bend, by the estimated error (risk) that each leaves (flow/settings/cutoff_trials.h).
+// bend, by the estimated error (risk) that each leaves (flow/settings/added_noise.h).
 #pragma once
 
 #include <cstdint>
@@ -17,13 +17,14 @@ struct CreaseChoice {
   CutoffChoice cutoff;
 };
 
-/// Tries flows that keep creases, with `options` except for the angle. Returns the choice with the
-/// least risk if it is clearly below that of `without`, the choice without creases; otherwise
-/// nothing. If the first angle reduces the risk, smaller angles are tried as long as they reduce it
-/// further. Throws the exceptions of choose_cutoff.
+/// Compares flows that keep creases, with `keeping` except for the angle, with the flow `bending`
+/// to the cut-off of `without`, the choice without creases. Returns the choice with the least risk
+/// if it is clearly below the risk of that flow; otherwise nothing. Beginning with one angle,
+/// larger and smaller angles are tried as long as they reduce the risk. Throws the exceptions of
+/// choose_cutoff.
 std::optional<CreaseChoice> choose_creases(const Points& X, const Topology& topology,
                                            const std::vector<std::uint8_t>& fixed,
-                                           const FlowOptions& options, const CutoffChoice& without,
-                                           const CutoffSearch& search);
+                                           const FlowOptions& bending, const FlowOptions& keeping,
+                                           const CutoffChoice& without, const CutoffSearch& search);
 
 }  // namespace ibmfair

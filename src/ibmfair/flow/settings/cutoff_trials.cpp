@@ -4,9 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "ibmfair/base/errors.h"
 #include "ibmfair/base/random_numbers.h"
-#include "ibmfair/flow/first_stage.h"
 #include "ibmfair/flow/flow_passes.h"
 #include "ibmfair/flow/passes/linear_flow.h"
 #include "ibmfair/flow/passes/twicing.h"
@@ -16,7 +14,6 @@
 #include "ibmfair/flow/time_scale.h"
 #include "ibmfair/flow/tuning.h"
 #include "ibmfair/mesh/geometry.h"
-#include "ibmfair/mesh/select.h"
 
 namespace ibmfair {
 namespace {
@@ -42,53 +39,30 @@ Points white_noise(Index count) {
 
 }  // namespace
 
-CutoffTrials::CutoffTrials(const Points& X, const Topology& topology,
-                           const std::vector<std::uint8_t>& fixed, const FlowOptions& options,
-                           const std::vector<std::uint8_t>& counted, double noise)
-    : topology_(topology),
-      fixed_(fixed),
-      rings_(options.guarded ? vertex_rings(topology) : CompressedRows()),
-      mean_edge_(mean_edge_length(X, topology.E)),
-      options_(options),
-      leg_(options),
-      unknowns_(fixed),
-      counted_(indices_where(
-          unknowns_.size(),
-          [&](Index u) { return counted.empty() || counted[unknowns_.vertex[u]] != 0; })),
+CutoffTrials::CutoffTrials(const TrialMesh& mesh, double noise)
+    : mesh_(mesh),
+      topology_(mesh.topology()),
+      rings_(mesh.options().guarded ? vertex_rings(topology_) : CompressedRows()),
+      mean_edge_(mean_edge_length(mesh.X(), topology_.E)),
+      options_(mesh.options()),
+      leg_(mesh.options()),
+      unknowns_(mesh.fixed()),
+      counted_(counted_unknowns(mesh, unknowns_)),
       white_noise_(white_noise(unknowns_.size())),
-      mesh_{.start = X},
       noise_(noise),
       knows_noise_(noise > 0) {
-  if (counted_.empty()) {
-    throw BadMesh("no vertex moves, so that no cut-off can be chosen");
-  }
   leg_.twicing = 0;
   options_.sharp_angle = leg_.sharp_angle = 0;
 }
 
-void CutoffTrials::restart(double sharp_angle) {
-  outcomes_.clear();
-  bands_.clear();
-  trace_falls_ = false;
-  options_.sharp_angle = leg_.sharp_angle = sharp_angle;
-  if (keeps_creases() && moved_.start.size() == 0) {
-    const double little =
-        std::max(tuning.cutoff.little_noise * noise_, tuning.cutoff.little_edge * mean_edge_);
-    moved_.start = mesh_.start;
-    moved_.start(unknowns_.vertex, Eigen::all) += little * white_noise_;
-  }
-}
-
 void CutoffTrials::run(double cutoff) {
   flow_to(cutoff);
-  FlowProblem problem(mesh_.start, topology_, fixed_, options_);
-  end_at(mesh_, problem);
+  FlowProblem problem(mesh_.X(), topology_, mesh_.fixed(), options_);
+  end_at(problem);
   const Points normals = unknown_normals(problem.X, topology_, unknowns_);
   Points taken;  // of white noise
   double trace = 0;
-  if (keeps_creases()) {
-    trace = trace_by_second_flow(problem.X, normals);
-  } else if (trace_falls_) {
+  if (trace_falls_) {
     trace = trace_by_law(cutoff);
   } else {
     taken = taken_of_noise(problem)(counted_, Eigen::all);
@@ -96,11 +70,8 @@ void CutoffTrials::run(double cutoff) {
     trace = 1 - noise.cwiseProduct(taken).sum() / noise.squaredNorm();
     trace_falls_ = falls_by_law(cutoff, trace);
   }
-  const Eigen::VectorXd height =
-      heights_along(normals, problem.X, mesh_.start, unknowns_)(counted_);
-  if (!keeps_creases()) {
-    add_band(cutoff, normals, problem.X, taken);
-  }
+  const Eigen::VectorXd height = heights_along(normals, problem.X, mesh_.X(), unknowns_)(counted_);
+  add_band(cutoff, normals, problem.X, taken);
   if (!knows_noise_ && outcomes_.size() == tuning.cutoff.noise_trial) {
     estimate_noise(height, taken);
   }
@@ -111,7 +82,7 @@ void CutoffTrials::run(double cutoff) {
 void CutoffTrials::add_band(double cutoff, const Points& normals, const Points& end,
                             const Points& taken) {
   const bool first = bands_.empty();
-  const Eigen::VectorXd height = heights_along(normals, end, first ? mesh_.start : end_, unknowns_);
+  const Eigen::VectorXd height = heights_along(normals, end, first ? mesh_.X() : end_, unknowns_);
   const Eigen::VectorXd counted = height(counted_);
   const double reach = std::max(tuning.noise.least_reach, tuning.noise.reach * cutoff / mean_edge_);
   NoiseBand band{cutoff, evenness(height.cwiseAbs2(), topology_, unknowns_, counted_,
@@ -151,53 +122,24 @@ std::vector<CutoffTrial> CutoffTrials::risks() const {
 }
 
 void CutoffTrials::flow_to(double cutoff) {
-  options_.total_time =
-      time_in_flow_units(time_for_cutoff(cutoff), mesh_.start, topology_, options_);
-  const bool goes_on =
-      !outcomes_.empty() && options_.steps > tuning.cutoff.leg_steps && !keeps_creases();
+  options_.total_time = time_in_flow_units(time_for_cutoff(cutoff), mesh_.X(), topology_, options_);
+  const bool goes_on = !outcomes_.empty() && options_.steps > tuning.cutoff.leg_steps;
   leg_.total_time = options_.total_time - (goes_on ? time_ : 0);
   leg_.steps = goes_on ? tuning.cutoff.leg_steps : options_.steps;
   if (!goes_on) {
     smooth_ = white_noise_;
+    state_ = mesh_.X();
   }
-  flow_on(mesh_, goes_on);
-  if (keeps_creases()) {
-    flow_on(moved_, goes_on);
-  }
+  require_usable(state_, mesh_.fixed(), leg_);
+  FlowProblem problem(state_, topology_, mesh_.fixed(), leg_);
+  run_time_steps(problem, rings_);
+  state_ = std::move(problem.X);
   time_ = options_.total_time;
 }
 
-void CutoffTrials::flow_on(Trajectory& trajectory, bool goes_on) const {
-  const Points& start = goes_on ? trajectory.state : trajectory.start;
-  require_usable(start, fixed_, leg_);
-  FlowProblem problem(start, topology_, fixed_, leg_);
-  if (!goes_on) {
-    begin(trajectory, problem);
-  }
-  run_time_steps(problem, rings_);
-  trajectory.state = std::move(problem.X);
-}
-
-/// Runs the first stage, or reuses its result: the stage does not depend on the sharp angle, and on
-/// the cut-off only if that is short.
-void CutoffTrials::begin(Trajectory& trajectory, FlowProblem& problem) const {
-  const auto stage = first_stage_options(problem);
-  if (!stage) {
-    return;
-  }
-  if (trajectory.first_stage_time == stage->total_time) {
-    Points state = trajectory.after_first_stage;
-    problem.move_to(state);
-  } else {
-    run_first_stage(problem, rings_);
-    trajectory.after_first_stage = problem.X;
-    trajectory.first_stage_time = stage->total_time;
-  }
-}
-
 /// Makes the problem's state the end of a flow to the cut-off.
-void CutoffTrials::end_at(const Trajectory& trajectory, FlowProblem& problem) const {
-  Points state = trajectory.state;
+void CutoffTrials::end_at(FlowProblem& problem) const {
+  Points state = state_;
   problem.move_to(state);
   if (options_.twicing > 0) {
     apply_twicing(problem);
@@ -219,17 +161,6 @@ Points CutoffTrials::taken_of_noise(FlowProblem& problem) {
     taken -= rest;
   }
   return taken;
-}
-
-/// tr F / n from the difference of two flows, in heights along the normals at the end of the first
-/// flow.
-double CutoffTrials::trace_by_second_flow(const Points& end, const Points& normals) const {
-  FlowProblem second(moved_.start, topology_, fixed_, options_);
-  end_at(moved_, second);
-  const Eigen::VectorXd put_in =
-      heights_along(normals, moved_.start, mesh_.start, unknowns_)(counted_);
-  const Eigen::VectorXd left = heights_along(normals, second.X, end, unknowns_)(counted_);
-  return put_in.dot(left) / put_in.squaredNorm();
 }
 
 /// tr F / n extrapolated from the last outcome by H. Weyl's law for the number of modes on a

@@ -1,0 +1,66 @@
+#include "ibmfair/flow/settings/added_noise.h"
+
+#include <algorithm>
+
+#include "ibmfair/base/random_numbers.h"
+#include "ibmfair/flow/steps/unknown_normals.h"
+#include "ibmfair/flow/time_scale.h"
+#include "ibmfair/flow/tuning.h"
+#include "ibmfair/flow/willmore_flow.h"
+#include "ibmfair/mesh/guided_normals.h"
+
+namespace ibmfair {
+namespace {
+
+Points with_more_noise(const Points& X, const Unknowns& unknowns, double deviation) {
+  Points Y = X;
+  RandomNumbers random(1);
+  for (const Index v : unknowns.vertex) {
+    for (int axis = 0; axis < 3; ++axis) {
+      Y(v, axis) += deviation * random.normal();
+    }
+  }
+  return Y;
+}
+
+Points with_filtered_normals(const TrialMesh& mesh) {
+  const FirstStageTuning& tuned = tuning.first_stage;
+  const Points normals =
+      guided_normals(mesh.X(), mesh.topology(), tuned.normal_sweeps, tuned.unlike);
+  return fit_to_normals(mesh.X(), mesh.topology(), mesh.fixed(), normals, tuned.vertex_sweeps);
+}
+
+}  // namespace
+
+AddedNoise::AddedNoise(const TrialMesh& mesh, double noise)
+    : mesh_(mesh),
+      noise_(noise),
+      unknowns_(mesh.fixed()),
+      counted_(counted_unknowns(mesh, unknowns_)),
+      noisier_(with_more_noise(mesh.X(), unknowns_,
+                               std::max(tuning.cutoff.added_noise * noise,
+                                        tuning.cutoff.least_added * mesh.mean_edge_length()))),
+      normals_(unknown_normals(with_filtered_normals(mesh), mesh.topology(), unknowns_)),
+      added_(heights(noisier_, mesh.X())) {}
+
+double AddedNoise::risk(FlowOptions options, double cutoff) const {
+  options.total_time =
+      time_in_flow_units(time_for_cutoff(cutoff), mesh_.X(), mesh_.topology(), options);
+  options.steps = std::min(options.steps, tuning.cutoff.leg_steps);
+  const auto end_from = [&](Points Y) {
+    willmore_flow(Y, mesh_.topology(), mesh_.fixed(), options);
+    return Y;
+  };
+  const Points plus = end_from(noisier_), minus = end_from(2 * mesh_.X() - noisier_);
+  const double squared_moves =
+      heights(plus, mesh_.X()).squaredNorm() / 2 + heights(minus, mesh_.X()).squaredNorm() / 2;
+  const double trace = added_.dot(heights(plus, minus)) / added_.squaredNorm() / 2;
+  return squared_moves / static_cast<double>(counted_.size()) + noise_ * noise_ * (2 * trace - 1);
+}
+
+/// Of the counted unknowns.
+Eigen::VectorXd AddedNoise::heights(const Points& Y, const Points& over) const {
+  return heights_along(normals_, Y, over, unknowns_)(counted_);
+}
+
+}  // namespace ibmfair

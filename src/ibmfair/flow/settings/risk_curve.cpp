@@ -1,0 +1,45 @@
+#include "ibmfair/flow/settings/risk_curve.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "ibmfair/flow/tuning.h"
+
+namespace ibmfair {
+
+std::size_t least_risk(const std::vector<CutoffTrial>& trials) {
+  const auto less = [](const CutoffTrial& a, const CutoffTrial& b) { return a.risk < b.risk; };
+  return static_cast<std::size_t>(std::min_element(trials.begin(), trials.end(), less) -
+                                  trials.begin());
+}
+
+double cutoff_of_least_risk(const std::vector<CutoffTrial>& trials, bool keeps_creases) {
+  const std::size_t i = least_risk(trials);
+  if (i == 0 || i + 1 == trials.size()) {
+    return trials[i].cutoff;
+  }
+  const double left = trials[i - 1].risk - trials[i].risk;
+  const double right = trials[i + 1].risk - trials[i].risk;
+  double shift = left + right > 0 ? (left - right) / (2 * (left + right)) : 0;
+  if (keeps_creases && shift < 0) {
+    shift *= tuning.cutoff.shortened_shift;
+  }
+  return trials[i].cutoff * std::pow(trials[i + 1].cutoff / trials[i].cutoff, shift);
+}
+
+std::vector<CutoffTrial> trials_around(const std::function<double(double)>& risk, double start,
+                                       double shortest, double largest) {
+  const double factor = std::sqrt(2.0);
+  std::vector<CutoffTrial> trials{{start, risk(start)}};
+  const auto rises = [&] { return trials.back().risk > trials[least_risk(trials)].risk; };
+  for (double cutoff = factor * start; cutoff <= largest && !rises(); cutoff *= factor) {
+    trials.push_back({cutoff, risk(cutoff)});
+  }
+  for (double cutoff = start / factor; cutoff >= shortest && least_risk(trials) == 0;
+       cutoff /= factor) {
+    trials.insert(trials.begin(), {cutoff, risk(cutoff)});
+  }
+  return trials;
+}
+
+}  // namespace ibmfair
