@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <filesystem>
+#include <iterator>
 #include <memory>
 #include <optional>
 
@@ -15,6 +16,7 @@
 #include "commands/mesh_statistics.h"
 #include "commands/page/mesh_scene.h"
 #include "commands/progress.h"
+#include "commands/report/reading.h"
 #include "commands/report/report_formats.h"
 #include "commands/stitch_cracks.h"
 #include "commands/value_list.h"
@@ -377,6 +379,7 @@ ExitCode run_fill(const FillArguments& given, const CLI::App& app, Console& cons
   Report report(app);
   report.figures["input"] = arguments.input;
   report.figures["output"] = arguments.output.path;
+  add_reading(input.file, report);
   if (arguments.stitch) {
     if (arguments.output.write.format.empty() && path_extension(arguments.output.path).empty()) {
       arguments.output.write.format = input.file.format().name;
@@ -385,7 +388,8 @@ ExitCode run_fill(const FillArguments& given, const CLI::App& app, Console& cons
     connect_input(input);
   }
   warn_of_defects(input.topology, arguments.strict, console);
-  report.warnings = defect_list(input.file.mesh().X, input.topology);
+  std::ranges::move(defect_list(input.file.mesh().X, input.topology),
+                    std::back_inserter(report.warnings));
   return arguments.region.empty()
              ? fill(arguments, input, seconds, report, console, progress)
              : fair_again(arguments, input, seconds, report, console, progress);

@@ -12,6 +12,7 @@
 #include "commands/crack_summary.h"
 #include "commands/documentation.h"
 #include "commands/hole_json.h"
+#include "commands/report/reading.h"
 #include "commands/report/report_formats.h"
 #include "commands/shared_options.h"
 #include "ibmfair/mesh/topology.h"
@@ -75,6 +76,7 @@ ExitCode run_holes(const HolesArguments& arguments, const CLI::App& app, Console
     report.figures["holes"].back()["vertices"] = hole.loop;
   }
   report.figures["cracks"] = crack_json(cracks);
+  add_reading(file, report);
   deliver_report(arguments.report, arguments.overwrite, report);
   for (const std::string& note : crack_notes(cracks)) {
     console.note(note);

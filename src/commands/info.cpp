@@ -13,6 +13,7 @@
 #include "commands/crack_summary.h"
 #include "commands/defect_warnings.h"
 #include "commands/documentation.h"
+#include "commands/report/reading.h"
 #include "commands/report/report_formats.h"
 #include "commands/shared_options.h"
 #include "commands/value_list.h"
@@ -252,6 +253,7 @@ ExitCode run_info(const InfoArguments& arguments, const CLI::App& app, Console& 
   Report report(app);
   add_findings(report.figures, file, topology, findings);
   report.warnings = defect_list(mesh.X, topology);
+  add_reading(file, report);
   deliver_report(arguments.report, arguments.overwrite, report);
   if (!arguments.report.json) {
     write_standard_output(to_text(file, topology, findings));

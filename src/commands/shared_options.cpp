@@ -99,6 +99,9 @@ MeshFile read_input(const std::string& path, const InputOptions& options, const 
   for (const std::string& note : file.notes()) {
     console.note(note);
   }
+  for (const std::string& warning : file.warnings()) {
+    console.warning(warning);
+  }
   return options.weld_within ? welded_within(*options.weld_within, file, console) : file;
 }
 

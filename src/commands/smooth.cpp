@@ -10,6 +10,7 @@
 #include "commands/engine.h"
 #include "commands/page/mesh_scene.h"
 #include "commands/progress.h"
+#include "commands/report/reading.h"
 #include "commands/report/report_formats.h"
 #include "commands/smooth_arguments.h"
 #include "commands/smooth_plan.h"
@@ -166,6 +167,7 @@ ExitCode run_smooth(const SmoothArguments& arguments, const CLI::App& app, Conso
   warn_of_defects(s.topology, arguments.strict, console);
   Report report(app);
   report.warnings = defect_list(s.before(), s.topology);
+  add_reading(s.file, report);
   s.result.plan = plan_smoothing(arguments, input_of(arguments, s), progress);
   if (arguments.dry_run) {
     progress.end();

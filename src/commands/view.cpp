@@ -13,6 +13,7 @@
 #include "commands/hole_json.h"
 #include "commands/mesh_statistics.h"
 #include "commands/page/mesh_scene.h"
+#include "commands/report/reading.h"
 #include "commands/report/report_formats.h"
 #include "commands/shared_options.h"
 #include "ibmfair/base/errors.h"
@@ -78,6 +79,7 @@ void add_view(const ViewArguments& arguments, const ViewedMesh& mesh, Report& re
   }
   report.figures["defects"] = defects_json(mesh.topology);
   report.warnings = defect_list(mesh.X(), mesh.topology);
+  add_reading(mesh.file, report);
 }
 
 void require_html(const std::string& path) {

@@ -166,6 +166,35 @@ TEST(ObjFile, CarriesWhatItDoesNotUnderstand) {
   EXPECT_EQ(file.mesh().faces.size(), 1);
 }
 
+TEST(ObjFile, CountsStatementsWithUnknownKeywords) {
+  const std::string mesh = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+  // Every keyword of the format is known, also those of free-form geometry.
+  const MeshFile known = expect_carried(
+      mesh +
+          "l 1 2\np 1\nvp 0 0\ncstype bezier\ndeg 3\ncurv 0 1 1 2 3\nparm u 0 1\nend\n"
+          "mtllib a\nusemtl b\ng c\no d\ns 1\nlod 1\n# t\n",
+      "a.obj");
+  EXPECT_EQ(known.unknown_statements().count, 0);
+  EXPECT_TRUE(known.warnings().empty());
+  for (const std::string end : {"\n", "\r\n", "\r"}) {
+    const std::string text =
+        replaced(mesh + "# t\n  t 1//4 2 \\\n 3\nF 1 2 3\nl 1 2\nfoo\n", "\n", end);
+    const MeshFile file = expect_carried(text, "a.obj");
+    EXPECT_EQ(file.unknown_statements().count, 3);
+    EXPECT_EQ(file.unknown_statements().line, 6);
+    EXPECT_EQ(file.unknown_statements().keyword, "t");
+    ASSERT_EQ(file.warnings().size(), 1U);
+    EXPECT_TRUE(file.warnings()[0].starts_with("a.obj:6:3: ")) << file.warnings()[0];
+  }
+}
+
+TEST(ObjFile, NamesUnknownKeywordsWhereNoFaceIsLeft) {
+  const std::string message = read_error("v 0 0 0\nv 1 0 0\nv 0 1 0\nF 1 2 3\nF 1 2 3\n", "a.obj");
+  EXPECT_EQ(message,
+            "a.obj: the mesh has no faces; line 4 starts with the unknown keyword 'F' (such "
+            "lines: 2)");
+}
+
 TEST(ObjFile, CarriesLargePolygonsAndLongComments) {
   std::string text = "#" + std::string(200000, 'x') + "\n";
   std::string face = "f";

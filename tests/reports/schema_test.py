@@ -110,6 +110,12 @@ class SchemaTest(ProgramTest):
         yield self.json("info", "ball.off", "--laplacian", "lagrange", "--mass", "voronoi")
         yield self.json("info", "defects.off")
         yield self.json("info", "nearly_welded.off")
+        self.path("odd.obj").write_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nt 1//4 2 3\nf 1 2 3\nF 1 2 3\n")
+        odd = self.json("info", "odd.obj")
+        self.assertEqual(odd["unknown_statements"],
+                         {"count": 2, "first_line": 4, "first_keyword": "t"})
+        self.assertIn("odd.obj:4:1: unknown keyword 't'", odd["warnings"][0]["text"])
+        yield odd
         yield self.json("compare", "ball.off", "ball.off", "--tolerance", "1")
         yield self.json("compare", "ball.off", "open.off")
         yield self.json("compare", "ball.off", "--sphere", "fit")

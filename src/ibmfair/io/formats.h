@@ -25,6 +25,8 @@ struct ParsedMesh {
   bool has_texture_coordinates = false;
   bool has_normals = false;
   std::vector<std::string> notes;
+  std::vector<std::string> warnings = {};  ///< see MeshFile
+  UnknownStatements unknown = {};          ///< see MeshFile
   /// Set if reading the mesh gives the attributes at no extra cost.
   std::optional<MeshAttributes> attributes;
 };

@@ -66,6 +66,18 @@ void refuse_too_many_elements(const Mesh& mesh, const SourceBytes& bytes) {
   }
 }
 
+void require_faces(const ParsedMesh& parsed, const SourceBytes& bytes) {
+  if (parsed.mesh.faces.size() > 0 && parsed.mesh.X.rows() > 0) return;
+  const UnknownStatements& unknown = parsed.unknown;
+  fail_in_file(
+      bytes,
+      fmt::format("the mesh has no {}{}", parsed.mesh.X.rows() == 0 ? "vertices" : "faces",
+                  unknown.count == 0 ? ""
+                                     : fmt::format("; line {} starts with the unknown keyword "
+                                                   "'{}' (such lines: {})",
+                                                   unknown.line, unknown.keyword, unknown.count)));
+}
+
 /// Merges coincident vertices; leaves `result` empty if there are none.
 void weld_vertices(ParsedMesh& parsed, std::optional<Weld>& result) {
   Weld weld = find_coincident_vertices(parsed.mesh.X);
@@ -140,6 +152,12 @@ bool MeshFile::welded() const {
 }
 const std::vector<std::string>& MeshFile::notes() const {
   return contents_->parsed.notes;
+}
+const std::vector<std::string>& MeshFile::warnings() const {
+  return contents_->parsed.warnings;
+}
+const UnknownStatements& MeshFile::unknown_statements() const {
+  return contents_->parsed.unknown;
 }
 const SourceBytes& MeshFile::bytes() const {
   return *contents_->bytes;
@@ -225,8 +243,7 @@ MeshFile read_mesh(std::shared_ptr<const SourceBytes> bytes, const ReadOptions& 
   ParsedMesh& parsed = contents->parsed;
   parsed = contents->format->read(*contents->bytes, contents->extension);
   refuse_too_many_elements(parsed.mesh, *contents->bytes);
-  if (parsed.mesh.X.rows() == 0) fail_in_file(*contents->bytes, "the mesh has no vertices");
-  if (parsed.mesh.faces.size() == 0) fail_in_file(*contents->bytes, "the mesh has no faces");
+  require_faces(parsed, *contents->bytes);
   if (options.weld || contents->format->always_weld) {
     weld_vertices(parsed, contents->weld);
   }

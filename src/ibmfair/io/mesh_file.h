@@ -25,6 +25,13 @@ struct ReadOptions {
   bool weld = false;  ///< merge vertices with exactly the same position
 };
 
+/// The lines of an OBJ file that start with none of the format's keywords, and are not read.
+struct UnknownStatements {
+  std::int64_t count = 0;
+  std::int64_t line = 0;     ///< the first of these lines, counted from 1
+  std::string keyword = {};  ///< the first word of that line, shortened
+};
+
 /// A parsed mesh together with the bytes it was parsed from. Cheap to copy.
 class MeshFile {
  public:
@@ -46,6 +53,10 @@ class MeshFile {
 
   /// Notes on the reading for the user, one sentence each.
   const std::vector<std::string>& notes() const;
+
+  /// Signs of damage in the file, one sentence each, that begin with the file and the place.
+  const std::vector<std::string>& warnings() const;
+  const UnknownStatements& unknown_statements() const;
 
   /// #V, 1 for each vertex that `name` selects: the vertices of the faces in an OBJ group, object
   /// or material of this name, or those whose PLY vertex property of this name is not zero. Throws

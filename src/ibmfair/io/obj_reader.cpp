@@ -1,5 +1,6 @@
 // Reads the positions and faces of an OBJ text.
 #include <algorithm>
+#include <array>
 #include <limits>
 
 #include <fmt/format.h>
@@ -14,6 +15,19 @@ namespace {
 
 constexpr std::int64_t largest_index = std::numeric_limits<Index>::max();
 constexpr std::int64_t unlimited = std::numeric_limits<std::int64_t>::max();
+
+/// Whether the format defines the keyword, though this reader may not use it. Sources: the
+/// Wavefront specification (appendix B1 of the Advanced Visualizer manual), with its superseded
+/// statements.
+bool is_keyword(std::string_view word) {
+  static constexpr std::array<std::string_view, 44> keywords{
+      "bevel",     "bmat",   "bsp",    "bzp",    "c_interp",   "call",     "cdc",    "cdp",  "con",
+      "csh",       "cstype", "ctech",  "curv",   "curv2",      "d_interp", "deg",    "end",  "f",
+      "g",         "hole",   "l",      "lod",    "maplib",     "mg",       "mtllib", "o",    "p",
+      "parm",      "res",    "s",      "scrv",   "shadow_obj", "sp",       "stech",  "step", "surf",
+      "trace_obj", "trim",   "usemap", "usemtl", "v",          "vn",       "vp",     "vt"};
+  return std::ranges::find(keywords, word) != keywords.end();
+}
 
 /// Reads the text once. Faces may precede their vertices, so the number of vertices is known only
 /// at the end: an index that is too large is detected by the largest index, and a second pass finds
@@ -42,6 +56,8 @@ class Reader {
         for (int c = 0; c < 3; ++c)
           scan_.skip_number();
         ++normal_count_;
+      } else if (!is_keyword(keyword)) {
+        if (unknown_count_++ == 0) first_unknown_ = scan_.statement_start();
       }
     }
   }
@@ -55,10 +71,21 @@ class Reader {
     parsed.mesh = std::move(mesh_);
     parsed.has_texture_coordinates = texture_count_ > 0;
     parsed.has_normals = normal_count_ > 0;
+    if (unknown_count_ > 0) add_unknown(parsed);
     return parsed;
   }
 
  private:
+  void add_unknown(ParsedMesh& parsed) const {
+    const TextPlace place = text_place(source_, first_unknown_);
+    parsed.unknown = {unknown_count_, place.line, word_at(source_, first_unknown_)};
+    parsed.warnings.push_back(fmt::format(
+        "{}:{}:{}: unknown keyword '{}'; such lines are not read (there {}). If they are misspelt "
+        "vertices or faces, correct the file",
+        source_.name(), place.line, place.column, parsed.unknown.keyword,
+        unknown_count_ == 1 ? "is 1" : fmt::format("are {}", unknown_count_)));
+  }
+
   /// Reserves memory for the mesh that a file of this size usually holds. Unused memory costs
   /// nothing, whereas growing and copying takes a third of the time.
   void reserve() {
@@ -126,6 +153,8 @@ class Reader {
   std::int64_t vertex_limit_;
   std::int64_t texture_count_ = 0;
   std::int64_t normal_count_ = 0;
+  std::int64_t unknown_count_ = 0;
+  const char* first_unknown_ = nullptr;
   std::int64_t largest_vertex_ = -1;
   std::int64_t vertex_count_ = 0;
   Mesh mesh_;  // X may have more rows than vertex_count_

@@ -127,12 +127,6 @@ GrowingBuffer decompressed(std::string_view zipped, const std::string& name) {
   return buffer;
 }
 
-/// The word at `where`.
-std::string quote(const SourceBytes& source, const char* where) {
-  const std::string_view rest(where, static_cast<std::size_t>(source.end() - where));
-  return short_text(rest.substr(0, rest.find_first_of(" \t\n\v\f\r")), longest_quote);
-}
-
 }  // namespace
 
 std::shared_ptr<const SourceBytes> SourceBytes::read(const std::string& path) {
@@ -170,21 +164,32 @@ std::shared_ptr<const SourceBytes> SourceBytes::from_memory(std::string name,
   return source;
 }
 
-void fail_in_text(const SourceBytes& source, const char* where, std::string_view message) {
-  std::int64_t line = 1;
+TextPlace text_place(const SourceBytes& source, const char* where) {
+  TextPlace place;
   const char* line_start = source.begin();
   for (const char* p = source.begin(); p != where; ++p) {
     const bool ends = *p == '\n' || (*p == '\r' && (p + 1 == source.end() || p[1] != '\n'));
     if (ends) {
-      ++line;
+      ++place.line;
       line_start = p + 1;
     }
   }
-  const std::string text = quote(source, where);
+  place.column = where - line_start + 1;
+  return place;
+}
+
+std::string word_at(const SourceBytes& source, const char* where) {
+  const std::string_view rest(where, static_cast<std::size_t>(source.end() - where));
+  return short_text(rest.substr(0, rest.find_first_of(" \t\n\v\f\r")), longest_quote);
+}
+
+void fail_in_text(const SourceBytes& source, const char* where, std::string_view message) {
+  const TextPlace place = text_place(source, where);
+  const std::string text = word_at(source, where);
   const std::string found = !text.empty()           ? fmt::format(" in '{}'", text)
                             : where == source.end() ? " at the end of the file"
                                                     : " at the end of the line";
-  throw BadFile(fmt::format("{}:{}:{}: {}{}", source.name(), line, where - line_start + 1,
+  throw BadFile(fmt::format("{}:{}:{}: {}{}", source.name(), place.line, place.column,
                             short_text(message), found));
 }
 

@@ -41,8 +41,18 @@ class SourceBytes {
   std::size_t size_ = 0;
 };
 
+/// A place in a text file: lines end with LF, CRLF or CR; columns count bytes; both start with 1.
+struct TextPlace {
+  std::int64_t line = 1;
+  std::int64_t column = 1;
+};
+TextPlace text_place(const SourceBytes& source, const char* where);
+
+/// The word at `where`, shortened for a message.
+std::string word_at(const SourceBytes& source, const char* where);
+
 /// Throws BadFile "NAME:LINE:COL: message in 'text'" for the place `where` in a text file; `text`
-/// is the word at that place. Lines end with LF, CRLF or CR; columns count bytes from 1.
+/// is the word at that place.
 [[noreturn]] void fail_in_text(const SourceBytes& source, const char* where,
                                std::string_view message);
 
