@@ -120,7 +120,7 @@ std::vector<MalformedFile> obj_files() {
       {"no_area.obj",
        "v 1 2 3\nv 1 2 3\nv 1 2 3\nf 3 2 1\n",
        {{"info", {0}},
-        {"smooth", {4, "edges of mean length 0 are too short to smooth"}},
+        {"smooth", {4, "all edges have the length 0, so that there is nothing to smooth"}},
         {"fill", {1}}}},
       {"isolated_vertices.obj",
        "v 5 5 5\nvn 0 0 1\n" + corners + "f 2 3 4\nf 2 5 3\n" +
@@ -348,6 +348,21 @@ std::string solid(const std::string& x, const std::string& x_plus_1, bool flippe
 
 std::vector<MalformedFile> stl_files() {
   return {
+      // Files that end too early.
+      {"truncated.stl",
+       binary_stl({{0, 0, 0, 9, 0, 1, 0, 9, 2}, {3, 3, -5, 4, 3, 5, 3, 4, 5}}).substr(0, 170),
+       refused("the file is truncated (or no STL): of the 2 triangles that its header announces, 1 "
+               "are there (170 of 184 bytes)")},
+      {"header_only.stl", binary_stl({{0, 0, 0, 9, 0, 1, 0, 9, 2}}).substr(0, 84),
+       refused("the file is truncated (or no STL): of the 1 triangles that its header announces, 0 "
+               "are there (84 of 134 bytes)")},
+      {"no_header.stl", "something else",
+       refused("not an STL file: it neither starts with 'solid' nor has the 84 bytes of a binary "
+               "header (it has 14)")},
+      {"empty.stl", "", refused("the file is empty")},
+      {"within_a_facet.stl", solid("0", "1", false).substr(0, 150),
+       refused("9:1: the file is truncated: it ends within the triangle that begins here, after 1 "
+               "complete ones")},
       {"no_facets.stl", "solid from nowhere\nendsolid from nowhere\n",
        refused("the mesh has no vertices")},
       {"two_bodies.stl", solid("0", "1", false) + solid("5", "6", true), read},

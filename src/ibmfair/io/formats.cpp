@@ -26,6 +26,7 @@ Format through_assimp(std::string_view name, std::string_view title,
 std::vector<Format> make_formats() {
   Format stl = through_assimp("stl", "STL", {"stl"});
   stl.always_weld = true;
+  stl.read = stl::read;
   stl.recognises = stl::recognises;
   stl.generate = stl::generate;
   Format gltf = through_assimp("gltf", "glTF", {"gltf", "glb", "vrm"});

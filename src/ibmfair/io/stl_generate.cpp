@@ -49,10 +49,6 @@ Vec3 normal_of(const Vec3& x0, const Vec3& x1, const Vec3& x2) {
 
 }  // namespace
 
-bool recognises(std::string_view bytes) {
-  return bytes.starts_with("solid ");
-}
-
 std::vector<std::string> generate(const GenerateRequest& request, ByteSink& out) {
   const Points& X = request.mesh.X;
   require_in_range(X);
