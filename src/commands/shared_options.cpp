@@ -1,5 +1,8 @@
 #include "commands/shared_options.h"
 
+#include <algorithm>
+#include <array>
+
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -39,6 +42,25 @@ FormatWords format_words(bool to_write) {
     }
   }
   return words;
+}
+
+/// The words of --precision, in the order of WriteOptions::Precision.
+constexpr std::array precision_words{"keep", "float", "double"};
+
+void add_precision_option(CLI::App& app, WriteOptions::Precision& precision) {
+  const auto set = [&precision](const std::string& word) {
+    const auto* const at = std::ranges::find(precision_words, word);
+    precision = static_cast<WriteOptions::Precision>(at - precision_words.begin());
+  };
+  app.add_option_function<std::string>(
+         "--precision", set,
+         "type of the coordinates in PLY files: float (7 digits), double (16 digits), or keep: the "
+         "type of the input, but double where float would round the vertices by more than 0.001 "
+         "mean edge lengths or 1 % of their moves; files that were not PLY become double")
+      ->type_name("TYPE")
+      ->check(
+          CLI::IsMember(std::vector<std::string>(precision_words.begin(), precision_words.end())))
+      ->default_str(precision_words.front());
 }
 
 MeshFile welded_within(const Length& length, const MeshFile& file, const Console& console) {
@@ -116,6 +138,7 @@ void add_output_options(CLI::App& app, OutputOptions& options) {
           ->type_name("NAME");
   note_of(app, *format).offers = format_words(true).names;
   note_of(app, *format).default_text = "from the file's name";
+  add_precision_option(app, options.write.precision);
 }
 
 void add_overwrite_option(CLI::App& app, bool& overwrite) {

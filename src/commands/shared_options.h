@@ -44,7 +44,8 @@ struct OutputOptions {
   WriteOptions write;
 };
 
-/// Declares the positional argument OUT and --format, but not --overwrite (add_overwrite_option).
+/// Declares the positional argument OUT, --format and --precision, but not --overwrite
+/// (add_overwrite_option).
 void add_output_options(CLI::App& app, OutputOptions& options);
 
 /// Declares --overwrite, which applies to all files that the command writes.

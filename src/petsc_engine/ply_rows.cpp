@@ -176,12 +176,13 @@ std::string PlyRows::with_own_counts(std::string_view header) const {
       [&](const ply::Element& element) { return layout_.header.find(element.name)->count_text; });
 }
 
-PlyRows::Rewriting PlyRows::rewriting(std::string_view row, WriteOptions::PlyReal real) const {
+PlyRows::Rewriting PlyRows::rewriting(std::string_view row, const RowTypes& types) const {
   const auto source = lone_vertices(row, 1);
   const Points X = Points::Zero(1, 3);
   MemorySink out;
   Rewriting result;
-  result.notes = ply::patch({*source, {X, {}}, false, false, X, {0}, true, real}, out);
+  result.notes = ply::patch(
+      {*source, {X, {}}, false, false, X, {0}, true, types.types, nullptr, types.why_float64}, out);
   const auto written = SourceBytes::from_memory(header_->name(), out.text());
   const std::string_view vertex = vertices_of(*written);
   result.row = static_cast<std::int64_t>(vertex.size());
@@ -191,7 +192,7 @@ PlyRows::Rewriting PlyRows::rewriting(std::string_view row, WriteOptions::PlyRea
 }
 
 std::string PlyRows::rewritten(std::string_view rows, const MeshPiece& piece, const Points& X,
-                               WriteOptions::PlyReal real) const {
+                               const RowTypes& types) const {
   if (piece.own == 0) {
     return {};
   }
@@ -201,8 +202,9 @@ std::string PlyRows::rewritten(std::string_view rows, const MeshPiece& piece, co
   }
   const auto source = lone_vertices(rows, piece.own);
   MemorySink out;
-  ply::patch({*source, mesh_from_triangles(piece.X, piece.F), false, false, X, moved, true, real},
-             out);
+  ply::patch(
+      {*source, mesh_from_triangles(piece.X, piece.F), false, false, X, moved, true, types.types},
+      out);
   const auto written = SourceBytes::from_memory(header_->name(), out.text());
   return std::string(vertices_of(*written));
 }

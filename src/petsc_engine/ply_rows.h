@@ -10,12 +10,18 @@
 #include <string_view>
 #include <vector>
 
-#include "ibmfair/io/mesh_file.h"
+#include "ibmfair/io/formats.h"
 #include "ibmfair/io/ply.h"
 #include "ibmfair/io/source_bytes.h"
 #include "petsc_engine/mesh_piece.h"
 
 namespace ibmfair::petsc {
+
+/// The types of the coordinates in the rows that are written.
+struct RowTypes {
+  CoordinateTypes types = CoordinateTypes::as_declared;  ///< not by_rounding
+  std::string why_float64 = {};                          ///< the reason for float64
+};
 
 class PlyRows {
  public:
@@ -54,12 +60,12 @@ class PlyRows {
     std::vector<std::string> notes;  ///< one sentence for each kind of data that is lost
   };
   /// `row` is the row of any vertex.
-  Rewriting rewriting(std::string_view row, WriteOptions::PlyReal real) const;
+  Rewriting rewriting(std::string_view row, const RowTypes& types) const;
 
   /// Takes the file's rows of the piece's own vertices, and returns the rows with the vertices at X
   /// (#V of the piece x 3).
   std::string rewritten(std::string_view rows, const MeshPiece& piece, const Points& X,
-                        WriteOptions::PlyReal real) const;
+                        const RowTypes& types) const;
 
  private:
   PlyRows() = default;

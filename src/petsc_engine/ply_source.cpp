@@ -7,6 +7,7 @@
 
 #include "ibmfair/base/errors.h"
 #include "ibmfair/io/atomic_file.h"
+#include "ibmfair/io/precision.h"
 #include "petsc_engine/row_exchange.h"
 
 namespace ibmfair::petsc {
@@ -82,13 +83,13 @@ std::vector<std::uint8_t> PlySource::vertex_mask(const std::string& name) {
 }
 
 void PlySource::write_moved(MpiFile& out, const MeshPiece& piece, const Points& X,
-                            const PlyRows::Rewriting& rewriting, WriteOptions::PlyReal real) {
+                            const PlyRows::Rewriting& rewriting, const RowTypes& types) {
   const std::vector<Index> own(piece.vertex.begin(), piece.vertex.begin() + piece.own);
   std::string rows;
   const std::string old = fetch_rows(
       comm_, vertices_, rows_of_block(rows_.vertex_offset(), rows_.vertex_row(), vertices_),
       rows_.vertex_row(), own);
-  comm_.together([&] { rows = rows_.rewritten(old, piece, X, real); });
+  comm_.together([&] { rows = rows_.rewritten(old, piece, X, types); });
   const std::int64_t header = rows_.first_row_offset();
   const auto new_header = static_cast<std::int64_t>(rewriting.header.size());
   const std::int64_t shift = new_header - header;
@@ -101,6 +102,31 @@ void PlySource::write_moved(MpiFile& out, const MeshPiece& piece, const Points& 
   out.copy(*file_, behind, file_->size(), new_behind);
 }
 
+RowTypes PlySource::types_of(const MeshPiece& piece, const Points& X,
+                             const WriteOptions& options) const {
+  RoundingSums sums(mesh_from_triangles(piece.X, piece.F), X, piece.own);
+  for (double* sum : {&sums.rounding, &sums.moves, &sums.lengths}) {
+    *sum = comm_.sum(*sum);
+  }
+  for (std::int64_t* sum : {&sums.written, &sums.moved, &sums.edges}) {
+    *sum = comm_.sum(*sum);
+  }
+  const std::string cost = float32_suffices(sums) ? std::string() : why_float32_fails(sums);
+  switch (options.precision) {
+    case WriteOptions::Precision::float32:
+      comm_.together([&] {
+        require_float32_range(X.topRows(piece.own), "a PLY file with float coordinates",
+                              [&](Index v) { return piece.vertex[v]; });
+      });
+      return {CoordinateTypes::float32};
+    case WriteOptions::Precision::float64:
+      return {CoordinateTypes::float64};
+    case WriteOptions::Precision::keep:
+      break;
+  }
+  return {cost.empty() ? CoordinateTypes::as_declared : CoordinateTypes::float64, cost};
+}
+
 WriteReport PlySource::write(const MeshPiece& piece, const Points& X, const std::string& path,
                              const WriteOptions& options) {
   WriteReport report;
@@ -111,7 +137,8 @@ WriteReport PlySource::write(const MeshPiece& piece, const Points& X, const std:
   }
   report.moved_vertices = comm_.sum(moved);
   const std::string row = file_->read(rows_.vertex_offset(), rows_.vertex_row());
-  const PlyRows::Rewriting rewriting = rows_.rewriting(row, options.ply_real);
+  const RowTypes types = types_of(piece, X, options);
+  const PlyRows::Rewriting rewriting = rows_.rewriting(row, types);
 
   std::unique_ptr<AtomicFile> target;  // only on the first rank
   std::string shared;
@@ -126,8 +153,8 @@ WriteReport PlySource::write(const MeshPiece& piece, const Points& X, const std:
   });
   {
     MpiFile out(comm_, comm_.from_first(shared), path, MpiFile::Mode::write);
-    if (report.moved_vertices > 0) {
-      write_moved(out, piece, X, rewriting, options.ply_real);
+    if (report.moved_vertices > 0 || options.precision != WriteOptions::Precision::keep) {
+      write_moved(out, piece, X, rewriting, types);
       report.notes = rewriting.notes;
     } else {
       out.copy(*file_, 0, file_->size(), 0);

@@ -25,7 +25,9 @@ class PlySource final : public MeshSource {
   bool read();
   std::string rows_of_block(std::int64_t offset, std::int64_t row, const Blocks& blocks);
   void write_moved(MpiFile& out, const MeshPiece& piece, const Points& X,
-                   const PlyRows::Rewriting& rewriting, WriteOptions::PlyReal real);
+                   const PlyRows::Rewriting& rewriting, const RowTypes& types);
+  /// The types of the coordinates, from the moves on all ranks. Collective.
+  RowTypes types_of(const MeshPiece& piece, const Points& X, const WriteOptions& options) const;
 
   const Communicator& comm_;
   std::string path_;

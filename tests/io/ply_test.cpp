@@ -138,15 +138,18 @@ constexpr std::string_view float_triangle =
     "property int z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n"
     "0 0.1 0\n1 0 0\n0 1 0\n3 0 1 2\n";
 
-TEST(PlyFile, PromotesFloatsOnceAnythingMoves) {
+TEST(PlyFile, DeclaresDoubleWhereAsked) {
   MeshFiles files;
   const MeshFile file = MeshFiles::read(float_triangle, "a.ply");
   EXPECT_EQ(file.mesh().X(0, 1), 0.1);
   EXPECT_EQ(files.write(file, file.mesh().X, "b.ply"), float_triangle);
+  const WriteOptions exact{.precision = WriteOptions::Precision::float64};
+  EXPECT_EQ(different_lines(files.write(file, file.mesh().X, "b.ply", exact), float_triangle),
+            (std::vector<int>{4, 5, 6}));
   Points X = file.mesh().X;
   X.row(1) << 1.0 / 3.0, 0, 0.1;
   WriteReport report;
-  const std::string out = files.write(file, X, "b.ply", {}, &report);
+  const std::string out = files.write(file, X, "b.ply", exact, &report);
   EXPECT_EQ(different_lines(out, float_triangle), (std::vector<int>{4, 5, 6, 11}));
   EXPECT_NE(out.find("property double x\nproperty float64 y\nproperty double z\n"),
             std::string::npos);
@@ -154,10 +157,9 @@ TEST(PlyFile, PromotesFloatsOnceAnythingMoves) {
   EXPECT_EQ(report.notes.size(), 1U);
 }
 
-TEST(PlyFile, KeepsFloatsWhereAsked) {
+TEST(PlyFile, KeepsFloats) {
   MeshFiles files;
-  WriteOptions keep;
-  keep.ply_real = WriteOptions::PlyReal::keep;
+  const WriteOptions keep{.precision = WriteOptions::Precision::keep};
   const MeshFile text = MeshFiles::read(float_triangle, "a.ply");
   Points X = text.mesh().X;
   X(1, 0) = 1.0 / 3.0;

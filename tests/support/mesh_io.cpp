@@ -53,13 +53,14 @@ MeshFile expect_carried(std::string_view bytes, const std::string& name) {
   EXPECT_EQ(files.write(file, X, copy), bytes);
 
   const Points Y = mostly_moved(X);
-  files.write(file, Y, copy);
+  const WriteOptions exact{.precision = WriteOptions::Precision::float64};
+  files.write(file, Y, copy, exact);
   const MeshFile again = read_mesh(files.path(copy));
   EXPECT_EQ(again.mesh().X, Y);
   EXPECT_EQ(again.mesh().faces.corner, file.mesh().faces.corner);
   EXPECT_EQ(again.mesh().faces.first, file.mesh().faces.first);
 
-  files.write(again, X, copy);
+  files.write(again, X, copy, exact);
   EXPECT_EQ(read_mesh(files.path(copy)).mesh().X, X);
   return file;
 }

@@ -39,9 +39,9 @@ class MeshFiles {
 std::string read_error(std::string_view bytes, const std::string& name);
 
 /// The law of every file that can be patched. A file that is written back with unmoved vertices has
-/// the same bytes. A file that is written with two thirds of its vertices moved, and read again,
-/// has exactly these positions and the same faces. If the vertices are then moved back, the file
-/// has its first positions again. Returns the file as first read.
+/// the same bytes. A file that is written with two thirds of its vertices moved, in double, and
+/// read again, has exactly these positions and the same faces. If the vertices are then moved back,
+/// the file has its first positions again. Returns the file as first read.
 MeshFile expect_carried(std::string_view bytes, const std::string& name);
 
 /// The points X with two thirds of the vertices moved by a few per cent of their coordinates.

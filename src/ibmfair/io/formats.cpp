@@ -34,6 +34,7 @@ std::vector<Format> make_formats() {
   return {{.name = "ply",
            .title = "PLY",
            .extensions = {"ply"},
+           .declares_types = true,
            .recognises = ply::recognises,
            .read = ply::read,
            .read_attributes = ply::read_attributes,

@@ -31,6 +31,14 @@ struct ParsedMesh {
   std::optional<MeshAttributes> attributes;
 };
 
+/// The types with which a PLY file declares the coordinates.
+enum class CoordinateTypes : std::uint8_t {
+  by_rounding,  ///< as_declared, but float64 unless float32_suffices (io/precision.h)
+  as_declared,  ///< those of the source; float64 for moved integers, and without a source
+  float32,
+  float64
+};
+
 /// A request to write the bytes of the source with the vertices in `moved` replaced, and with the
 /// vertices and faces of the extension, if there is one, added after those of the source.
 struct PatchRequest {
@@ -41,8 +49,11 @@ struct PatchRequest {
   const Points& X;                         ///< #V x 3, the new positions
   const std::vector<std::uint8_t>& moved;  ///< #V
   bool any_moved;  ///< whether any vertex moved; always true without an extension
-  WriteOptions::PlyReal ply_real = WriteOptions::PlyReal::promote;
+  /// float32 and float64 apply even if nothing moves; the others only if a vertex moves or is
+  /// added.
+  CoordinateTypes types = CoordinateTypes::by_rounding;
   const Extension* extension = nullptr;  ///< fits `mesh`
+  std::string why_float64 = {};          ///< the reason for float64, a part of a note
 };
 
 /// A request to write the bytes of the source with some of its faces replaced.
@@ -58,6 +69,7 @@ struct GenerateRequest {
   const MeshAttributes& attributes;
   /// A file of the same format whose variant of the format is kept; null if there is none.
   const SourceBytes* source = nullptr;
+  CoordinateTypes types = CoordinateTypes::as_declared;
 };
 
 /// One format. A function that the format does not support is null.
@@ -65,7 +77,8 @@ struct Format {
   std::string_view name;                     ///< "obj"
   std::string_view title;                    ///< "Wavefront OBJ"
   std::vector<std::string_view> extensions;  ///< lower case, without the dot
-  bool always_weld = false;  ///< vertices are always merged because the format cannot share them
+  bool always_weld = false;     ///< vertices are always merged because the format cannot share them
+  bool declares_types = false;  ///< files declare the types of their coordinates
 
   /// Whether a file that starts with these bytes is in this format.
   bool (*recognises)(std::string_view bytes) = nullptr;

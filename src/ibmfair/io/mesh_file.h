@@ -110,14 +110,14 @@ struct CloseWeld {
 
 /// Options for writing a file.
 struct WriteOptions {
-  /// What to do with PLY coordinates that are declared float once a vertex has moved: `promote`
-  /// declares them double, so that the result is exact; `keep` leaves them float, so that the
-  /// result is rounded.
-  enum class PlyReal : std::uint8_t { promote, keep };
+  /// How PLY files declare the coordinates. `keep`: a file in which they are float keeps this type
+  /// if float32_suffices (io/precision.h); all other files declare them double once a vertex has
+  /// moved. `float32` and `float64`: always float, or always double.
+  enum class Precision : std::uint8_t { keep, float32, float64 };
 
   std::string format = {};  ///< name or extension; empty: by the path, or the source's for "-"
   bool overwrite = false;   ///< whether to replace an existing file
-  PlyReal ply_real = PlyReal::promote;
+  Precision precision = Precision::keep;
 };
 
 /// A report on the file that was written.

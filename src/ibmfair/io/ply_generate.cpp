@@ -9,6 +9,7 @@
 #include "ibmfair/io/normals.h"
 #include "ibmfair/io/ply.h"
 #include "ibmfair/io/ply_row_writer.h"
+#include "ibmfair/io/precision.h"
 
 namespace ibmfair::ply {
 namespace {
@@ -21,8 +22,19 @@ struct Contents {
   bool normals = false;
   bool vertex_texture = false;
   bool corner_texture = false;
+  bool single = false;      // coordinates, normals and texture coordinates are float
   bool long_faces = false;  // some face has more corners (or texture values) than a byte can count
 };
+
+/// Whether the coordinates are to be float.
+bool is_single(const GenerateRequest& request) {
+  if (request.types != CoordinateTypes::as_declared || request.source == nullptr) {
+    return request.types == CoordinateTypes::float32;
+  }
+  const Layout layout = read_layout(*request.source);
+  return std::all_of(layout.position.begin(), layout.position.end(),
+                     [&](int i) { return layout.vertices().properties[i].type == Type::float32; });
+}
 
 Contents plan(const GenerateRequest& request) {
   const MeshAttributes& attributes = request.attributes;
@@ -34,6 +46,10 @@ Contents plan(const GenerateRequest& request) {
   if (!attributes.texture_coordinates.empty()) {
     contents.vertex_texture = texture_is_per_vertex(request.mesh, attributes);
     contents.corner_texture = !contents.vertex_texture;
+  }
+  if (is_single(request)) {
+    require_float32_range(request.mesh.X, "a PLY file with float coordinates");
+    contents.single = true;
   }
   const Polygons& faces = request.mesh.faces;
   constexpr std::size_t most = 127;  // twice as many texture values still fit into a byte
@@ -57,15 +73,20 @@ std::string header(const GenerateRequest& request, const Contents& contents, Enc
   };
   const std::string_view colour = contents.byte_colours ? "uchar" : "float";
   const std::string_view count = contents.long_faces ? "int" : "uchar";
-  add("double", {"x", "y", "z"});
-  if (contents.normals) add("double", {"nx", "ny", "nz"});
+  const std::string_view real = contents.single ? "float" : "double";
+  add(real, {"x", "y", "z"});
+  if (contents.normals) add(real, {"nx", "ny", "nz"});
   if (contents.colours) add(colour, {"red", "green", "blue"});
   if (contents.colours && contents.opacity) add(colour, {"alpha"});
-  if (contents.vertex_texture) add("double", {"s", "t"});
+  if (contents.vertex_texture) add(real, {"s", "t"});
   text += fmt::format("element face {}\nproperty list {} int vertex_indices\n",
                       request.mesh.faces.size(), count);
-  if (contents.corner_texture) text += fmt::format("property list {} double texcoord\n", count);
+  if (contents.corner_texture) text += fmt::format("property list {} {} texcoord\n", count, real);
   return text + "end_header\n";
+}
+
+void write_real(double value, const Contents& contents, RowWriter& row) {
+  row.number(contents.single ? Type::float32 : Type::float64, value);
 }
 
 void write_vertices(const GenerateRequest& request, const Contents& contents, RowWriter& row) {
@@ -77,9 +98,9 @@ void write_vertices(const GenerateRequest& request, const Contents& contents, Ro
   for (Eigen::Index v = 0; v < X.rows(); ++v) {
     const auto at = static_cast<std::size_t>(v);
     for (int c = 0; c < 3; ++c)
-      row.value(X(v, c));
+      write_real(X(v, c), contents, row);
     for (int c = 0; c < 3 && contents.normals; ++c)
-      row.value(normals(v, c));
+      write_real(normals(v, c), contents, row);
     for (std::size_t c = 0; contents.colours && c < (contents.opacity ? 4 : 3); ++c) {
       const double value = request.attributes.colours[at][c];
       if (contents.byte_colours) {
@@ -89,7 +110,7 @@ void write_vertices(const GenerateRequest& request, const Contents& contents, Ro
       }
     }
     for (std::size_t c = 0; c < 2 && contents.vertex_texture; ++c)
-      row.value(texture[at][c]);
+      write_real(texture[at][c], contents, row);
     row.end_row();
   }
 }
@@ -112,7 +133,7 @@ void write_faces(const GenerateRequest& request, const Contents& contents, RowWr
       for (std::int64_t i = faces.first[f]; i < faces.first[f + 1]; ++i) {
         const Index t = request.attributes.corner_texture[i];
         for (std::size_t c = 0; c < 2; ++c) {
-          row.value(t < 0 ? 0.0 : request.attributes.texture_coordinates[t][c]);
+          write_real(t < 0 ? 0.0 : request.attributes.texture_coordinates[t][c], contents, row);
         }
       }
     }
@@ -135,7 +156,9 @@ std::vector<std::string> generate(const GenerateRequest& request, ByteSink& out)
   if (!request.attributes.face_statements.empty()) {
     left_out.emplace_back("groups, objects and materials");
   }
-  return note_left_out("PLY", std::move(left_out));
+  std::vector<std::string> notes = note_left_out("PLY", std::move(left_out));
+  if (contents.single) notes.emplace_back("the coordinates are rounded to float32");
+  return notes;
 }
 
 }  // namespace ibmfair::ply

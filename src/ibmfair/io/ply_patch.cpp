@@ -13,6 +13,7 @@
 #include "ibmfair/io/ply.h"
 #include "ibmfair/io/ply_append.h"
 #include "ibmfair/io/ply_body.h"
+#include "ibmfair/io/precision.h"
 
 namespace ibmfair::ply {
 namespace {
@@ -39,7 +40,11 @@ class Patcher {
     for (std::size_t i = 0; i < treatments_.size(); ++i)
       treatments_[i].type = layout_.vertices().properties[i].type;
     const Extension* extension = request.extension;
-    if (request.any_moved || (extension != nullptr && extension->X.rows() > 0)) plan_positions();
+    const bool any_written = request.any_moved || (extension != nullptr && extension->X.rows() > 0);
+    if (any_written || request.types == CoordinateTypes::float32 ||
+        request.types == CoordinateTypes::float64) {
+      plan_positions();
+    }
     if (request.any_moved && layout_.normal[0] >= 0) plan_normals();
     if (extension == nullptr) return;
     plan_indices();
@@ -60,23 +65,58 @@ class Patcher {
   const Property& property(int i) const { return layout_.vertices().properties[i]; }
 
   void plan_positions() {
-    bool rounded = false;
-    bool promoted = false;
+    CoordinateTypes types = request_.types;
+    std::string why = request_.why_float64;
+    if (types == CoordinateTypes::by_rounding || types == CoordinateTypes::float32) {
+      std::string cost = cost_of_float32();
+      if (types == CoordinateTypes::float32) {
+        require_range();
+        if (!cost.empty()) notes_.push_back(std::move(cost));
+      } else {
+        types = cost.empty() ? CoordinateTypes::as_declared : CoordinateTypes::float64;
+        why = std::move(cost);
+      }
+    }
+    bool to_float = false, to_double = false;
     for (int c = 0; c < 3; ++c) {
       const int i = layout_.position[c];
-      const Type declared = property(i).type;
-      // An integer cannot hold a moved coordinate, so `keep` applies to float only.
-      const bool keep =
-          declared == Type::float64 ||
-          (declared == Type::float32 && request_.ply_real == WriteOptions::PlyReal::keep);
-      rounded = rounded || (keep && declared == Type::float32);
-      promoted = promoted || !keep;
-      treatments_[i] = {Treatment::Kind::position, c, keep ? declared : Type::float64};
+      const Type type = type_of_position(property(i).type, types);
+      const bool changed = type != property(i).type;
+      to_float = to_float || (changed && type == Type::float32);
+      to_double = to_double || (changed && type == Type::float64);
+      treatments_[i] = {Treatment::Kind::position, c, type};
     }
-    if (promoted)
-      notes_.emplace_back("the coordinates are declared double now, to keep them exact");
-    if (rounded)
-      notes_.emplace_back("the coordinates of moved and new vertices are rounded to float32");
+    if (to_float) {
+      notes_.emplace_back("the coordinates are declared float now, and are rounded to float32");
+    }
+    if (to_double) note_double(why);
+  }
+
+  /// The reason why float32 does not suffice; empty if it does.
+  std::string cost_of_float32() const {
+    RoundingSums sums(request_.mesh, request_.X, static_cast<Index>(request_.X.rows()));
+    if (request_.extension != nullptr) sums.add(request_.extension->X);
+    return float32_suffices(sums) ? std::string() : why_float32_fails(sums);
+  }
+
+  /// An integer cannot hold a moved coordinate, so that only real types are kept.
+  static Type type_of_position(Type declared, CoordinateTypes types) {
+    if (types == CoordinateTypes::float32) return Type::float32;
+    return types == CoordinateTypes::as_declared && is_real(declared) ? declared : Type::float64;
+  }
+
+  void require_range() const {
+    constexpr std::string_view holder = "a PLY file with float coordinates";
+    require_float32_range(request_.X, holder);
+    if (request_.extension == nullptr) return;
+    const auto first = static_cast<Index>(request_.X.rows());
+    require_float32_range(request_.extension->X, holder, [&](Index v) { return first + v; });
+  }
+
+  void note_double(const std::string& why) {
+    notes_.push_back(
+        fmt::format("the coordinates are declared double now{}",
+                    why.empty() ? "" : fmt::format(": {} (--precision float rounds them)", why)));
   }
 
   void plan_normals() {
@@ -149,13 +189,14 @@ class Patcher {
       const Property& property = layout_.vertices().properties[i];
       if (treatments_[i].kind == Treatment::Kind::drop) {
         file.remove(property.line.data(), property.line.data() + property.line.size());
-      } else if (is_promoted(i)) {
-        replace_type(property, "double", "float64", file);
+      } else if (is_retyped(i)) {
+        const bool single = treatments_[i].type == Type::float32;
+        replace_type(property, single ? "float" : "double", single ? "float32" : "float64", file);
       }
     }
   }
 
-  bool is_promoted(std::size_t i) const {
+  bool is_retyped(std::size_t i) const {
     return treatments_[i].kind == Treatment::Kind::position &&
            treatments_[i].type != layout_.vertices().properties[i].type;
   }
@@ -257,8 +298,7 @@ class Patcher {
       } else if (kind == Treatment::Kind::normal && stale) {
         replace(spans[i], normal[axis], type, file);
       } else if (kind == Treatment::Kind::position &&
-                 ((moved && position != request_.mesh.X(row, axis)) ||
-                  (binary && is_promoted(i)))) {
+                 ((moved && position != request_.mesh.X(row, axis)) || (binary && is_retyped(i)))) {
         replace(spans[i], position, type, file);
       }
     }

@@ -2,13 +2,10 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <limits>
 
-#include <fmt/format.h>
-
-#include "ibmfair/base/errors.h"
 #include "ibmfair/io/byte_sink.h"
 #include "ibmfair/io/generate.h"
+#include "ibmfair/io/precision.h"
 #include "ibmfair/io/stl.h"
 #include "ibmfair/mesh/mesh.h"
 
@@ -29,16 +26,6 @@ void append_vector(std::string& record, const Vec3& x) {
   }
 }
 
-void require_in_range(const Points& X) {
-  constexpr double largest = std::numeric_limits<float>::max();
-  for (Eigen::Index v = 0; v < X.rows(); ++v) {
-    if (!(X.row(v).cwiseAbs().maxCoeff() <= largest)) {
-      throw BadMesh(fmt::format(
-          "vertex {} has a coordinate that is too large for STL, which holds float32", v));
-    }
-  }
-}
-
 /// The unit normal, or 0 for a triangle without one.
 Vec3 normal_of(const Vec3& x0, const Vec3& x1, const Vec3& x2) {
   const double scale = std::max((x1 - x0).cwiseAbs().maxCoeff(), (x2 - x0).cwiseAbs().maxCoeff());
@@ -51,7 +38,7 @@ Vec3 normal_of(const Vec3& x0, const Vec3& x1, const Vec3& x2) {
 
 std::vector<std::string> generate(const GenerateRequest& request, ByteSink& out) {
   const Points& X = request.mesh.X;
-  require_in_range(X);
+  require_float32_range(X, "STL");
   const Triangles F = triangulate(request.mesh).F;
   std::string record = "binary STL, written by ibmfair";  // must not start with "solid"
   record.resize(header_size, ' ');

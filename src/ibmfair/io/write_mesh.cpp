@@ -11,6 +11,7 @@
 #include "ibmfair/io/formats.h"
 #include "ibmfair/io/gzip_sink.h"
 #include "ibmfair/io/mesh_file.h"
+#include "ibmfair/io/precision.h"
 #include "ibmfair/io/source_bytes.h"
 
 namespace ibmfair {
@@ -48,6 +49,32 @@ std::vector<std::uint8_t> find_moved(const Points& before, const Points& after) 
     moved[v] = before.row(v) != after.row(v) ? 1 : 0;
   }
   return moved;
+}
+
+CoordinateTypes types_of(WriteOptions::Precision precision) {
+  switch (precision) {
+    case WriteOptions::Precision::float32:
+      return CoordinateTypes::float32;
+    case WriteOptions::Precision::float64:
+      return CoordinateTypes::float64;
+    case WriteOptions::Precision::keep:
+      break;
+  }
+  return CoordinateTypes::by_rounding;
+}
+
+/// The types for a file that is generated. Only a source of the same format has declared any.
+CoordinateTypes types_to_generate(const WriteOptions& options, const RoundingSums& sums) {
+  const CoordinateTypes types = types_of(options.precision);
+  if (types != CoordinateTypes::by_rounding) return types;
+  return float32_suffices(sums) ? CoordinateTypes::as_declared : CoordinateTypes::float64;
+}
+
+void note_unused_precision(const Format& format, const WriteOptions& options, WriteReport& report) {
+  if (options.precision == WriteOptions::Precision::keep || format.declares_types) return;
+  report.notes.push_back(fmt::format(
+      "--precision applies to PLY only: {} files do not declare the type of their coordinates",
+      format.title));
 }
 
 /// The output file, compressed if its name says so.
@@ -89,8 +116,9 @@ WriteReport write(const MeshFile& source, const Points& X, const Extension* exte
   for (const std::uint8_t flag : moved)
     report.moved_vertices += flag;
   const bool same_format = &format == &source.format();
+  const bool retyped = format.declares_types && options.precision != WriteOptions::Precision::keep;
   const bool copied = same_format && report.moved_vertices == 0 && extension == nullptr &&
-                      (!source.welded() || format.always_weld);
+                      !retyped && (!source.welded() || format.always_weld);
   report.patched = copied || (same_format && format.patch != nullptr && !source.welded());
   MeshOutput output(path, options);
   ByteSink& out = output.sink();
@@ -106,14 +134,18 @@ WriteReport write(const MeshFile& source, const Points& X, const Extension* exte
     }
     const Mesh target =
         extension == nullptr ? Mesh{X, mesh.faces} : extended_mesh(mesh, X, *extension);
-    for (std::string& note : format.generate({target, attributes, flavour}, out))
+    RoundingSums sums(mesh, X, static_cast<Index>(X.rows()));
+    if (extension != nullptr) sums.add(extension->X);
+    const CoordinateTypes types = types_to_generate(options, sums);
+    for (std::string& note : format.generate({target, attributes, flavour, types}, out))
       report.notes.push_back(std::move(note));
   } else {
     report.notes =
         format.patch({source.bytes(), mesh, source.has_texture_coordinates(), source.has_normals(),
-                      X, moved, report.moved_vertices > 0, options.ply_real, extension},
+                      X, moved, report.moved_vertices > 0, types_of(options.precision), extension},
                      out);
   }
+  note_unused_precision(format, options, report);
   return output.finish(std::move(report));
 }
 
@@ -143,7 +175,8 @@ WriteReport write_mesh(const Mesh& mesh, const std::string& path, const WriteOpt
   WriteReport report;
   report.moved_vertices = mesh.X.rows();
   const MeshAttributes none;
-  report.notes = format.generate({mesh, none, nullptr}, out);
+  report.notes = format.generate({mesh, none, nullptr, types_of(options.precision)}, out);
+  note_unused_precision(format, options, report);
   return output.finish(std::move(report));
 }
 
