@@ -1,4 +1,4 @@
-// Any bytes that are read as OBJ, PLY or OFF give a sound mesh or a clear message. tools/fuzz
+// Any bytes that are read as OBJ, PLY, OFF or 3MF give a sound mesh or a clear message. tools/fuzz
 // limits time and memory: nothing is allocated for a size that the file only claims.
 #include <optional>
 
@@ -6,6 +6,7 @@
 #include "fuzz/targets.h"
 #include "ibmfair/io/face_edits.h"
 #include "support/mesh_io.h"
+#include "support/zip_files.h"
 
 namespace ibmfair::fuzz {
 
@@ -58,6 +59,19 @@ void read_ply(std::string_view bytes) {
 
 void read_off(std::string_view bytes) {
   read_as(bytes, "off");
+}
+
+void read_3mf(std::string_view bytes) {
+  // As an archive, few bytes come past its checksums; so they are also the model in one.
+  const std::string name = "mesh.3mf";
+  for (const std::string& archive :
+       {std::string(bytes), test::zip_of({{"3D/3dmodel.model", std::string(bytes)}}, false)}) {
+    try {
+      require_sound(test::MeshFiles::read(archive, name));
+    } catch (const BadFile& error) {
+      require_clear(error, name, archive);
+    }
+  }
 }
 
 }  // namespace ibmfair::fuzz

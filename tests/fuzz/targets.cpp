@@ -17,6 +17,7 @@ std::span<const Target> targets() {
       {"read_obj", {"obj"}, read_obj},
       {"read_ply", {"ply"}, read_ply},
       {"read_off", {"off"}, read_off},
+      {"read_3mf", {"3mf"}, read_3mf},
       {"write", {"obj", "ply", "off"}, write},
       {"command_line", {"arguments"}, command_line},
       {"batch_files", {"batch"}, batch_files},

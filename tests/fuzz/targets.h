@@ -45,6 +45,7 @@ std::vector<std::filesystem::path> seed_folders(const Target& target);
 void read_obj(std::string_view bytes);
 void read_ply(std::string_view bytes);
 void read_off(std::string_view bytes);
+void read_3mf(std::string_view bytes);
 void write(std::string_view bytes);
 void command_line(std::string_view bytes);
 void batch_files(std::string_view bytes);

@@ -13,7 +13,7 @@ namespace ibmfair {
 namespace {
 
 constexpr const char* helper_name = "ibmfair-assimp";
-constexpr const char* without_it = "OBJ, PLY and OFF are read without it";
+constexpr const char* without_it = "OBJ, PLY, OFF and 3MF files are read without it";
 
 /// The extension to give to assimp, which tells binary glTF from text glTF by the name alone.
 std::string extension_for_assimp(const SourceBytes& source, std::string_view extension) {

@@ -9,6 +9,7 @@
 #include "ibmfair/io/off.h"
 #include "ibmfair/io/ply.h"
 #include "ibmfair/io/stl.h"
+#include "ibmfair/io/threemf.h"
 
 namespace ibmfair {
 namespace {
@@ -67,7 +68,11 @@ std::vector<Format> make_formats() {
           through_assimp("3ds", "3D Studio", {"3ds"}),
           through_assimp("dae", "Collada", {"dae"}),
           through_assimp("fbx", "FBX", {"fbx"}),
-          through_assimp("3mf", "3MF", {"3mf"}),
+          {.name = "3mf",
+           .title = "3MF",
+           .extensions = {"3mf"},
+           .recognises = threemf::recognises,
+           .read = threemf::read},
           through_assimp("amf", "AMF", {"amf"}),
           through_assimp("x3d", "X3D", {"x3d", "x3db"}),
           through_assimp("blend", "Blender", {"blend"}),

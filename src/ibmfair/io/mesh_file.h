@@ -83,9 +83,9 @@ class MeshFile {
   std::shared_ptr<const Contents> contents_;
 };
 
-/// Reads a mesh from `path`, or from standard input for "-". OBJ, PLY and OFF are read exactly;
-/// every other format is read through assimp. Throws BadFile for a file that cannot be read, is
-/// malformed or has no faces, and BadOption for an unknown format name.
+/// Reads a mesh from `path`, or from standard input for "-". OBJ, PLY, OFF and 3MF are read
+/// exactly; every other format is read through assimp. Throws BadFile for a file that cannot be
+/// read, is malformed or has no faces, and BadOption for an unknown format name.
 MeshFile read_mesh(const std::string& path, const ReadOptions& options = {});
 
 /// Reads a mesh from bytes that are in memory already.
