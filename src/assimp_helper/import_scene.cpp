@@ -63,7 +63,9 @@ class SceneReader {
     const Transform transform = parent * to_double(node.mTransformation);
     for (unsigned i = 0; i < node.mNumMeshes && result_.error.empty(); ++i) {
       if (node.mMeshes[i] >= scene_.mNumMeshes) {
-        result_.error = "a node shows a mesh that is not there";
+        result_.error = "node '" + std::string(node.mName.C_Str()) + "' refers to mesh " +
+                        std::to_string(node.mMeshes[i]) + ", but the file has " +
+                        std::to_string(scene_.mNumMeshes);
       } else {
         add(*scene_.mMeshes[node.mMeshes[i]], transform);
       }
@@ -76,7 +78,7 @@ class SceneReader {
   void add(const aiMesh& mesh, const Transform& transform) {
     const std::size_t first = result_.vertex_count();
     if (first + mesh.mNumVertices > most) {
-      result_.error = "too many vertices";
+      result_.error = "too many vertices: at most " + std::to_string(most) + " can be read";
       return;
     }
     for (unsigned v = 0; v < mesh.mNumVertices; ++v) {
@@ -85,7 +87,8 @@ class SceneReader {
           transform * Eigen::Vector4d(static_cast<double>(p.x), static_cast<double>(p.y),
                                       static_cast<double>(p.z), 1.0);
       if (!at.allFinite()) {
-        result_.error = "vertex " + std::to_string(first + v) + " is not finite";
+        result_.error =
+            "vertex " + std::to_string(first + v) + " has a coordinate that is not finite";
         return;
       }
       result_.positions.insert(result_.positions.end(), {at.x(), at.y(), at.z()});
@@ -119,13 +122,14 @@ class SceneReader {
         continue;
       }
       if (corners.size() + face.mNumIndices > most) {
-        result_.error = "too many face corners";
+        result_.error = "too many face corners: at most " + std::to_string(most) + " can be read";
         return;
       }
       for (unsigned i = 0; i < face.mNumIndices; ++i) {
         if (face.mIndices[i] >= mesh.mNumVertices) {
-          result_.error =
-              "face " + std::to_string(result_.face_count()) + " names a vertex that is not there";
+          result_.error = "face " + std::to_string(result_.face_count()) + " refers to vertex " +
+                          std::to_string(face.mIndices[i]) + " of its mesh, which has " +
+                          std::to_string(mesh.mNumVertices) + " (counted from 0)";
           return;
         }
         corners.push_back(static_cast<std::int32_t>(first + face.mIndices[i]));
@@ -174,7 +178,7 @@ ImportedScene import_scene(FolderFiles& files, const std::string& extension) {
   keep_importers_of(extension, importer);
   ImportedScene result;
   if (importer.GetImporterCount() == 0) {
-    result.error = "assimp was built without this format";
+    result.error = "this build of assimp reads no ." + extension + " files";
     return result;
   }
   // No post-processing, because every step of it renumbers or merges vertices or faces.

@@ -1,13 +1,16 @@
 #include "commands/command_line.h"
 
 #include <algorithm>
+#include <array>
 #include <deque>
 #include <functional>
+#include <regex>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "commands/argument_roles.h"
 #include "commands/crash_message.h"
 #include "commands/documentation.h"
 #include "commands/effective_job.h"
@@ -151,6 +154,24 @@ std::vector<std::string> option_names(const CLI::App& app) {
   return names;
 }
 
+/// The parser's own message, in the words of the other messages.
+std::string in_plain_words(const std::string& error) {
+  static const std::array<std::pair<std::regex, const char*>, 5> words{{
+      {std::regex(R"(^(\S+): (.*) not in \{(.*)\}$)"), "$1: '$2' is not known; write one of $3"},
+      {std::regex(R"(^(\S+) excludes (\S+)$)"), "$1 cannot be combined with $2"},
+      {std::regex(R"(^(\S+) requires (\S+)$)"), "$1 needs $2"},
+      {std::regex(R"(^(\S+) is required$)"), "the argument $1 is missing"},
+      {std::regex(R"(^(\S+): 1 required (\S+) missing$)"), "$1 needs a value: $2"},
+  }};
+  for (const auto& [pattern, plain] : words) {
+    if (std::regex_match(error, pattern)) {
+      const std::string text = std::regex_replace(error, pattern, plain);
+      return std::regex_replace(text, std::regex(R"(,(?=\S))"), ", ");
+    }
+  }
+  return error;
+}
+
 /// The message for the user, instead of the parser's own message `error`. An unknown option is
 /// reported first, because it probably caused the parser's error.
 std::string explain(const char* error, const CLI::App& app) {
@@ -176,7 +197,27 @@ std::string explain(const char* error, const CLI::App& app) {
     return fmt::format("{}: '{}' is one argument too many", command.get_name(),
                        command.remaining().front());
   }
-  return fmt::format("{}: {}", command.get_name(), error);
+  return fmt::format("{}: {}", command.get_name(), in_plain_words(error));
+}
+
+/// Runs the command. Messages about the geometry of its only input name the file.
+ExitCode run_naming_input(const NamedCommand& command, Console& console) {
+  const CLI::Option* input = input_argument(*command.app);
+  if (input == nullptr || key_of(*input) != "input" || input->count() == 0) {
+    return command.run(console);
+  }
+  const std::string path = input->results().front();
+  const std::string name = path == "-" ? "standard input" : path;
+  const auto named = [&](const std::string& message) {
+    return message.find(name) != std::string::npos ? message : fmt::format("{}: {}", name, message);
+  };
+  try {
+    return command.run(console);
+  } catch (const BadMesh& error) {
+    throw BadMesh(named(error.what()));
+  } catch (const FactorizationFailed& error) {
+    throw FactorizationFailed(named(error.what()));
+  }
 }
 
 /// Rewrites `help smooth` as `smooth --help`, and `help` as `--help`. --all is for the help itself.
@@ -340,7 +381,7 @@ ExitCode CommandLine::run(Console& console) {
   console.set_level(level_of(options));
   set_thread_count(options.threads);
   note_stage(chosen.app->get_name());
-  return chosen.run(console);
+  return run_naming_input(chosen, console);
 }
 
 }  // namespace ibmfair::commands

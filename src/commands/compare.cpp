@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <memory>
 #include <optional>
 #include <string>
@@ -166,17 +167,26 @@ void compare_with_surface(const Side& a, const ExactSurface& surface, const std:
   comparison.largest_distance = std::max(comparison.largest_distance, deviation.distance.max);
 }
 
+SphereFit fitted_sphere(const Side& side, const std::string& path) {
+  try {
+    return fit_sphere(used_positions(side.mesh.X, side.F));
+  } catch (const BadMesh& error) {
+    throw BadMesh(fmt::format("{}: {}", path, error.what()));
+  }
+}
+
 void compare_with_sphere(const Side& a, const CompareArguments& arguments, Comparison& comparison) {
   Vec3 center = Vec3::Map(arguments.center.data());
   double radius = 0.0;
   if (arguments.sphere == "fit") {
-    const SphereFit fit = fit_sphere(used_positions(a.mesh.X, a.F));
+    const SphereFit fit = fitted_sphere(a, arguments.a);
     center = fit.center;
     radius = fit.radius;
     comparison.json["radius_deviation"] = fit.deviation;
     comparison.list.add("radius deviation", fmt::format("{:.4e} of the radius", fit.deviation));
   } else {
-    radius = parse_real_option("--sphere", arguments.sphere, positive);
+    radius =
+        or_other("fit", [&] { return parse_real_option("--sphere", arguments.sphere, positive); });
   }
   compare_with_surface(a, ExactSphere(center, radius),
                        fmt::format("sphere of radius {:.8g} about {:.8g} {:.8g} {:.8g}", radius,
@@ -188,10 +198,38 @@ void check(const CompareArguments& arguments) {
   const int references = (arguments.b.empty() ? 0 : 1) + (arguments.sphere.empty() ? 0 : 1) +
                          (arguments.torus ? 1 : 0);
   if (references != 1) {
-    throw BadOption("compare: give one thing to compare A with: a mesh B, --sphere or --torus");
+    throw BadOption("compare: name one thing to compare A with: a mesh B, --sphere or --torus");
   }
   if (arguments.a == "-" && arguments.b == "-") {
-    throw BadOption("compare: standard input holds one mesh only");
+    throw BadOption("compare: standard input holds one mesh only; name a file for A or B");
+  }
+}
+
+/// Names the mesh whose area is the reason for an error.
+void compare_named(const Side& a, const Side& b, const CompareArguments& arguments,
+                   Comparison& comparison) {
+  try {
+    compare_meshes(a, b, arguments.samples, comparison);
+  } catch (const BadMesh& error) {
+    const bool in_a = !(a.summary.area > 0 && std::isfinite(a.summary.area));
+    throw BadMesh(fmt::format("{}: {}", in_a ? arguments.a : arguments.b, error.what()));
+  }
+}
+
+/// Compares A with what the arguments name.
+void run_comparison(const CompareArguments& arguments, const Side& a, Console& console,
+                    Comparison& comparison) {
+  if (!arguments.b.empty()) {
+    comparison.json["b"] = arguments.b;
+    compare_named(a, read_side(arguments.b, arguments.input, console), arguments, comparison);
+  } else if (!arguments.sphere.empty()) {
+    compare_with_sphere(a, arguments, comparison);
+  } else {
+    const double axis_radius = arguments.torus->at(0);
+    const double tube_radius = arguments.torus->at(1);
+    compare_with_surface(
+        a, ExactTorus(Vec3::Map(arguments.center.data()), axis_radius, tube_radius),
+        fmt::format("torus of radii {:.8g} and {:.8g}", axis_radius, tube_radius), comparison);
   }
 }
 
@@ -202,19 +240,7 @@ ExitCode run_compare(const CompareArguments& arguments, const CLI::App& app, Con
   Report report(app);
   Comparison comparison{report.figures, {}, 0.0};
   comparison.json["a"] = arguments.a;
-  if (!arguments.b.empty()) {
-    comparison.json["b"] = arguments.b;
-    compare_meshes(a, read_side(arguments.b, arguments.input, console), arguments.samples,
-                   comparison);
-  } else if (!arguments.sphere.empty()) {
-    compare_with_sphere(a, arguments, comparison);
-  } else {
-    const double axis_radius = arguments.torus->at(0);
-    const double tube_radius = arguments.torus->at(1);
-    compare_with_surface(
-        a, ExactTorus(Vec3::Map(arguments.center.data()), axis_radius, tube_radius),
-        fmt::format("torus of radii {:.8g} and {:.8g}", axis_radius, tube_radius), comparison);
-  }
+  run_comparison(arguments, a, console, comparison);
 
   const bool within = !arguments.tolerance || comparison.largest_distance <= *arguments.tolerance;
   if (arguments.tolerance) {

@@ -105,14 +105,14 @@ std::vector<std::string> crack_notes(const CrackSummary& s) {
     notes.push_back(s.t_junctions > 0
                         ? fmt::format("{}, where a vertex lies on an edge without splitting it: {}",
                                       counted(s.t_junctions, "T-junction", "T-junctions"),
-                                      result_of("--stitch", *s.stitched, s.loops))
+                                      result_of("`fill --stitch`", *s.stitched, s.loops))
                         : "vertices nearly coincide: " +
-                              result_of("--stitch", *s.stitched, s.loops));
+                              result_of("`fill --stitch`", *s.stitched, s.loops));
     left = s.stitched->boundary_loops;
   }
   if (s.stitched_within && s.stitched_within->boundary_loops < left &&
       s.stitched_within->non_manifold_edges == 0) {
-    const std::string option = fmt::format("--stitch {}u", length_text(s.reach));
+    const std::string option = fmt::format("`fill --stitch {}u`", length_text(s.reach));
     notes.push_back(fmt::format("{}, whose sides run along each other: {}",
                                 counted(s.slits, "slit", "slits"),
                                 result_of(option, *s.stitched_within, s.loops)));

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "commands/value_list.h"
 #include "ibmfair/base/errors.h"
 
 namespace ibmfair::commands {
@@ -16,24 +17,26 @@ namespace {
 using nlohmann::ordered_json;
 
 struct Kind {
-  const char* what;   // text for a number of defects
-  const char* one;    // text for a single defect, with the element's name
-  const char* field;  // field of the report
+  const char* element;   // one of them
+  const char* elements;  // several
+  const char* what;      // what is wrong with them
+  const char* one;       // text for a single defect, with the element's name
+  const char* field;     // field of the report
   const std::vector<Index> Defects::*list;
 };
 
 constexpr std::array<Kind, 5> kinds{{
-    {"triangles with a repeated corner", "triangle {} has a corner twice",
+    {"triangle", "triangles", " with a repeated corner", "triangle {} has a corner twice",
      "repeated_corner_triangles", &Defects::repeated_corner},
-    {"triangles without area", "triangle {} has no area", "zero_area_triangles",
+    {"triangle", "triangles", " without area", "triangle {} has no area", "zero_area_triangles",
      &Defects::zero_area},
-    {"triangles over the same vertices as another",
+    {"triangle", "triangles", " over the same vertices as another",
      "triangle {} lies over the same vertices as another", "duplicate_triangles",
      &Defects::duplicate},
-    {"edges of three or more triangles", "edge {} has three or more triangles",
+    {"edge", "edges", " of three or more triangles", "edge {} has three or more triangles",
      "non_manifold_edges", &Defects::non_manifold_edges},
-    {"bow-tie vertices", "vertex {} joins several fans of triangles", "bow_tie_vertices",
-     &Defects::bow_tie_vertices},
+    {"bow-tie vertex", "bow-tie vertices", "", "vertex {} joins several fans of triangles",
+     "bow_tie_vertices", &Defects::bow_tie_vertices},
 }};
 
 /// The name of an element: for an edge its two vertices, for other elements the number.
@@ -46,14 +49,15 @@ std::string name(const Topology& topology, const Kind& kind, Index i) {
 std::string describe(const Topology& topology, const Kind& kind) {
   constexpr std::size_t most = 5;
   const auto& list = topology.defects.*kind.list;
-  std::string text = fmt::format("{} {} (", list.size(), kind.what);
+  std::string text =
+      fmt::format("{}{} (", counted(std::ssize(list), kind.element, kind.elements), kind.what);
   for (std::size_t i = 0; i < std::min(most, list.size()); ++i) {
     text += (i > 0 ? ", " : "") + name(topology, kind, list[i]);
   }
   return text + (list.size() > most ? ", ...)" : ")");
 }
 
-constexpr const char* consequence = "left out of the energy, and their vertices stay fixed";
+constexpr const char* consequence = "left out of the energy, and the vertices there stay fixed";
 
 /// The vertices of element i.
 std::vector<Index> vertices_of(const Topology& topology, const Kind& kind, Index i) {
@@ -97,7 +101,8 @@ std::vector<std::string> defect_lines(const Topology& topology) {
 void require_no_defects(const Topology& topology) {
   const std::vector<std::string> lines = defect_lines(topology);
   if (!lines.empty()) {
-    throw BadMesh(fmt::format("the mesh has defects: {}", fmt::join(lines, "; ")));
+    throw BadMesh(
+        fmt::format("the mesh has defects, which --strict refuses: {}", fmt::join(lines, "; ")));
   }
 }
 

@@ -92,7 +92,8 @@ std::vector<std::uint8_t> region_of(const FillArguments& arguments, const Input&
   }
   if (std::filesystem::is_regular_file(arguments.region)) {
     std::vector<std::uint8_t> region(static_cast<std::size_t>(input.topology.vertex_count), 0);
-    for (const Index v : read_vertex_list(arguments.region, input.topology.vertex_count)) {
+    for (const Index v :
+         read_vertex_list("--region", arguments.region, input.topology.vertex_count)) {
       region[v] = 1;
     }
     return region;
@@ -327,7 +328,7 @@ ExitCode fair_again(const FillArguments& arguments, const Input& input, FillSeco
   }
   std::string missed;
   if (!region.fairing.converged) {
-    missed = "the fairing did not reach its tolerance";
+    missed = "the fairing did not reach its tolerance; a larger --max-steps takes it further";
   } else if (region.folds > 0) {
     missed = fmt::format("{} hinges of the region are folded", region.folds);
   }

@@ -31,7 +31,8 @@ std::vector<Index> parse_ids(const std::string& option, const std::string& text)
 std::array<Index, 2> parse_pair(const std::string& text) {
   const std::vector<Index> ids = parse_ids("--bridge", text);
   if (ids.size() != 2) {
-    throw BadOption(fmt::format("--bridge: '{}' is not a pair of ids such as 0,3", text));
+    throw BadOption(fmt::format(
+        "--bridge: '{}' is not a pair of ids such as 0,3; `ibmfair holes` lists the ids", text));
   }
   return {ids[0], ids[1]};
 }
@@ -130,7 +131,9 @@ void refuse_flow_options(const FillArguments& a) {
       a.keep_sharp || a.fill.choose_sharp_angle};
   for (std::size_t i = 0; i < changed.size(); ++i) {
     if (changed[i]) {
-      throw BadOption(fmt::format("fill: {} applies to --continuity 2 only", flow_options[i]));
+      throw BadOption(
+          fmt::format("fill: {} cannot be combined with --continuity {}; it applies to 2 only",
+                      flow_options[i], a.continuity));
     }
   }
 }
@@ -158,9 +161,9 @@ void add_patch_options(CLI::App& app, FillArguments& a) {
       "only. auto moves none; where the mesh around a hole is noisy, the patch takes smoothed "
       "directions, unless --laplacian is given",
       [&a](const std::string& text) {
-        a.fill.rim_smooth =
-            text == "auto" ? 0
-                           : static_cast<int>(parse_integer_option("--rim-smooth", text, 0, 1000));
+        a.fill.rim_smooth = text == "auto" ? 0 : static_cast<int>(or_other("auto", [&] {
+          return parse_integer_option("--rim-smooth", text, 0, 1000);
+        }));
       });
   note_of(app, *rings).unit = "rings";
   note_of(app, *rings).default_text = "auto";
@@ -185,7 +188,8 @@ void add_patch_options(CLI::App& app, FillArguments& a) {
         a.fill.choose_sharp_angle = text == "auto";
         a.keep_sharp.reset();
         if (text != "auto") {
-          a.keep_sharp = parse_real_option("--keep-sharp", text, positive);
+          a.keep_sharp = or_other(
+              "auto", [&] { return parse_real_option("--keep-sharp", text, turning_angle); });
         }
       });
   sharp->excludes(rings)->excludes(unrefined);
@@ -253,7 +257,8 @@ void refuse_hole_options(const FillArguments& a) {
        {"--max-new-vertices", a.fill.most_new_vertices != defaults.most_new_vertices}}};
   for (const auto& [name, is_given] : given) {
     if (is_given) {
-      throw BadOption(fmt::format("fill: --region excludes {}", name));
+      throw BadOption(
+          fmt::format("fill: {} is about holes and cannot be combined with --region", name));
     }
   }
 }
@@ -263,7 +268,7 @@ void check_fill_arguments(const FillArguments& a) {
     refuse_hole_options(a);
   }
   if (a.keep_sharp && !(*a.keep_sharp < 180)) {
-    throw BadOption("fill: --keep-sharp must be between 0 and 180 degrees");
+    throw BadOption("fill: --keep-sharp must be above 0 and below 180 degrees");
   }
   if (continuity_of(a) != Continuity::curvature) {
     refuse_flow_options(a);

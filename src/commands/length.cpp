@@ -12,21 +12,23 @@
 #include "commands/numeric_options.h"
 #include "ibmfair/base/errors.h"
 #include "ibmfair/flow/part_measures.h"
+#include "ibmfair/io/numbers.h"
 
 namespace ibmfair::commands {
 namespace {
 
+/// Whether the text is meant as a length, though it may not be a positive one: "0", "-1e".
+bool looks_like_length(std::string_view text) {
+  if (!text.empty() && std::string_view("e%u").find(text.back()) != std::string_view::npos) {
+    text.remove_suffix(1);
+  }
+  double value = 0;
+  const char* end = text.data() + text.size();
+  return !text.empty() && parse_real(text.data(), end, value) == end;
+}
+
 /// The options that add_optional_length declares.
 constexpr std::array<std::string_view, 2> optional_lengths{"--weld", "--stitch"};
-
-bool is_length(std::string_view text) {
-  try {
-    parse_length_option({}, text, Length::Unit::absolute);
-    return true;
-  } catch (const BadOption&) {
-    return false;
-  }
-}
 
 }  // namespace
 
@@ -63,17 +65,22 @@ Length parse_length_option(std::string_view name, std::string_view text, Length:
   }
 }
 
+Length parse_length_or(std::string_view name, std::string_view text, Length::Unit unit,
+                       std::string_view other) {
+  return or_other(other, [&] { return parse_length_option(name, text, unit); });
+}
+
 CLI::Option* add_optional_length(CLI::App& app, const std::string& name, Length::Unit unit,
                                  const std::string& help,
                                  const std::function<void(std::optional<Length>)>& set) {
   auto text = std::make_shared<std::string>();  // the parser stores the value here
   CLI::Option* option =
-      app.add_flag(name, *text, help + " (the next word is its LENGTH only if it is a length)");
+      app.add_flag(name, *text, help + " (the next word is its LENGTH only if it is a number)");
   option->type_name("LENGTH")->each([text, name, unit, set](const std::string& word) {
     if (word == flag_alone) {
       set(std::nullopt);
     } else {
-      set(parse_length_option(name, word, unit));
+      set(parse_length_or(name, word, unit, "nothing behind " + name));
     }
   });
   note_units_of_length(app, *option, unit);
@@ -86,7 +93,7 @@ std::vector<std::string> join_optional_lengths(std::vector<std::string> words) {
     const bool after_option =
         !joined.empty() &&
         std::ranges::find(optional_lengths, joined.back()) != optional_lengths.end();
-    if (after_option && is_length(word)) {
+    if (after_option && looks_like_length(word)) {
       joined.back() += "=" + word;
     } else {
       joined.push_back(std::move(word));

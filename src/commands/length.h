@@ -31,6 +31,10 @@ struct Length {
 /// BadOption with a message that starts with `name`.
 Length parse_length_option(std::string_view name, std::string_view text, Length::Unit unit);
 
+/// The same for an option that also takes another word, `other`, which the message then names.
+Length parse_length_or(std::string_view name, std::string_view text, Length::Unit unit,
+                       std::string_view other);
+
 /// Documents for the help which units the option takes.
 void note_units_of_length(CLI::App& app, const CLI::Option& option, Length::Unit unit);
 

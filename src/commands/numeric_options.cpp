@@ -14,13 +14,13 @@ namespace ibmfair::commands {
 namespace {
 
 std::string describe(const Range& range) {
-  const bool below = std::isfinite(range.largest);
-  if (std::isfinite(range.smallest) && below) {
-    return fmt::format("{} {} and at most {}", range.above_smallest ? "above" : "at least",
-                       range.smallest, range.largest);
+  const std::string most =
+      std::isfinite(range.largest) ? fmt::format("at most {}", range.largest) : "";
+  if (!std::isfinite(range.smallest)) {
+    return most.empty() ? "a number" : "a number of " + most;
   }
-  return below ? fmt::format("at most {}", range.largest)
-               : fmt::format("{} {}", range.above_smallest ? "above" : "at least", range.smallest);
+  return fmt::format("a number {} {}{}", range.above_smallest ? "above" : "of at least",
+                     range.smallest, most.empty() ? "" : " and " + most);
 }
 
 bool contains(const Range& range, double value) {
@@ -34,11 +34,11 @@ double parse_real_option(std::string_view name, std::string_view text, const Ran
   double value = 0.0;
   const char* end = text.data() + text.size();
   if (parse_real(text.data(), end, value) != end) {
-    throw BadOption(fmt::format("{}: '{}' is not a finite number", name, text));
+    throw BadOption(
+        fmt::format("{}: '{}' is not a finite number; write {}", name, text, describe(range)));
   }
   if (!contains(range, value)) {
-    throw BadOption(
-        fmt::format("{}: {} is out of range, it must be {}", name, text, describe(range)));
+    throw BadOption(fmt::format("{}: {} is out of range; write {}", name, text, describe(range)));
   }
   return value;
 }
@@ -48,11 +48,12 @@ std::int64_t parse_integer_option(std::string_view name, std::string_view text,
   std::int64_t value = 0;
   const char* end = text.data() + text.size();
   if (parse_integer(text.data(), end, value) != end) {
-    throw BadOption(fmt::format("{}: '{}' is not a whole number", name, text));
+    throw BadOption(fmt::format("{}: '{}' is not a whole number; write one from {} to {}", name,
+                                text, smallest, largest));
   }
   if (value < smallest || value > largest) {
-    throw BadOption(fmt::format("{}: {} is out of range, it must be at least {} and at most {}",
-                                name, text, smallest, largest));
+    throw BadOption(fmt::format("{}: {} is out of range; write a whole number from {} to {}", name,
+                                text, smallest, largest));
   }
   return value;
 }
@@ -70,7 +71,7 @@ std::vector<double> parse_reals_option(std::string_view name, std::string_view t
     rest.remove_prefix(comma + 1);
   }
   if (values.size() != count) {
-    throw BadOption(fmt::format("{}: '{}' holds {} numbers, {} separated by commas are needed",
+    throw BadOption(fmt::format("{}: '{}' has {} numbers; write {} of them, separated by commas",
                                 name, text, values.size(), count));
   }
   return values;

@@ -10,6 +10,10 @@
 #include <type_traits>
 #include <vector>
 
+#include <fmt/format.h>
+
+#include "ibmfair/base/errors.h"
+
 namespace CLI {
 class App;
 class Option;
@@ -27,6 +31,7 @@ struct Range {
 constexpr Range any_real{};
 constexpr Range positive{0.0, std::numeric_limits<double>::infinity(), true};
 constexpr Range not_negative{0.0};
+constexpr Range turning_angle{0.0, 180.0, true};  ///< degrees
 
 /// Parses the whole text as a finite number. Throws BadOption with a message that starts with
 /// `name`.
@@ -41,6 +46,17 @@ std::int64_t parse_integer_option(std::string_view name, std::string_view text,
 /// that starts with `name`.
 std::vector<double> parse_reals_option(std::string_view name, std::string_view text,
                                        std::size_t count, const Range& range);
+
+/// Returns parse(), which parses a number. If it throws BadOption, throws BadOption with the same
+/// message and the remark that the option also takes the word `other`.
+template <class Parse>
+auto or_other(std::string_view other, const Parse& parse) {
+  try {
+    return parse();
+  } catch (const BadOption& error) {
+    throw BadOption(fmt::format("{}, or {}", error.what(), other));
+  }
+}
 
 /// Declares an option whose text is passed to `set`, which throws BadOption for an invalid text.
 CLI::Option* add_parsed_option(CLI::App& app, const std::string& name, const std::string& type,

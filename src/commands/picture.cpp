@@ -3,10 +3,12 @@
 #include <vector>
 
 #include <CLI/CLI.hpp>
+#include <fmt/format.h>
 
 #include "commands/argument_roles.h"
 #include "commands/documentation.h"
 #include "ibmfair/io/atomic_file.h"
+#include "ibmfair/io/formats.h"
 #include "ibmfair/picture/field_picture.h"
 #include "ibmfair/picture/png.h"
 
@@ -24,6 +26,14 @@ Image draw_plain(std::span<const FieldState> states, Eigen::Index patch_from,
   return render_side_by_side(meshes, rendering);
 }
 
+/// The message about a name of a picture that promises another format; empty if it does not.
+std::string wrong_extension(const std::string& path) {
+  const std::string extension = path_extension(path);
+  return extension.empty() || extension == "png"
+             ? ""
+             : fmt::format("'{}' must end in .png, because the picture is a PNG file", path);
+}
+
 }  // namespace
 
 void add_picture_options(CLI::App& app, const std::string& what, PictureOptions& options) {
@@ -32,7 +42,8 @@ void add_picture_options(CLI::App& app, const std::string& what, PictureOptions&
     names.emplace_back(field.name);
   }
   auto* picture = app.add_option("--picture", options.path, "draw " + what + " into this PNG file")
-                      ->type_name(file_to_write);
+                      ->type_name(file_to_write)
+                      ->check(CLI::Validator(wrong_extension, ""));
   note_of(app, *picture).extensions = {"png"};
   app.add_option("--picture-colour", options.colour,
                  "colour the picture by this quantity, with a legend below")

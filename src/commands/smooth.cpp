@@ -71,6 +71,7 @@ Smoothing read_smoothing(const SmoothArguments& arguments, const Console& consol
   s.result.vertices = s.topology.vertex_count;
   s.result.triangles = s.topology.F.rows();
   s.result.closed = s.topology.boundary_loops.empty();
+  s.result.defective = std::ranges::find(s.topology.defective, 1) != s.topology.defective.end();
   s.result.coincident = coincident_vertices(s.before(), s.topology);
   s.X = s.before();
   return s;
@@ -87,7 +88,7 @@ SmoothInput input_of(const SmoothArguments& arguments, const Smoothing& s) {
     input.h0 = vertex_values_or_number(s.file, arguments.h0, "--h0");
   }
   if (!arguments.fix_file.empty()) {
-    input.listed = read_vertex_list(arguments.fix_file, s.topology.vertex_count);
+    input.listed = read_vertex_list("--fix", arguments.fix_file, s.topology.vertex_count);
   }
   if (!arguments.mask.empty()) {
     input.mask = s.file.vertex_mask(arguments.mask);

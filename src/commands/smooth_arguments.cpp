@@ -51,7 +51,7 @@ void add_amount_options(CLI::App& app, SmoothArguments& a) {
         a.cutoff_auto = text == "auto";
         a.cutoff.reset();
         if (!a.cutoff_auto) {
-          a.cutoff = parse_length_option("--cutoff", text, Length::Unit::edges);
+          a.cutoff = parse_length_or("--cutoff", text, Length::Unit::edges, "auto");
         }
       });
   note_units_of_length(app, *cutoff, Length::Unit::edges);
@@ -154,7 +154,7 @@ void add_solver_options(CLI::App& app, SmoothArguments& a) {
 void add_feature_options(CLI::App& app, SmoothArguments& a) {
   begin_group(app, "Features to keep");
   CLI::Option* sharp =
-      add_real(app, "--keep-sharp", a.keep_sharp, positive,
+      add_real(app, "--keep-sharp", a.keep_sharp, turning_angle,
                "keep edges sharp at which the surface turns by more than this angle");
   note_of(app, *sharp).unit = "degrees";
   note_of(app, *sharp).default_text = "none";

@@ -129,9 +129,14 @@ class Planner {
                               : length(arguments_.cutoff.value_or(Length{default_cutoff_edges}));
     const double shares = plan_.choice || arguments_.cutoff ? steps : default_steps;
     const double total = in_flow_units(time_for_cutoff(cutoff)) / shares * steps;
+    if (plan_.mean_edge_length == 0) {
+      throw BadMesh("all edges have the length 0, so that there is nothing to smooth");
+    }
     if (!(total > 0 && std::isfinite(total))) {
-      throw BadMesh(fmt::format("edges of mean length {} are too {} to smooth",
-                                plan_.mean_edge_length, total > 0 ? "long" : "short"));
+      throw BadMesh(
+          fmt::format("edges of mean length {:.4g} are too {} to compute with; scale the "
+                      "mesh",
+                      plan_.mean_edge_length, total > 0 ? "long" : "short"));
     }
     return total;
   }

@@ -149,6 +149,27 @@ std::string remark_on_texture(const SmoothArguments& arguments, const SmoothPlan
   return {};
 }
 
+/// The warning if no vertex may move, with what fixes the vertices.
+std::string warning_on_fixed(const SmoothArguments& arguments, const SmoothResult& result) {
+  std::vector<std::string> causes;
+  if (!result.closed && arguments.boundary != "free") {
+    causes.emplace_back("open boundaries (--boundary free lets them move)");
+  }
+  if (result.defective) {
+    causes.emplace_back("defects of the mesh");
+  }
+  for (const auto& [option, value] : {std::pair{"--mask", arguments.mask},
+                                      {"--fix", arguments.fix_file},
+                                      {"--weights", arguments.weights}}) {
+    if (!value.empty()) {
+      causes.emplace_back(option);
+    }
+  }
+  return fmt::format(
+      "no vertex is free to move, and the mesh is written as it was read{}",
+      causes.empty() ? "" : fmt::format("; vertices are fixed by {}", fmt::join(causes, ", ")));
+}
+
 }  // namespace
 
 std::vector<std::string> notes_on(const SmoothArguments& arguments, const SmoothResult& result) {
@@ -176,11 +197,12 @@ std::string warning_on_volume(const SmoothArguments& arguments, const SmoothResu
                      remedies_for_volume(arguments, result.plan.flow));
 }
 
-std::string warning_on_end(const SmoothResult& result, const std::string& output) {
+std::string warning_on_end(const SmoothArguments& arguments, const SmoothResult& result,
+                           const std::string& output) {
   switch (result.flow.status) {
     case FlowStatus::completed:
       if (result.plan.flow.steps > 0 && result.flow.unknowns == 0) {
-        return "no vertex is free to move: the mesh is written as it was read";
+        return warning_on_fixed(arguments, result);
       }
       return result.flow.twicings < result.plan.flow.twicing && result.plan.flow.steps > 0
                  ? fmt::format(

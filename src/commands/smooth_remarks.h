@@ -21,7 +21,8 @@ std::string warning_on_volume(const SmoothArguments& arguments, const SmoothResu
 
 /// A warning if the flow did not end as requested; else empty. The final state of the flow is in
 /// the file `output`.
-std::string warning_on_end(const SmoothResult& result, const std::string& output);
+std::string warning_on_end(const SmoothArguments& arguments, const SmoothResult& result,
+                           const std::string& output);
 
 ExitCode exit_code_of(const SmoothResult& result);
 

@@ -360,7 +360,7 @@ void print_result(const SmoothArguments& arguments, const SmoothResult& result,
                            written.moved_vertices, result.vertices, by),
                smooth_table(result, console.level() == Console::Level::verbose));
   for (const std::string& warning :
-       {warning_on_volume(arguments, result), warning_on_end(result, output)}) {
+       {warning_on_volume(arguments, result), warning_on_end(arguments, result, output)}) {
     if (!warning.empty()) {
       console.warning(warning);
       report.warnings.push_back({warning});

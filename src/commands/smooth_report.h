@@ -24,6 +24,7 @@ struct SmoothResult {
   std::int64_t vertices = 0, triangles = 0;
   std::int64_t coincident = 0;  ///< vertices that lie on others, if most are on open boundaries
   bool closed = true;
+  bool defective = false;  ///< whether vertices are fixed because the mesh has defects there
   double seconds_read = 0, seconds_topology = 0, seconds_measure = 0, seconds_write = 0;
 };
 

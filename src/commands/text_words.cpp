@@ -10,11 +10,11 @@
 
 namespace ibmfair::commands {
 
-void for_words(const std::string& path,
+void for_words(const std::string& option, const std::string& path,
                const std::function<void(std::string_view word, std::int64_t line)>& take) {
   std::ifstream file(path, std::ios::binary);
   if (!file) {
-    throw BadFile(fmt::format("{}: cannot be read: {}", path, std::strerror(errno)));
+    throw BadFile(fmt::format("{}: {}: cannot be read: {}", option, path, std::strerror(errno)));
   }
   constexpr std::string_view separators = " \t\r\n,";
   std::string line;
@@ -29,7 +29,7 @@ void for_words(const std::string& path,
     }
   }
   if (file.bad()) {
-    throw BadFile(fmt::format("{}: cannot be read: {}", path, std::strerror(errno)));
+    throw BadFile(fmt::format("{}: {}: cannot be read: {}", option, path, std::strerror(errno)));
   }
 }
 

@@ -9,7 +9,9 @@
 namespace ibmfair::commands {
 
 /// Reads vertex numbers, counted from 0, separated by white space or commas; `#` starts a comment.
-/// If a number is malformed or not below `vertex_count`, throws BadFile with its line and text.
-std::vector<Index> read_vertex_list(const std::string& path, Index vertex_count);
+/// If a number is malformed or not below `vertex_count`, throws BadFile with its line and text, and
+/// with the option that names the file.
+std::vector<Index> read_vertex_list(const std::string& option, const std::string& path,
+                                    Index vertex_count);
 
 }  // namespace ibmfair::commands

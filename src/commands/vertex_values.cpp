@@ -23,7 +23,7 @@ std::string range_text(double least) {
 std::vector<double> read_values(const std::string& path, std::size_t count, double least,
                                 const std::string& option) {
   std::vector<double> values;
-  for_words(path, [&](std::string_view word, std::int64_t line) {
+  for_words(option, path, [&](std::string_view word, std::int64_t line) {
     const std::optional<double> value = finite_number(word);
     if (!value || *value < least) {
       throw BadFile(
@@ -32,8 +32,8 @@ std::vector<double> read_values(const std::string& path, std::size_t count, doub
     values.push_back(*value);
   });
   if (values.size() != count) {
-    throw BadFile(
-        fmt::format("{}: {}: {} numbers for {} vertices", option, path, values.size(), count));
+    throw BadFile(fmt::format("{}: {}: the file has {} numbers, but the mesh has {} vertices",
+                              option, path, values.size(), count));
   }
   return values;
 }

@@ -84,13 +84,14 @@ void add_view(const ViewArguments& arguments, const ViewedMesh& mesh, Report& re
 
 void require_html(const std::string& path) {
   if (!is_page(path)) {
-    throw BadOption(fmt::format("OUT: '{}' must end in .html, as it is the name of a page", path));
+    throw BadOption(
+        fmt::format("view: OUT '{}' must end in .html, because it is the name of a page", path));
   }
 }
 
 ExitCode run_view(const ViewArguments& arguments, const CLI::App& app, Console& console) {
   if (arguments.input == "-" && arguments.with == "-") {
-    throw BadOption("standard input holds one mesh only");
+    throw BadOption("view: standard input holds one mesh only; name a file for IN or --with");
   }
   require_html(arguments.page);
   ReportOptions reports = arguments.report;

@@ -158,7 +158,7 @@ SmoothInput input_of(const SmoothArguments& arguments, const SharedMesh& mesh) {
     if (!arguments.fix_file.empty()) {
       const auto total = static_cast<Index>(mesh.piece.vertices.total);
       input.listed =
-          own_vertices(commands::read_vertex_list(arguments.fix_file, total), mesh.piece);
+          own_vertices(commands::read_vertex_list("--fix", arguments.fix_file, total), mesh.piece);
     }
   });
   if (!arguments.mask.empty()) {

@@ -92,7 +92,8 @@ TEST(AtomicFile, FollowsSymbolicLinks) {
 
 TEST(AtomicFile, SaysWhatIsInTheWay) {
   const TemporaryDirectory directory;
-  EXPECT_NE(cannot_write(directory / "missing/a", false).find("No such file"), std::string::npos);
+  EXPECT_NE(cannot_write(directory / "missing/a", false).find("there is no folder"),
+            std::string::npos);
   EXPECT_NE(cannot_write(directory / "", true).find("Is a directory"), std::string::npos);
   EXPECT_NE(cannot_write("/dev/full", false).find("No space left"), std::string::npos);
   EXPECT_EQ(cannot_write("/dev/null", false), "");

@@ -239,7 +239,7 @@ TEST_F(Cracks, AReportedTJunctionIsClosed) {
   EXPECT_EQ(named["cracks"]["t_junctions"], 1);
   fill(in, out("open.off"), {}, 1);
   EXPECT_NE(messages_.find("1 T-junction"), std::string::npos) << messages_;
-  EXPECT_NE(messages_.find("with --stitch no hole is left"), std::string::npos) << messages_;
+  EXPECT_NE(messages_.find("with `fill --stitch` no hole is left"), std::string::npos) << messages_;
   fill(in, out("closed.off"), {"--stitch"});
   const Mesh before = read_mesh(in).mesh(), after = read_mesh(out("closed.off")).mesh();
   EXPECT_EQ(after.X, before.X);

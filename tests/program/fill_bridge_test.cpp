@@ -351,7 +351,8 @@ TEST_F(FillBridge, BadRequestsAreRefused) {
       {{"0,1", "--bridge", "1,0"}, "an end of another bridge"},
       {{"0,1", "--only", "1"}, "hole 0 is left out: not among those asked for"},
       {{"0,1", "--max-edges", "4"}, "hole 0 is left out: it has"},
-      {{"0,1", "--region", "@all"}, "--region excludes --bridge"}};
+      {{"0,1", "--region", "@all"},
+       "--bridge is about holes and cannot be combined with --region"}};
   for (const auto& [options, message] : bad) {
     std::vector<std::string> arguments{"--bridge"};
     arguments.insert(arguments.end(), options.begin(), options.end());

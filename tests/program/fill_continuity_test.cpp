@@ -182,13 +182,13 @@ TEST_F(FillContinuity, ADumpedJobRuns) {
 TEST_F(FillContinuity, OptionsWithoutEffectAreRefused) {
   write_mesh(without_cap(sphere(2), 60), directory_ / "in.off");
   const std::vector<std::pair<std::vector<std::string>, std::string>> bad{
-      {{"3"}, "3 not in {0,1,2}"},
-      {{"0.5"}, "not in"},
-      {{"1", "--laplacian", "lagrange"}, "--laplacian applies to --continuity 2 only"},
-      {{"0", "--no-mass"}, "--no-mass applies to --continuity 2 only"},
-      {{"0", "--rim-smooth", "2"}, "--rim-smooth applies to --continuity 2 only"},
-      {{"0", "--no-fair"}, "--no-fair excludes --continuity"},
-      {{"0", "--region", "@all"}, "--region excludes --continuity"}};
+      {{"3"}, "'3' is not known; write one of 0, 1, 2"},
+      {{"0.5"}, "is not known"},
+      {{"1", "--laplacian", "lagrange"}, "--laplacian cannot be combined with --continuity 1"},
+      {{"0", "--no-mass"}, "--no-mass cannot be combined with --continuity 0"},
+      {{"0", "--rim-smooth", "2"}, "--rim-smooth cannot be combined with --continuity 0"},
+      {{"0", "--no-fair"}, "--no-fair cannot be combined with --continuity"},
+      {{"0", "--region", "@all"}, "--region cannot be combined with --continuity"}};
   for (const auto& [options, message] : bad) {
     std::vector<std::string> arguments{"fill", directory_ / "in.off", directory_ / "out.off",
                                        "--continuity"};

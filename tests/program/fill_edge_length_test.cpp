@@ -159,9 +159,10 @@ TEST_F(FillEdgeLength, BadValuesAreRefused) {
       {{"--edge-length", "-1"}, "positive length"},
       {{"--edge-length", "nan"}, "positive length"},
       {{"--edge-length", "long"}, "positive length"},
-      {{"--edge-length", "1e-12"}, "too short for the mesh"},
-      {{"--edge-length", "1e", "--no-refine"}, "--no-refine excludes --edge-length"},
-      {{"--edge-length", "1e", "--region", "@all"}, "--region excludes --edge-length"}};
+      {{"--edge-length", "1e-12"}, "too short for this mesh"},
+      {{"--edge-length", "1e", "--no-refine"}, "--no-refine cannot be combined with --edge-length"},
+      {{"--edge-length", "1e", "--region", "@all"},
+       "--region cannot be combined with --edge-length"}};
   for (const auto& [options, message] : bad) {
     std::vector<std::string> arguments{"fill", in, out};
     arguments.insert(arguments.end(), options.begin(), options.end());

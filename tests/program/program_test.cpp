@@ -145,7 +145,7 @@ TEST(Program, GeometryThatCannotBeProcessedHasExitCode4) {
   EXPECT_TRUE(contains(lenient.out, "0-1")) << lenient.out;
   const RunResult strict = run_program({"info", "-", "--strict"}, {.input = fin});
   EXPECT_EQ(strict.exit_code, 4);
-  EXPECT_TRUE(contains(strict.err, "edges of three or more triangles")) << strict.err;
+  EXPECT_TRUE(contains(strict.err, "1 edge of three or more triangles")) << strict.err;
   EXPECT_EQ(strict.out, lenient.out);  // --strict prints the figures, too
 
   EXPECT_EQ(run_program({"info", "-", "--sphere"}, {.input = made({"plane"})}).exit_code, 4);

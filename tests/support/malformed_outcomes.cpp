@@ -64,6 +64,7 @@ Outcome outcome_of(const std::string& command, const std::string& path, const Wo
   if (writes) words = words + Words{directory / "out.ply", "--overwrite"} + options;
   const RunResult result = run_program(words);
   Outcome outcome{result.exit_code, error_text(result, path)};
+  EXPECT_TRUE(outcome.message.empty() || result.err.find(path) != std::string::npos) << result.err;
   // An output file is complete; after an error there is no output file.
   const bool written = std::filesystem::exists(directory / "out.ply");
   EXPECT_EQ(written, writes && outcome.message.empty());

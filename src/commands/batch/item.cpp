@@ -39,8 +39,10 @@ void collect_files(CLI::App& command, Item& item) {
     const Role role = role_of(*option);
     for (const std::string& path : option->results()) {
       if ((role == Role::reads || role == Role::writes) && path == "-") {
-        throw BadOption(fmt::format("{}: the items of a batch have no standard input and output",
-                                    key_of(*option)));
+        throw BadOption(
+            fmt::format("{}: '-' is standard input or output, which the files of a batch do "
+                        "not have; name a file",
+                        key_of(*option)));
       }
       std::error_code ignored;
       if (role == Role::reads ||

@@ -1,6 +1,8 @@
 #include "commands/batch/job_file.h"
 
 #include <algorithm>
+#include <cerrno>
+#include <cstring>
 #include <fstream>
 #include <iostream>
 #include <iterator>
@@ -264,7 +266,7 @@ std::vector<Job> read_jobs(const std::string& path) {
   std::istream& stream = path == "-" ? std::cin : file;
   const std::string text{std::istreambuf_iterator<char>(stream), {}};
   if (!stream || stream.bad()) {
-    throw BadFile(path + ": cannot be read");
+    throw BadFile(path + ": cannot be read: " + std::strerror(errno));
   }
   return parse_jobs(text, path == "-" ? "standard input" : path);
 }

@@ -121,7 +121,10 @@ Journal::Journal(const std::string& path) : path_(path) {
   }
   if (!starts_as_journal(fd_)) {
     close(fd_);
-    throw CannotWrite(fmt::format("{}: exists already and is not a batch's journal", path));
+    throw CannotWrite(
+        fmt::format("{}: exists already and is not the journal of a batch; --journal FILE names "
+                    "another",
+                    path));
   }
   char last = '\n';
   const off_t size = lseek(fd_, 0, SEEK_END);

@@ -31,7 +31,9 @@ std::vector<std::string> words_of(const Item& item, bool overwrite, int threads)
 
 std::string signal_text(int signal_number) {
   return fmt::format("ended by signal {} ({}){}", signal_number, strsignal(signal_number),
-                     signal_number == SIGKILL ? ", perhaps for want of memory" : "");
+                     signal_number == SIGKILL
+                         ? ", perhaps for lack of memory; with a smaller --jobs fewer run at a time"
+                         : "");
 }
 
 }  // namespace

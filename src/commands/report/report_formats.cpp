@@ -46,7 +46,7 @@ const ReportFormat& report_format(const std::string& path, const std::string& op
       format_rows.begin(), format_rows.end(),
       [&](const auto& format) { return extension.empty() || format.extension == extension; });
   if (row == format_rows.end()) {
-    throw BadOption(fmt::format("{}: '{}' ends in none of .{}", option, path,
+    throw BadOption(fmt::format("{}: '{}' must end in one of .{}", option, path,
                                 fmt::join(report_extensions(), ", .")));
   }
   return *row;
@@ -75,7 +75,9 @@ void check_reports(const ReportOptions& options, const std::vector<OutputFile>& 
       options.json ||
       std::find(options.paths.begin(), options.paths.end(), "-") != options.paths.end();
   if (!others.empty() && others.front().path == "-" && to_standard_output) {
-    throw BadOption("standard output cannot take both the mesh and the report; use --report FILE");
+    throw BadOption(
+        "standard output cannot take both the mesh (OUT is -) and the report; --report FILE "
+        "writes the report to a file");
   }
   std::vector<OutputFile> files = others;
   for (const std::string& path : options.paths) {

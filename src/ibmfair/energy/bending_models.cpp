@@ -28,7 +28,7 @@ Bound fast_member(const Topology& topology, EnergyOptions options, const MassMat
 Bound crouzeix_raviart(const Topology& topology, const EnergyOptions& options) {
   const MassMatrix& mass = mass_matrix(bending_model("crouzeix-raviart"), options);
   if (options.sharp_angle > 0 && mass.kind == MassMatrix::Kind::identity) {
-    throw BadOption("hinges are kept sharp with the mass matrix only");
+    throw BadOption("--keep-sharp needs the mass matrix; leave out --no-mass and --mass none");
   }
   return fast_member<CrouzeixRaviart>(topology, options, mass);
 }
@@ -41,7 +41,7 @@ LaplacianMatrices crouzeix_raviart_matrices(const Points& X, const Topology& top
 Bound lagrange(const Topology& topology, const EnergyOptions& options) {
   const MassMatrix& mass = mass_matrix(bending_model("lagrange"), options);
   if (options.spontaneous_curvature.size() > 0 && !options.material_directions.empty()) {
-    throw BadOption("a spontaneous curvature does not go with material directions");
+    throw BadOption("--h0 and --anisotropy cannot be combined");
   }
   if (!options.material_directions.empty()) {
     return std::make_unique<VertexEnergy>(topology, options, directional_laplacian, mass);
@@ -50,8 +50,7 @@ Bound lagrange(const Topology& topology, const EnergyOptions& options) {
     return fast_member<Lagrange>(topology, options, mass);
   }
   if (options.spontaneous_curvature.size() > 0) {
-    throw BadOption(fmt::format(
-        "a spontaneous curvature goes with the barycentric mass, not the {}", mass.name));
+    throw BadOption(fmt::format("--h0 needs --mass barycentric, not {}", mass.name));
   }
   return std::make_unique<VertexEnergy>(topology, options, cotangent_laplacian, mass);
 }
@@ -132,26 +131,35 @@ std::string names_with(bool BendingModel::*property) {
 
 void require_known(const BendingModel& model, const EnergyOptions& options) {
   if (options.sharp_angle > 0 && !model.keeps_sharp) {
-    throw BadOption(fmt::format("the Laplacian {} cannot keep sharp hinges; these can: {}",
-                                model.name, names_with(&BendingModel::keeps_sharp)));
+    throw BadOption(
+        fmt::format("the Laplacian {} cannot be combined with --keep-sharp; choose another by "
+                    "--laplacian: {}",
+                    model.name, names_with(&BendingModel::keeps_sharp)));
   }
   if (!options.material_directions.empty() && !model.takes_material_directions) {
-    throw BadOption(fmt::format("the Laplacian {} knows no material directions; these do: {}",
-                                model.name, names_with(&BendingModel::takes_material_directions)));
+    throw BadOption(
+        fmt::format("the Laplacian {} cannot be combined with --anisotropy; choose another "
+                    "by --laplacian: {}",
+                    model.name, names_with(&BendingModel::takes_material_directions)));
   }
   if (options.spontaneous_curvature.size() > 0 && !model.takes_spontaneous_curvature) {
-    throw BadOption(fmt::format("the Laplacian {} takes no spontaneous curvature; these do: {}",
-                                model.name,
-                                names_with(&BendingModel::takes_spontaneous_curvature)));
+    throw BadOption(
+        fmt::format("the Laplacian {} cannot be combined with --h0; choose another by "
+                    "--laplacian: {}",
+                    model.name, names_with(&BendingModel::takes_spontaneous_curvature)));
   }
   if (!options.own_vertices.empty() && !model.knows_parts) {
-    throw BadOption(fmt::format("the Laplacian {} needs the mesh in one piece; these do not: {}",
-                                model.name, names_with(&BendingModel::knows_parts)));
+    throw BadOption(
+        fmt::format("the Laplacian {} needs the whole mesh in one process, so it cannot be "
+                    "combined with --engine petsc; choose another by --laplacian: {}",
+                    model.name, names_with(&BendingModel::knows_parts)));
   }
   if (!options.own_vertices.empty() &&
       mass_matrix(model, options).kind == MassMatrix::Kind::consistent) {
     throw BadOption(
-        fmt::format("the mass {} needs the mesh in one piece", mass_matrix(model, options).name));
+        fmt::format("--mass {} needs the whole mesh in one process, so it cannot be combined "
+                    "with --engine petsc",
+                    mass_matrix(model, options).name));
   }
 }
 
@@ -173,7 +181,7 @@ std::unique_ptr<BendingEnergy> BendingModel::create(const Topology& topology,
   require_one_for_each(std::ssize(options.material_directions), topology.F.rows(),
                        "material direction", "triangles");
   if (options.spontaneous_curvature.size() > 0 && !topology.orientable) {
-    throw BadMesh("a spontaneous curvature needs a mesh with two sides");
+    throw BadMesh("--h0 needs an orientable mesh, and this one has only one side");
   }
   return make(topology, options);
 }

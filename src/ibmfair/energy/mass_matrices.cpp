@@ -73,8 +73,9 @@ const MassMatrix& mass_matrix(const BendingModel& model, const EnergyOptions& op
                                                               : options.mass_matrix;
   const bool fits = std::find(model.masses.begin(), model.masses.end(), name) != model.masses.end();
   if (!fits) {
-    throw BadOption(fmt::format("the Laplacian '{}' has no mass '{}'; there are: {}", model.name,
-                                name, fmt::join(model.masses, ", ")));
+    throw BadOption(
+        fmt::format("the Laplacian {} has no mass matrix '{}'; choose one by --mass: {}",
+                    model.name, name, fmt::join(model.masses, ", ")));
   }
   return row_named(mass_matrices(), "mass", name);
 }

@@ -30,10 +30,10 @@ std::vector<MaterialDirection> material_directions(const Points& X, const Topolo
                                                    const Vec3& direction, double factor) {
   const double length = direction.norm();
   if (!(length > 0 && std::isfinite(length))) {
-    throw BadOption("a material direction needs a length");
+    throw BadOption("--anisotropy: the direction must not be 0,0,0");
   }
   if (!(factor > 0 && std::isfinite(factor))) {
-    throw BadOption("the factor of a material direction must be positive");
+    throw BadOption("--anisotropy: FACTOR must be positive");
   }
   std::vector<MaterialDirection> directions(static_cast<std::size_t>(topology.F.rows()));
   parallel_for(topology.F.rows(), [&](std::int64_t t) {

@@ -32,8 +32,9 @@ constexpr Index least_limit = 100'000;  // of the new vertices, if the options s
 void require_usable_edge_length(const Points& X, double edge_length) {
   const double least = least_edge * bounding_box_size(X).norm();
   if (edge_length != 0 && !(edge_length > 0 && edge_length >= least)) {
-    throw BadOption(fmt::format(
-        "an edge length of {:.3g} is too short for the mesh: at least {:.3g}", edge_length, least));
+    throw BadOption(
+        fmt::format("--edge-length: {:.3g} is too short for this mesh; it must be at least {:.3g}",
+                    edge_length, least));
   }
 }
 

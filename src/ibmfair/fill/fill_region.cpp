@@ -31,7 +31,9 @@ RegionReport fair_region(Points& X, const Topology& topology,
     }
   }
   if (vertices.empty()) {
-    throw BadOption("the region has no vertex that may move");
+    throw BadOption(
+        "--region: no vertex of the region may move, because all of them lie on its border, at an "
+        "open boundary of the mesh or at a defect");
   }
   Patch patch = cut_region(X, topology, vertices);
   RegionReport report;

@@ -183,9 +183,12 @@ void require_known_holes(const std::vector<Hole>& holes, const HoleChoice& choic
   }
   for (const Index id : ids) {
     if (id < 0 || id >= static_cast<Index>(holes.size())) {
-      throw BadOption(holes.empty() ? fmt::format("there is no hole {}: the mesh is closed", id)
-                                    : fmt::format("there is no hole {}: the mesh has holes 0 to {}",
-                                                  id, holes.size() - 1));
+      throw BadOption(
+          holes.empty()
+              ? fmt::format("there is no hole {}: the mesh has no boundary loops", id)
+              : fmt::format(
+                    "there is no hole {}: the mesh has holes 0 to {} (`ibmfair holes` lists them)",
+                    id, holes.size() - 1));
     }
   }
 }

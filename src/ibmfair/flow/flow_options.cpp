@@ -27,14 +27,14 @@ void FlowOptions::validate() const {
   require(twicing >= 0, "the number of twicings must not be negative");
   require(newton_iterations >= 1, "the number of Newton iterations must be at least 1");
   require(solver_tolerance > 0 && solver_tolerance < 1,
-          "the tolerance of the solver must be above 0 and below 1");
+          "--solver-tolerance must be above 0 and below 1");
   require(memory_limit > 0, "the memory limit must be positive");
   require(relaxation >= 0 && relaxation <= 1, "the relaxation must be between 0 and 1");
   require(max_move > 0, "the largest move must be positive");
   require(!(keep_volume || keep_area) || std::isinf(max_move),
-          "volume and area cannot be kept where moves are bounded");
+          "--keep-volume and --keep-area cannot be combined with --max-move");
   require(sharp_angle >= 0 && sharp_angle <= std::numbers::pi,
-          "the angle of sharp hinges must be between 0 and 180 degrees");
+          "the angle of --keep-sharp must be from 0 to 180 degrees");
   require(spontaneous_curvature.allFinite(), "the spontaneous curvature must be finite");
 }
 

@@ -80,7 +80,9 @@ void require_usable(const Points& X, const std::vector<std::uint8_t>& fixed,
     jacobian_backend(options.solver);
   }
   if (!parts.is_whole() && (options.keep_volume || options.keep_area)) {
-    throw BadOption("volume and area can be kept of a mesh in one piece only");
+    throw BadOption(
+        "--keep-volume and --keep-area need the whole mesh in one process, so they cannot be "
+        "combined with --engine petsc");
   }
   if (!parts.is_whole() && options.first_stage == FirstStage::normals) {
     throw BadOption("normals can be filtered of a mesh in one piece only");

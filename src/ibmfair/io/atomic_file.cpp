@@ -69,8 +69,9 @@ AtomicFile::AtomicFile(const std::string& path, bool overwrite, Sharing sharing)
   }
   std::error_code error;
   if (!exists && !overwrite && std::filesystem::is_symlink(path, error)) {
-    throw CannotWrite(
-        fmt::format("{}: a symbolic link to what is not there; --overwrite makes it", name_));
+    throw CannotWrite(fmt::format(
+        "{}: is a symbolic link to a file that does not exist; --overwrite creates that file",
+        name_));
   }
   if (exists && access(path.c_str(), W_OK) != 0) fail(errno);
   target_ = follow_links(path);
@@ -109,7 +110,11 @@ void AtomicFile::commit() {
 }
 
 void AtomicFile::fail(int error) const {
-  throw CannotWrite(fmt::format("{}: cannot be written: {}", name_, std::strerror(error)));
+  const std::string folder = directory_of(target_.empty() ? name_ : target_);
+  const bool no_folder = error == ENOENT && access(folder.c_str(), F_OK) != 0;
+  throw CannotWrite(fmt::format(
+      "{}: cannot be written: {}", name_,
+      no_folder ? fmt::format("there is no folder '{}'", folder) : std::strerror(error)));
 }
 
 void require_writable(const std::string& path, bool overwrite) {

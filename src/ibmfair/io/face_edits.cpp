@@ -62,8 +62,10 @@ EditedFile edit_faces(const MeshFile& source, const std::vector<FaceEdit>& edits
       format.generate({source.mesh(), source.attributes(), same ? &source.bytes() : nullptr}, out);
   auto edited = edited_in_place(read_again(source, out, format), edits);
   if (!edited) {
-    throw CannotWrite(
-        fmt::format("{}: a face would get more corners than the file can count", source.name()));
+    throw CannotWrite(fmt::format(
+        "{}: --stitch gives a face more corners than the lists of this file can count; name an "
+        "output in another format",
+        source.name()));
   }
   result.file = *std::move(edited);
   return result;

@@ -89,6 +89,17 @@ std::string lower_case(std::string_view text) {
   return lower;
 }
 
+template <class Wanted>
+std::string joined_names(const Wanted& wanted) {
+  std::string names;
+  for (const Format& format : formats()) {
+    if (!wanted(format)) continue;
+    if (!names.empty()) names += ", ";
+    names += format.name;
+  }
+  return names;
+}
+
 }  // namespace
 
 std::span<const Format> formats() {
@@ -122,13 +133,11 @@ std::string path_extension(std::string_view path) {
 }
 
 std::string writable_formats() {
-  std::string names;
-  for (const Format& format : formats()) {
-    if (format.generate == nullptr) continue;
-    if (!names.empty()) names += ", ";
-    names += format.name;
-  }
-  return names;
+  return joined_names([](const Format& format) { return format.generate != nullptr; });
+}
+
+std::string readable_formats() {
+  return joined_names([](const Format& format) { return &format != &formats().back(); });
 }
 
 }  // namespace ibmfair

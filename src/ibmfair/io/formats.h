@@ -114,4 +114,7 @@ std::string path_extension(std::string_view path);
 /// The names of the formats that can be written: "ply, off, obj, stl".
 std::string writable_formats();
 
+/// The names of the formats that can be read, without the last row, which stands for many others.
+std::string readable_formats();
+
 }  // namespace ibmfair

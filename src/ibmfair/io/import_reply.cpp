@@ -19,6 +19,10 @@
 namespace ibmfair {
 namespace {
 
+/// What helps where assimp cannot read a file that other programs may read.
+constexpr std::string_view remedy =
+    "; if another program opens the file, save it there as OBJ, PLY, OFF or STL";
+
 template <std::size_t columns>
 bool all_finite(const std::vector<std::array<double, columns>>& rows) {
   return std::all_of(rows.begin(), rows.end(), [](const std::array<double, columns>& row) {
@@ -131,7 +135,9 @@ class ImportReceiver {
         "read through assimp: coordinates are float32, and vertices and faces are numbered as its "
         "importer found them");
     if (header_.left_out_faces > 0) {
-      parsed.notes.push_back(fmt::format("left out {} points and lines", header_.left_out_faces));
+      parsed.notes.push_back(
+          fmt::format("left out {} points and lines, which are not part of the surface",
+                      header_.left_out_faces));
     }
     if (!outside_.empty()) parsed.notes.push_back(about_outside());
   }
@@ -148,29 +154,34 @@ class ImportReceiver {
   }
 
   void require(bool plausible) const {
-    if (!plausible) fail_in_file(source_, "assimp's reply makes no sense");
+    if (!plausible) fail_in_file(source_, fmt::format("assimp's reply makes no sense{}", remedy));
   }
 
   [[noreturn]] void fail_for_memory() const {
     if (is_limited_below(limits_)) {
-      throw OutOfMemory(fmt::format("{}: assimp takes more memory than there is", source_.name()));
+      throw OutOfMemory(
+          fmt::format("{}: assimp needs more memory to read it than there is", source_.name()));
     }
-    fail_in_file(source_, fmt::format("assimp took more than {} of memory for it",
-                                      memory_text(limits_.memory)));
+    fail_in_file(source_, fmt::format("assimp needs more than {} of memory to read it{}",
+                                      memory_text(limits_.memory), remedy));
   }
 
   [[noreturn]] void fail_for_end(const ProcessEnd& end) const {
     constexpr int cannot_load = 127;  // the exit code if the dynamic linker fails
     if (end.timed_out || end.signal_number == SIGXCPU) {
-      fail_in_file(source_, fmt::format("assimp took more than {} s for it", limits_.time.count()));
+      fail_in_file(source_, fmt::format("assimp needs more than {} s to read it{}",
+                                        limits_.time.count(), remedy));
     }
     if (end.exit_code == cannot_load && is_limited_below(limits_)) fail_for_memory();
     if (end.signal_number != 0) {
-      fail_in_file(source_, fmt::format("assimp crashed on it (signal {}, {})", end.signal_number,
-                                        strsignal(end.signal_number)));
+      fail_in_file(source_,
+                   fmt::format("assimp, which reads this format, crashed (signal {}, {}){}",
+                               end.signal_number, strsignal(end.signal_number), remedy));
     }
-    fail_in_file(source_,
-                 fmt::format("assimp ended without a reply (exit code {})", end.exit_code));
+    fail_in_file(
+        source_,
+        fmt::format("assimp, which reads this format, ended without a reply (exit code {}){}",
+                    end.exit_code, remedy));
   }
 
   ImportProcess& process_;

@@ -40,7 +40,10 @@ std::pair<const Format*, std::string> choose_format(const SourceBytes& bytes,
                                                     const std::string& wanted) {
   if (!wanted.empty()) {
     const Format* format = find_format(wanted);
-    if (format == nullptr) throw BadOption(fmt::format("unknown mesh format '{}'", wanted));
+    if (format == nullptr) {
+      throw BadOption(fmt::format("--input-format: unknown mesh format '{}' (one of: {})", wanted,
+                                  readable_formats()));
+    }
     const std::string extension = path_extension(bytes.path());
     return {format, find_format(extension) == format ? extension : wanted};
   }
@@ -52,7 +55,10 @@ std::pair<const Format*, std::string> choose_format(const SourceBytes& bytes,
     }
   }
   if (bytes.size() == 0) fail_in_file(bytes, "the file is empty");
-  fail_in_file(bytes, "cannot tell the mesh format; name it with --input-format");
+  fail_in_file(bytes,
+               fmt::format("neither the name nor the first bytes tell the mesh format; name it "
+                           "with --input-format (one of: {})",
+                           readable_formats()));
 }
 
 void refuse_too_many_elements(const Mesh& mesh, const SourceBytes& bytes) {
@@ -85,8 +91,8 @@ void weld_vertices(ParsedMesh& parsed, std::optional<Weld>& result) {
   if (merged == 0) return;
   apply(weld, parsed.mesh);
   parsed.notes.push_back(
-      fmt::format("merged {} vertices that lay exactly on others; vertices are "
-                  "numbered in the order in which their places are first met",
+      fmt::format("merged {} vertices that lay exactly on others; the new vertices "
+                  "are numbered in the order in which their positions first occur",
                   merged));
   result = std::move(weld);
 }
@@ -165,9 +171,10 @@ const SourceBytes& MeshFile::bytes() const {
 
 std::vector<std::uint8_t> MeshFile::vertex_mask(const std::string& name) const {
   if (format().vertex_mask == nullptr) {
-    throw BadOption(
-        fmt::format("{}: {} files have no groups or vertex properties to select '{}' by",
-                    this->name(), format().title, name));
+    throw BadOption(fmt::format(
+        "{}: {} files have no groups or vertex properties to select '{}' by; OBJ and PLY "
+        "files have them",
+        this->name(), format().title, name));
   }
   if (!welded()) return format().vertex_mask(bytes(), mesh(), name);
   const std::vector<std::uint8_t> own = format().vertex_mask(bytes(), contents_->unwelded(), name);
@@ -224,8 +231,8 @@ CloseWeld::CloseWeld(const MeshFile& source, const Weld& weld) : file(source) {
     contents->kept = contents->kept ? combined(*contents->kept, left) : left;
     collapsed_faces = faces - mesh.faces.size();
     if (mesh.faces.size() == 0) {
-      throw BadMesh(
-          fmt::format("{}: with this tolerance of the welding no face is left", source.name()));
+      throw BadMesh(fmt::format(
+          "{}: --weld: no face is left; a smaller LENGTH merges fewer vertices", source.name()));
     }
   }
   contents->weld = contents->weld ? combined(*contents->weld, weld) : weld;

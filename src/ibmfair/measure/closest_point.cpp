@@ -54,7 +54,7 @@ ClosestPoint::ClosestPoint(const Points& X, const Triangles& F) : tree_(std::mak
     }
   }
   if (tree_->triangles.empty()) {
-    throw BadMesh("distances need a surface, but no triangle of the mesh has any area");
+    throw BadMesh("distances need a surface, but no triangle has any area");
   }
   tree_->boxes.rebuild(tree_->triangles.cbegin(), tree_->triangles.cend());
   tree_->boxes.build();

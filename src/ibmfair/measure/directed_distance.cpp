@@ -26,7 +26,8 @@ Samples spread_over(const Points& X, const Triangles& F, std::int64_t count) {
   std::vector<double> up_to(static_cast<std::size_t>(area.size()));
   std::partial_sum(area.begin(), area.end(), up_to.begin());
   if (up_to.empty() || !(up_to.back() > 0.0 && std::isfinite(up_to.back()))) {
-    throw BadMesh("distances need a surface, but the mesh has no area, or an infinite one");
+    throw BadMesh(
+        "distances need a surface, but the triangles have no area together, or an infinite one");
   }
   constexpr std::uint64_t seed = 1;
   RandomNumbers random(seed);

@@ -11,7 +11,8 @@ namespace ibmfair {
 
 ExactSphere::ExactSphere(Vec3 center, double radius) : center_(std::move(center)), radius_(radius) {
   if (!(radius > 0.0 && std::isfinite(radius))) {
-    throw BadOption(fmt::format("a sphere of radius {} cannot be", radius));
+    throw BadOption(
+        fmt::format("--sphere: the radius must be positive and finite, not {}", radius));
   }
 }
 
@@ -27,8 +28,9 @@ Vec3 ExactSphere::normal(const Vec3& x) const {
 ExactTorus::ExactTorus(Vec3 center, double axis_radius, double tube_radius)
     : center_(std::move(center)), axis_radius_(axis_radius), tube_radius_(tube_radius) {
   if (!(axis_radius > tube_radius && tube_radius > 0.0 && std::isfinite(axis_radius))) {
-    throw BadOption(fmt::format("a torus of radii {} and {} cannot be: the first must be larger",
-                                axis_radius, tube_radius));
+    throw BadOption(fmt::format(
+        "--torus: the first radius must be larger than the second, but they are {} and {}",
+        axis_radius, tube_radius));
   }
 }
 

@@ -33,8 +33,8 @@ struct Layout {
 
 void require(std::string_view what, Index count, Index smallest, bool even) {
   if (count < smallest || (even && count % 2 != 0)) {
-    throw BadOption(fmt::format("{}: {} does not fit, it must be at least {}{}", what, count,
-                                smallest, even ? " and even, or else straight" : ""));
+    throw BadOption(fmt::format("{}: {} does not fit this shape; it must be at least {}{}", what,
+                                count, smallest, even ? " and, without --straight, even" : ""));
   }
 }
 
@@ -61,8 +61,8 @@ Counts complete(const GridSize& size, const Layout& layout) {
                           layout.smallest_rows);
     counts.rows += even ? counts.rows % 2 : 0;
   }
-  require("rows", counts.rows, layout.smallest_rows, even);
-  require("columns", counts.columns, layout.smallest_columns, false);
+  require("--rows", counts.rows, layout.smallest_rows, even);
+  require("--columns", counts.columns, layout.smallest_columns, false);
   require_shape_size(2.0 * counts.rows * counts.columns);
   return counts;
 }
@@ -70,7 +70,7 @@ Counts complete(const GridSize& size, const Layout& layout) {
 void require_ratio(double ratio, double smallest) {
   constexpr double largest = 1e6;
   if (!(ratio > smallest && ratio <= largest)) {
-    throw BadOption(fmt::format("ratio: {} is out of range, it must be above {} and at most {}",
+    throw BadOption(fmt::format("--ratio: {} is out of range; it must be above {} and at most {}",
                                 ratio, smallest, largest));
   }
 }
@@ -152,8 +152,8 @@ TriangleMesh make_cylinder(double height, const GridSize& size) {
 TriangleMesh make_catenoid(double height, const GridSize& size) {
   require_ratio(height, 0.0);
   if (height > 20.0) {
-    throw BadOption(
-        fmt::format("ratio: a catenoid {} high is too wide, make it at most 20", height));
+    throw BadOption(fmt::format(
+        "--ratio: a catenoid of height {} is too wide; the height must be at most 20", height));
   }
   const Counts counts = complete(size, {height / two_pi, false, true, 2, 3});
 

@@ -22,7 +22,7 @@ double mean_side(const Points& X, const Triangles& F) {
 RandomOffsets::RandomOffsets(const Jitter& jitter) : amount_(jitter.amount), random_(jitter.seed) {
   if (!(amount_ >= 0 && amount_ < 0.5)) {
     throw BadOption(
-        fmt::format("jitter: {} is out of range, it must be at least 0 and below 0.5", amount_));
+        fmt::format("--jitter: {} is out of range; it must be at least 0 and below 0.5", amount_));
   }
 }
 

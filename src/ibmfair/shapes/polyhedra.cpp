@@ -25,12 +25,12 @@ TriangleMesh subdivide(TriangleMesh mesh, const Subdivision& subdivision,
                        void (*place)(Points& X, Eigen::Index first_new)) {
   const auto polyhedron_faces = mesh.F.rows();
   if (subdivision.levels < 0 || subdivision.levels > most_levels) {
-    throw BadOption(fmt::format("{} subdivisions cannot be made: give 0 to {}", subdivision.levels,
-                                most_levels));
+    throw BadOption(fmt::format("--subdivide: {} is out of range; it must be from 0 to {}",
+                                subdivision.levels, most_levels));
   }
   if (subdivision.refined_face &&
       (*subdivision.refined_face < 0 || *subdivision.refined_face >= polyhedron_faces)) {
-    throw BadOption(fmt::format("there is no face {} to refine: the shape has faces 0 to {}",
+    throw BadOption(fmt::format("--refine-face: there is no face {}; the shape has faces 0 to {}",
                                 *subdivision.refined_face, polyhedron_faces - 1));
   }
   const Eigen::Index children = Eigen::Index{1} << (2 * subdivision.levels);

@@ -63,8 +63,8 @@ void require_applicable(const Shape& shape, const ShapeSettings& settings) {
   for (const auto& [name, is_given] : given) {
     if (is_given &&
         std::find(shape.settings.begin(), shape.settings.end(), name) == shape.settings.end()) {
-      throw BadOption(fmt::format("the shape '{}' has no '{}', only {}", shape.name, name,
-                                  fmt::join(shape.settings, ", ")));
+      throw BadOption(fmt::format("the shape '{}' takes no --{}; it takes --{}", shape.name, name,
+                                  fmt::join(shape.settings, ", --")));
     }
   }
 }

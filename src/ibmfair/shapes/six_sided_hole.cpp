@@ -118,7 +118,7 @@ double trivial_height(double x, double y, const std::array<double, 6>& heights) 
 
 TriangleMesh make_six_sided_hole(int subdivide) {
   if (subdivide < 1) {
-    throw BadOption("the six-sided hole must be subdivided at least once");
+    throw BadOption("--subdivide: the six-sided hole must be subdivided at least once");
   }
   require_shape_size(96 * std::pow(4.0, subdivide));
   TriangleMesh mesh = control_mesh();

@@ -138,8 +138,10 @@ TriangleMesh split_all_triangles(const TriangleMesh& mesh) {
 
 void require_shape_size(double face_count) {
   if (!(face_count <= static_cast<double>(largest_shape))) {
-    throw BadOption(fmt::format("the shape would have {:.4g} faces, at most {} can be made",
-                                face_count, largest_shape));
+    throw BadOption(
+        fmt::format("the shape would have {:.4g} faces, and at most {} can be made; "
+                    "smaller numbers for --subdivide, --rows or --columns make fewer",
+                    face_count, largest_shape));
   }
 }
 

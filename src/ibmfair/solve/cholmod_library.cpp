@@ -79,7 +79,7 @@ class Library {
 
   [[noreturn]] static void refuse(std::string_view why) {
     throw BadOption(fmt::format(
-        "CHOLMOD cannot be loaded ({}): install SuiteSparse, or take the solver multifrontal, "
+        "CHOLMOD cannot be loaded ({}): install SuiteSparse, or take --solver multifrontal, "
         "which gives the same results",
         why));
   }

@@ -28,8 +28,8 @@ bool fits(double bytes, const FlowOptions& options) {
   constexpr double mega = 1e6;
   const double limit = std::min(shape.options.memory_limit, resident_bytes() + available_bytes());
   std::string message = fmt::format(
-      "with the solver {1} the program would need {0:.0f} MB, of which {2:.0f} MB are in use "
-      "already; the limit is {3:.0f} MB",
+      "with the solver {1} the program needs {0:.0f} MB of memory, of which {2:.0f} MB are in use "
+      "already; the limit is {3:.0f} MB (--memory, or what is available)",
       (resident_bytes() + bytes_of(wanted, shape)) / mega, wanted.name, resident_bytes() / mega,
       limit / mega);
   for (const JacobianBackend& other : jacobian_backends()) {

@@ -52,7 +52,7 @@ std::vector<Index> counted_unknowns(const TrialMesh& mesh, const Unknowns& unkno
     return counted.empty() || counted[unknowns.vertex[u]] != 0;
   });
   if (found.empty()) {
-    throw BadMesh("no vertex moves, so that no cut-off can be chosen");
+    throw BadMesh("no cut-off can be chosen, because no vertex is free to move");
   }
   return found;
 }

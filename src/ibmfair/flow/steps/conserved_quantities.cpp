@@ -3,6 +3,9 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <string>
+
+#include <fmt/format.h>
 
 #include "ibmfair/base/errors.h"
 #include "ibmfair/base/parallel.h"
@@ -115,9 +118,13 @@ ConservedQuantities::ConservedQuantities(const Points& X, const Topology& topolo
     }
   }
   if (!kept_.empty() && !(topology.boundary_loops.empty() && topology.orientable)) {
-    throw BadMesh(topology.orientable
-                      ? "volume and area can be kept on closed meshes only; this one has holes"
-                      : "volume and area can be kept on orientable meshes only");
+    throw BadMesh(
+        topology.orientable
+            ? fmt::format("--keep-volume and --keep-area need a closed mesh, and this one has {} "
+                          "boundary loops (`ibmfair fill` closes holes)",
+                          topology.boundary_loops.size())
+            : std::string("--keep-volume and --keep-area need an orientable mesh, and this one has "
+                          "only one side"));
   }
   linearise(X, [](const Points& B, Points& Y) { Y = B; });
   for (std::size_t i = 0; i < kept_.size(); ++i) {

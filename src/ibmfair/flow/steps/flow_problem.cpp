@@ -28,11 +28,10 @@ std::unique_ptr<BendingEnergy> bind_energy(const Topology& topology, const FlowO
 std::string cause_of_overflow(const Points& X) {
   const double size = std::pow(bounding_box_size(X).maxCoeff(), 4);
   if (std::isnormal(size)) {
-    return "some triangles have hardly any area";
+    return "some triangles have hardly any area (`ibmfair info` gives the smallest angle and edge)";
   }
-  return size > 0 ? "its edges are too long to compute with"
-                  : "its edges are too short to compute "
-                    "with";
+  return size > 0 ? "its edges are too long to compute with; scale the mesh down"
+                  : "its edges are too short to compute with; scale the mesh up";
 }
 
 }  // namespace
