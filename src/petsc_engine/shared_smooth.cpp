@@ -47,8 +47,9 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 void require_shareable(const SmoothArguments& arguments) {
   const auto refuse = [](bool asked, const char* option) {
     if (asked) {
-      throw BadOption(
-          fmt::format("{} needs the mesh in one place: not with --engine petsc", option));
+      throw BadOption(fmt::format(
+          "{} needs the whole mesh in one process, so it cannot be combined with --engine petsc",
+          option));
     }
   };
   refuse(!arguments.picture.path.empty(), "--picture");

@@ -243,6 +243,33 @@ TEST_F(RankFiles, AndValuesThatNoVertexCanHaveAreNamed) {
   }
 }
 
+TEST_F(RankFiles, HaveTheTypeOfCoordinatesThatOneProcessWrites) {
+  const auto type_of = [](const std::string& path) {
+    const std::string bytes = read_bytes(path);
+    const std::size_t at = bytes.find("property ") + 9;
+    return bytes.substr(at, bytes.find(' ', at) - at);
+  };
+  for (const std::string move : {"0,0,0", "1e6,0,0"}) {
+    ASSERT_EQ(run_program({"make", "icosphere", files_ / "in.ply", "--subdivide", "3", "--noise",
+                           "0.1", "--precision", "float", "--move", move, "--overwrite"})
+                  .exit_code,
+              0);
+    for (const std::string precision : {"keep", "float", "double"}) {
+      SCOPED_TRACE(move + " " + precision);
+      const Words smooth{"smooth", files_ / "in.ply", files_ / "out.ply", "--steps",
+                         "2",      "--precision",     precision,          "--overwrite"};
+      EXPECT_EQ(run_program(smooth).exit_code, 0);
+      const std::string one = type_of(files_ / "out.ply");
+      const RunResult several = run_on_ranks(2, smooth + Words{"--engine", "petsc"});
+      EXPECT_EQ(several.exit_code, 0) << several.err;
+      EXPECT_EQ(type_of(files_ / "out.ply"), one);
+      EXPECT_EQ(one, precision == "keep" ? (move[0] == '0' ? "float" : "double") : precision);
+      EXPECT_EQ(contains(several.err, "--precision float rounds them"),
+                precision == "keep" && one == "double");
+    }
+  }
+}
+
 TEST_F(RankFiles, AndOptionsThatDoNotFitAreNamed) {
   const std::string input = rich_file(false);
   const auto refused = [&](const Words& options) {
@@ -254,7 +281,8 @@ TEST_F(RankFiles, AndOptionsThatDoNotFitAreNamed) {
   EXPECT_TRUE(contains(refused({"--mask", "red-ish"}), "no vertex property is called 'red-ish'"));
   EXPECT_TRUE(contains(refused({"--picture", files_ / "a.png"}), "--picture"));
   EXPECT_TRUE(contains(refused({"--keep-volume"}), "--keep-volume"));
-  EXPECT_TRUE(contains(refused({"--laplacian", "intrinsic-delaunay"}), "one piece"));
+  EXPECT_TRUE(
+      contains(refused({"--laplacian", "intrinsic-delaunay"}), "the whole mesh in one process"));
   EXPECT_TRUE(contains(refused({"--stepps", "3"}), "--steps"));
   EXPECT_FALSE(left_something());
 }

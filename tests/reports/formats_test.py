@@ -78,7 +78,8 @@ class FormatsTest(ProgramTest):
             (("--report", "r.txt"), 2, ".json, .csv, .html"),
             (("--report", "r.json", "--report", "./r.json"), 2, "already"),
             (("--report", "b.json"), 2, "the output already"),
-            (("--report", "r.json", "--picture", "r.json"), 2, "already"),
+            (("--report", "r", "--picture", "r"), 2, "already"),
+            (("--picture", "r.jpg"), 2, ".png"),
             (("--report", "there.json"), 6, "exists"),
             (("--report", "none/r.csv"), 6, "none/r.csv"),
         )
