@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "ibmfair/base/process_memory.h"
 #include "ibmfair/io/threemf.h"
 #include "ibmfair/io/threemf_part.h"
 #include "ibmfair/io/xml_tags.h"
@@ -17,7 +18,7 @@ namespace {
 constexpr std::string_view relations = "_rels/.rels";
 constexpr std::string_view model_relation = "/3dmodel";  // how the type of the relation ends
 constexpr std::string_view usual_model = "3D/3dmodel.model";
-constexpr std::int64_t most_placements = 10'000'000;
+constexpr std::int64_t most_placements = 100'000;
 constexpr std::size_t deepest = 1000;
 
 /// The name of a part as the archive has it.
@@ -132,6 +133,7 @@ class PackageReader {
         faces_.size() + std::ssize(object.F) > most_elements) {
       fail_in_file(source_, fmt::format("more than {} vertices or faces", most_elements));
     }
+    require_memory(first + std::ssize(object.X), faces_.size() + std::ssize(object.F));
     for (const std::array<double, 3>& x : object.X) {
       const Eigen::RowVector3d at = transform(Eigen::RowVector3d(x[0], x[1], x[2]));
       if (!at.allFinite()) {
@@ -155,6 +157,17 @@ class PackageReader {
       corner_texture_.insert(corner_texture_.end(), rows.begin(), rows.end());
     }
     has_colours_ = has_colours_ || holder.has_colours;
+  }
+
+  /// Throws OutOfMemory if a mesh of this size does not fit into the memory: a small package can
+  /// place a large object many times. Lists that grow take up to twice the size of their contents.
+  void require_memory(std::int64_t vertices, std::int64_t faces) {
+    constexpr double bytes_per_vertex = 24, bytes_per_face = 3 * 4 + 8 + 3 * 4;
+    const double bytes = bytes_per_vertex * static_cast<double>(vertices) +
+                         bytes_per_face * static_cast<double>(faces);
+    if (bytes <= checked_bytes_) return;
+    checked_bytes_ = 2 * bytes;
+    require_available(checked_bytes_, source_.name());
   }
 
   /// The rows of texture_ for the corners of a triangle; -1 for corners without texture.
@@ -185,6 +198,7 @@ class PackageReader {
   std::vector<Index> corner_texture_;
   std::map<const void*, std::size_t> first_row_;  // of the groups in texture_
   bool has_colours_ = false;
+  double checked_bytes_ = 0;  // that are known to fit into the memory
 };
 
 }  // namespace
