@@ -75,7 +75,8 @@ MeshFile welded_within(const Length& length, const MeshFile& file, const Console
   }
   if (weld.collapsed_edges > 0) {
     console.warning(fmt::format(
-        "--weld: {} shorter than the tolerance {:.6g}, and collapsed; with them {} left out",
+        "--weld: {} shorter than the tolerance {:.6g}, and collapsed; with them {} left out "
+        "(a smaller LENGTH keeps them)",
         counted(weld.collapsed_edges, "edge was", "edges were"), tolerance,
         counted(weld.collapsed_faces, "face was", "faces were")));
   }

@@ -220,8 +220,8 @@ std::string warning_on_end(const SmoothArguments& arguments, const SmoothResult&
                        "of {:.4g} instead of {:.4g}",
                        length_reached(result), result.plan.cutoff);
     case FlowStatus::diverged:
-      return "the flow diverged, and the last finite mesh was written; take smaller steps, or "
-             "leave out --plain";
+      return "the flow diverged, and the last finite mesh was written; take smaller steps (a "
+             "larger number of --steps, or a shorter --cutoff LENGTH), or leave out --plain";
   }
   return {};
 }

@@ -134,7 +134,13 @@ TEST_F(Messages, NameBothOptionsThatCannotBeCombined) {
       {{"fill", "open.off", "o.off", "--region", "@all", "--only", "1"}, {"--only", "--region"}},
       {{"fill", "open.off", "o.off", "--continuity", "1", "--mass", "none"},
        {"--mass", "--continuity 1"}},
-      {{"smooth", "ball.off"}, {"OUT is missing"}},
+      {{"smooth", "ball.off"}, {"the argument OUT is missing"}},
+      {{"smooth", "ball.off", "o.off", "--cutoff"}, {"--cutoff needs a value: LENGTH|auto"}},
+      {{"smooth", "ball.off", "o.off", "--mass"}, {"--mass needs a value: one of ", ", voronoi"}},
+      {{"compare", "ball.off", "--torus"}, {"--torus needs a value: R,r"}},
+      {{"fill", "open.off", "o.off", "--all=x"}, {"--all takes no value", "'x'"}},
+      {{"smooth", "ball.off", "o.off", "--steps", "1", "--steps", "2"},
+       {"--steps is given 2 times"}},
   });
 }
 

@@ -153,7 +153,7 @@ CreasedPatch fill_sheets(const Topology& topology, const Patch& plain,
   std::erase_if(methods, [](const PatchMethod& method) { return method.smooth_directions; });
   const SplitHole split(topology, plain, creases.rim, creases.network);
   if (split.crease_size() > most_vertices) {
-    throw BadMesh("its creases alone exceed the limit of new vertices");
+    throw BadMesh("its creases alone exceed the limit of new vertices (--max-new-vertices)");
   }
   std::vector<Sheet> sheets;
   CreasedPatch result;

@@ -334,7 +334,7 @@ void HoleFiller::accept(FilledGroup& group, Attempt attempt) const {
   report.fairing = attempt.fairing;
   if (!attempt.refined) {
     report.status = HoleStatus::coarse;
-    report.reason = "the limit of new vertices ended its refinement";
+    report.reason = "the limit of new vertices (--max-new-vertices) ended its refinement";
   } else if (attempt.other_sheets > 0) {
     report.status = HoleStatus::not_converged;
     report.reason = "no patch of stationary energy could be used between some of its creases";
