@@ -83,7 +83,7 @@ TEST(StlReading, CallsATextTruncatedWhereverItEndsWithinATriangle) {
 
 TEST(StlReading, TakesWholeFilesWithoutAWord) {
   const Mesh mesh = barrel(5);
-  const Index triangles = static_cast<Index>(triangulate(mesh).F.rows());
+  const auto triangles = static_cast<Index>(triangulate(mesh).F.rows());
   for (const std::string name : {"barrel", "", "facet of a solid", "W\xC3\xBCrfel", "endfacet"}) {
     for (const std::string end : {"\n", "\r\n", " \n\t"}) {
       SCOPED_TRACE(name);

@@ -30,22 +30,22 @@ std::string mesh_xml(const Mesh& mesh, const std::string& of_triangles = "") {
 }
 
 std::string object_xml(int id, const std::string& contents, const std::string& more = "") {
-  return fmt::format("<object id=\"{}\" type=\"model\"{}>{}</object>", id, more, contents);
+  return fmt::format(R"(<object id="{}" type="model"{}>{}</object>)", id, more, contents);
 }
 
 std::string model_xml(const std::string& resources, const std::string& build) {
   return "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<!-- a <model> -->\n"
-         "<model unit=\"millimeter\" "
-         "xmlns=\"http://schemas.microsoft.com/3dmanufacturing/core/2015/"
-         "02\" xmlns:p=\"http://schemas.microsoft.com/3dmanufacturing/production/2015/06\">"
-         "<metadata name=\"Application\">a > b</metadata><resources>" +
+         R"(<model unit="millimeter" )"
+         R"(xmlns="http://schemas.microsoft.com/3dmanufacturing/core/2015/)"
+         R"(02" xmlns:p="http://schemas.microsoft.com/3dmanufacturing/production/2015/06">)"
+         R"(<metadata name="Application">a > b</metadata><resources>)" +
          resources + "</resources><build>" + build + "</build></model>";
 }
 
 const std::string relations =
-    "<Relationships xmlns=\"http://schemas.openxmlformats.org/package/2006/relationships\">"
-    "<Relationship Target=\"/Metadata/thumbnail.png\" Id=\"rel-2\" Type=\"http://schemas."
-    "openxmlformats.org/package/2006/relationships/metadata/thumbnail\"/>"
+    R"(<Relationships xmlns="http://schemas.openxmlformats.org/package/2006/relationships">)"
+    R"(<Relationship Target="/Metadata/thumbnail.png" Id="rel-2" Type="http://schemas.)"
+    R"(openxmlformats.org/package/2006/relationships/metadata/thumbnail"/>)"
     "<Relationship Target='/3D/3dmodel.model' Id='rel-1' "
     "Type='http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel'/></Relationships>";
 
@@ -66,7 +66,7 @@ std::string refusal(const std::string& model) {
   return read_error(zip_of(package(model)), "a.3mf");
 }
 
-const std::string item = "<item objectid=\"1\"/>";
+const std::string item = R"(<item objectid="1"/>)";
 
 TEST(ThreeMf, HoldsEveryMeshExactly) {
   for (const NamedMesh& named : at_all_scales(good_meshes())) {
@@ -87,14 +87,14 @@ TEST(ThreeMf, HoldsEveryMeshExactly) {
 
 TEST(ThreeMf, PlacesComponentsAndItems) {
   const Mesh mesh = barrel(5);
-  const Index count = static_cast<Index>(mesh.X.rows());
-  const std::string shifted = " transform=\"1 0 0 0 1 0 0 0 1 100 0 0\"";
-  const std::string turned = " transform=\"0 1 0 -1 0 0 0 0 1 0 0 7\"";
+  const auto count = static_cast<Index>(mesh.X.rows());
+  const std::string shifted = R"( transform="1 0 0 0 1 0 0 0 1 100 0 0")";
+  const std::string turned = R"( transform="0 1 0 -1 0 0 0 0 1 0 0 7")";
   const MeshFile file = read(package(model_xml(
       object_xml(1, mesh_xml(mesh)) +
-          object_xml(2, "<components><component objectid=\"1\"/><component objectid=\"1\"" +
+          object_xml(2, R"(<components><component objectid="1"/><component objectid="1")" +
                             shifted + "/></components>"),
-      "<item objectid=\"2\"" + turned + "/><item objectid=\"1\"/>")));
+      R"(<item objectid="2")" + turned + R"(/><item objectid="1"/>)")));
   const Points& X = file.mesh().X;
   ASSERT_EQ(X.rows(), 3 * count);
   for (Index v = 0; v < count; ++v) {
@@ -110,7 +110,7 @@ TEST(ThreeMf, MirroredObjectsStayOriented) {
   const Mesh mesh = barrel(5);
   const MeshFile file =
       read(package(model_xml(object_xml(1, mesh_xml(mesh)),
-                             "<item objectid=\"1\" transform=\"-1 0 0 0 1 0 0 0 1 0 0 0\"/>")));
+                             R"(<item objectid="1" transform="-1 0 0 0 1 0 0 0 1 0 0 0"/>)")));
   const auto volume = [](const Mesh& m) {
     double sum = 0;
     const Triangles F = triangulate(m).F;
@@ -124,20 +124,19 @@ TEST(ThreeMf, MirroredObjectsStayOriented) {
 TEST(ThreeMf, FollowsThePathsOfTheProductionExtension) {
   const Mesh mesh = barrel(5);
   Entries entries = package(model_xml(
-      object_xml(8,
-                 "<components><component objectid=\"1\" p:path=\"/3D/Objects/a&amp;b.model\"/>"
-                 "</components>"),
-      "<item objectid=\"8\"/><item objectid=\"1\" p:path=\"/3d/objects/A&amp;b.model\"/>"));
+      object_xml(8, R"(<components><component objectid="1" p:path="/3D/Objects/a&amp;b.model"/>)"
+                    "</components>"),
+      R"(<item objectid="8"/><item objectid="1" p:path="/3d/objects/A&amp;b.model"/>)"));
   entries.emplace_back("3D/Objects/a&b.model", model_xml(object_xml(1, mesh_xml(mesh)), ""));
   EXPECT_EQ(read(entries).mesh().X.rows(), 2 * mesh.X.rows());
 }
 
 TEST(ThreeMf, ReadsTextureCoordinates) {
-  const MeshFile file = read(package(
-      model_xml("<m:texture2dgroup id=\"5\" texid=\"4\"><m:tex2coord u=\"0.25\" v=\"0\"/>"
-                "<m:tex2coord u=\"1\" v=\"0.5\"/></m:texture2dgroup>" +
-                    object_xml(1, mesh_xml(barrel(5), " pid=\"5\" p1=\"1\" p2=\"0\" p3=\"9\"")),
-                item)));
+  const MeshFile file = read(
+      package(model_xml(R"(<m:texture2dgroup id="5" texid="4"><m:tex2coord u="0.25" v="0"/>)"
+                        R"(<m:tex2coord u="1" v="0.5"/></m:texture2dgroup>)" +
+                            object_xml(1, mesh_xml(barrel(5), R"( pid="5" p1="1" p2="0" p3="9")")),
+                        item)));
   EXPECT_TRUE(file.has_texture_coordinates());
   const MeshAttributes attributes = file.attributes();
   ASSERT_EQ(attributes.texture_coordinates.size(), 2U);
@@ -172,18 +171,18 @@ TEST(ThreeMf, RefusesWithThePlaceInThePackage) {
     return model_xml(object_xml(1, replaced(good, what, by)), item);
   };
   for (const Fault& fault : std::vector<Fault>{
-           {with("z=\"2\"", "z=\"two\""), "z: not a number in 'two"},
-           {with(" z=\"2\"", ""), "the attribute 'z' is missing"},
-           {with("v1=\"10\"", "v1=\"99\""), "there is no vertex 99 (the object has 12"},
-           {with("v1=\"10\"", "v1=\"-1\""), "v1: not a whole number"},
+           {with(R"(z="2")", R"(z="two")"), "z: not a number in 'two"},
+           {with(R"( z="2")", ""), "the attribute 'z' is missing"},
+           {with(R"(v1="10")", R"(v1="99")"), "there is no vertex 99 (the object has 12"},
+           {with(R"(v1="10")", R"(v1="-1")"), "v1: not a whole number"},
            {with("</triangles>", ""), "<triangles> must be closed first"},
            {with("<vertices>", "<!DOCTYPE a>"), "document type definitions"},
            {model_xml(object_xml(1, good) + object_xml(1, good), item),
             "two objects with the id 1"},
-           {model_xml(object_xml(1, good), "<item objectid=\"7\"/>"), "there is no object 7"},
-           {model_xml(object_xml(1, good), "<item objectid=\"1\" transform=\"1 0 0\"/>"),
+           {model_xml(object_xml(1, good), R"(<item objectid="7"/>)"), "there is no object 7"},
+           {model_xml(object_xml(1, good), R"(<item objectid="1" transform="1 0 0"/>)"),
             "a transform needs 12 numbers, and this one has 3"},
-           {model_xml(object_xml(1, "<components><component objectid=\"1\"/></components>"), item),
+           {model_xml(object_xml(1, R"(<components><component objectid="1"/></components>)"), item),
             "object 1 is a component of itself"},
            {model_xml(object_xml(1, "<mesh><vertices/><triangles/></mesh>"), item), "no vertices"},
            {model_xml(object_xml(1, good), "").substr(0, 700), "a.3mf: 3D/3dmodel.model"},
@@ -192,7 +191,7 @@ TEST(ThreeMf, RefusesWithThePlaceInThePackage) {
     EXPECT_TRUE(message.starts_with("a.3mf: ")) << message;
     EXPECT_NE(message.find(fault.message), std::string::npos) << fault.message << "\n" << message;
   }
-  EXPECT_NE(refusal(with("z=\"2\"", "z=\"two\"")).find("a.3mf: 3D/3dmodel.model:"),
+  EXPECT_NE(refusal(with(R"(z="2")", R"(z="two")")).find("a.3mf: 3D/3dmodel.model:"),
             std::string::npos);
 }
 
@@ -202,14 +201,14 @@ TEST(ThreeMf, RefusesComponentsWithoutEnd) {
   for (int i = 20; i > 0; --i) {
     std::string components;
     for (int k = 0; k < 10; ++k)
-      components += fmt::format("<component objectid=\"{}\"/>", i + 1);
+      components += fmt::format(R"(<component objectid="{}"/>)", i + 1);
     resources += object_xml(i, "<components>" + components + "</components>");
   }
   EXPECT_NE(refusal(model_xml(resources, item)).find("more than"), std::string::npos);
   std::string chain = object_xml(5001, mesh_xml(barrel(3)));
   for (int i = 5000; i > 0; --i) {
     chain +=
-        object_xml(i, fmt::format("<components><component objectid=\"{}\"/></components>", i + 1));
+        object_xml(i, fmt::format(R"(<components><component objectid="{}"/></components>)", i + 1));
   }
   EXPECT_NE(refusal(model_xml(chain, item)).find("nested more than"), std::string::npos);
 }
@@ -237,11 +236,11 @@ TEST(ThreeMf, RefusesDamagedArchives) {
 }
 
 TEST(ThreeMf, TakesTheMemoryOfTheContentsOnly) {
-  // 20 MB of blanks in 20 kB are read; a size that deflate cannot reach is not believed.
+  // 8 MB of blanks in 8 kB are read; a size that deflate cannot reach is not believed.
   std::string model = model_xml(object_xml(1, mesh_xml(barrel(5))), item);
-  model.insert(model.find("<resources>"), std::string(20'000'000, ' '));
+  model.insert(model.find("<resources>"), std::string(8'000'000, ' '));
   std::string bytes = zip_of(package(model));
-  EXPECT_LT(bytes.size(), 40'000U);
+  EXPECT_LT(bytes.size(), 20'000U);
   EXPECT_EQ(MeshFiles::read(bytes, "a.3mf").mesh().faces.size(), 20);
   const std::size_t entry = bytes.rfind("PK\1\2");
   for (int i = 0; i < 4; ++i)

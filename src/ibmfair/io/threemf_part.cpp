@@ -106,10 +106,10 @@ class PartReader {
     if (values.size() != 12) {
       tags_.fail(fmt::format("a transform needs 12 numbers, and this one has {}", values.size()));
     }
-    for (int row = 0; row < 4; ++row) {
+    for (std::size_t row = 0; row < 4; ++row) {
       const Eigen::RowVector3d x(values[3 * row], values[3 * row + 1], values[3 * row + 2]);
       if (row < 3) {
-        place.transform.A.row(row) = x;
+        place.transform.A.row(static_cast<Eigen::Index>(row)) = x;
       } else {
         place.transform.t = x;
       }
