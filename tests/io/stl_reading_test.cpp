@@ -25,11 +25,11 @@ std::string ascii_stl(const Mesh& mesh, const std::string& name, const std::stri
   std::string text = "solid " + name + "\n";
   const Triangles F = triangulate(mesh).F;
   for (Eigen::Index t = 0; t < F.rows(); ++t) {
-    text += "facet normal 0 0 0" + end + "outer loop" + end;
+    text.append("facet normal 0 0 0").append(end).append("outer loop").append(end);
     for (const Index v : F.row(t)) {
       text += fmt::format("vertex {} {} {}{}", mesh.X(v, 0), mesh.X(v, 1), mesh.X(v, 2), end);
     }
-    text += "endloop" + end + "endfacet" + end;
+    text.append("endloop").append(end).append("endfacet").append(end);
   }
   return text;
 }

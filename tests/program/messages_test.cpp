@@ -2,6 +2,7 @@
 #include <string>
 #include <vector>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
@@ -85,9 +86,9 @@ TEST_F(Messages, NameTheWordsThatAnOptionTakes) {
 TEST_F(Messages, TakeANumberBehindAnOptionalLengthForTheLength) {
   for (const std::string option : {"--weld", "--stitch"}) {
     for (const std::string length : {"0", "-1", "0e", "-2%"}) {
-      expect(
-          {{{"fill", "open.off", "o.off", option, length},
-            {option + ": '" + length + "' is not a positive length", "nothing behind " + option}}});
+      expect({{{"fill", "open.off", "o.off", option, length},
+               {fmt::format("{}: '{}' is not a positive length", option, length),
+                fmt::format("nothing behind {}", option)}}});
     }
   }
   expect({{{"info", "--weld", "0", "ball.off"}, {"--weld: '0' is not a positive length"}}});

@@ -48,7 +48,7 @@ std::string zip_of(const std::vector<std::pair<std::string, std::string>>& entri
     append(common, zip64 ? in_extra : data.size(), 4);
     append(common, zip64 ? in_extra : text.size(), 4);
     append(common, name.size(), 2);
-    bytes += "PK\3\4" + common + std::string(2, '\0') + name + data;
+    bytes.append("PK\3\4").append(common).append(2, '\0').append(name).append(data);
     std::string extra;
     if (zip64) {
       append(extra, 1, 2);
