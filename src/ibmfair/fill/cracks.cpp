@@ -5,8 +5,8 @@
 #include <limits>
 #include <tuple>
 
-#include "ibmfair/fill/box_grid.h"
 #include "ibmfair/io/weld.h"
+#include "ibmfair/mesh/box_grid.h"
 #include "ibmfair/mesh/union_find.h"
 
 namespace ibmfair {

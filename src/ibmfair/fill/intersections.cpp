@@ -6,7 +6,7 @@
 #include <CGAL/intersections.h>
 
 #include "ibmfair/base/parallel.h"
-#include "ibmfair/fill/box_grid.h"
+#include "ibmfair/mesh/box_grid.h"
 
 namespace ibmfair {
 namespace {

@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "ibmfair/base/errors.h"
-#include "ibmfair/fill/box_grid.h"
 #include "ibmfair/fill/patch_bound.h"
+#include "ibmfair/mesh/box_grid.h"
 
 namespace ibmfair {
 namespace {

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "ibmfair/base/types.h"
-#include "ibmfair/fill/box_grid.h"
 #include "ibmfair/fill/holes.h"
+#include "ibmfair/mesh/box_grid.h"
 #include "ibmfair/mesh/topology.h"
 
 namespace ibmfair {

@@ -1,4 +1,4 @@
-#include "ibmfair/fill/box_grid.h"
+#include "ibmfair/mesh/box_grid.h"
 
 #include <algorithm>
 #include <bit>
