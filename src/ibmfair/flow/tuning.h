@@ -282,6 +282,31 @@ struct CreaseTuning {
   double least_risk = 0.01;     ///< risk; below, no creases are looked for
 };
 
+/// Thin walls (flow/settings/thin_walls.h, flow/passes/restored_walls.h). Chosen on plates, trays,
+/// rings, shells, rods and leaves of 0.01 to 2 edges, with and without noise
+/// (tests/program/thin_walls_test.cpp). 75 to 100 % of their area have walls thinner than two
+/// edges; of a coarse bunny with thin ears it is 6 %, of other models at most 0.7 %.
+struct ThinWallTuning {
+  /// The thickest wall: mean edge lengths, and ratios to the cut-off and to the root of the area
+  /// (0.56 for a ball, 0.12 for a plate five times as wide as thick).
+  double edges = 2, of_cutoff = 0.25, of_size = 0.15;
+  double share = 0.25;  ///< ratio; of the area of a component that is a thin wall
+  /// A rim is where a path over the surface leads from one side of the wall to the other that is at
+  /// most this long: ratio to the thickness, plus ratio to the edge length.
+  double path = 1.3, beyond = 0.9;
+  double share_around = 0.5;  ///< ratio; of the area around a triangle whose wall counts
+  Index sample = 4'000;       ///< count; triangles that tell whether a large mesh has thin walls
+  int sweeps = 6;             ///< count; of averages over one ring of the change in thickness
+  int corrections = 8;        ///< count; one leaves a few hundredths of a change that varies slowly
+};
+
+/// Lines at which sheets meet (flow/passes/meeting_lines.h). Chosen on two half balls of voxels.
+struct MeetingLineTuning {
+  /// Ratio of the cut-off of the lines to that of the sheets. A line has fewer vertices within a
+  /// wavelength than a sheet, over which noise could average out.
+  double of_cutoff = 1.5;
+};
+
 /// The choice of the solver (flow/linear_system/). Seconds are those of one core of a machine of
 /// 2023; only their ratios matter. tools/solver_table prints the measurements.
 struct SolverTuning {
@@ -352,6 +377,8 @@ struct FlowTuning {
   CutoffTuning cutoff;
   NoiseTuning noise;
   CreaseTuning creases;
+  ThinWallTuning thin_walls;
+  MeetingLineTuning meeting_lines;
   SolverTuning solver;
 };
 
