@@ -57,7 +57,13 @@ std::string describe(const Topology& topology, const Kind& kind) {
   return text + (list.size() > most ? ", ...)" : ")");
 }
 
-constexpr const char* consequence = "left out of the energy, and the vertices there stay fixed";
+/// What follows from defects of this kind.
+const char* consequence(const Kind& kind) {
+  return kind.list == &Defects::non_manifold_edges
+             ? "left out of the energy, and their vertices do not move with the sheets that meet "
+               "there"
+             : "left out of the energy, and their vertices stay fixed";
+}
 
 /// The vertices of element i.
 std::vector<Index> vertices_of(const Topology& topology, const Kind& kind, Index i) {
@@ -112,7 +118,7 @@ std::vector<Warning> defect_list(const Points& X, const Topology& topology) {
   for (const Kind& kind : kinds) {
     const auto& list = topology.defects.*kind.list;
     if (!list.empty()) {
-      warnings.push_back({fmt::format("{}: {}", describe(topology, kind), consequence)});
+      warnings.push_back({fmt::format("{}: {}", describe(topology, kind), consequence(kind))});
     }
     for (std::size_t i = 0; i < std::min(most, list.size()); ++i) {
       const ScenePlace place = place_of_element(X, topology, kind, list[i]);
@@ -126,8 +132,10 @@ void warn_of_defects(const Topology& topology, bool strict, const Console& conso
   if (strict) {
     require_no_defects(topology);
   }
-  for (const std::string& line : defect_lines(topology)) {
-    console.warning(fmt::format("{}: {}", line, consequence));
+  for (const Kind& kind : kinds) {
+    if (!(topology.defects.*kind.list).empty()) {
+      console.warning(fmt::format("{}: {}", describe(topology, kind), consequence(kind)));
+    }
   }
 }
 

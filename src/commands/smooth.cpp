@@ -70,8 +70,10 @@ Smoothing read_smoothing(const SmoothArguments& arguments, const Console& consol
   s.topology = build_topology(s.before(), triangulate(s.file.mesh()).F);
   s.result.vertices = s.topology.vertex_count;
   s.result.triangles = s.topology.F.rows();
-  s.result.closed = s.topology.boundary_loops.empty();
+  s.result.closed =
+      s.topology.boundary_loops.empty() && s.topology.defects.non_manifold_edges.empty();
   s.result.defective = std::ranges::find(s.topology.defective, 1) != s.topology.defective.end();
+  s.result.duplicates = std::ssize(s.topology.defects.duplicate);
   s.result.coincident = coincident_vertices(s.before(), s.topology);
   s.X = s.before();
   return s;
@@ -128,6 +130,9 @@ void measure(Smoothing& s) {
   result.before = statistics(s.before(), result.flow.energy_before);
   result.after = statistics(s.X, result.flow.energy_after);
   measure_moves(s.before(), s.X, result);
+  if (options.steps > 0) {
+    result.thickening = median_thickening(s.before(), s.X, s.topology, result.plan.wall_sample);
+  }
 }
 
 ExitCode forecast(const SmoothArguments& arguments, const Smoothing& s, Report& report,

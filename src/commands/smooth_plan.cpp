@@ -12,9 +12,12 @@
 #include "ibmfair/base/stopwatch.h"
 #include "ibmfair/flow/fixed_vertices.h"
 #include "ibmfair/flow/part_measures.h"
+#include "ibmfair/flow/passes/meeting_lines.h"
+#include "ibmfair/flow/passes/restored_walls.h"
 #include "ibmfair/flow/settings/crease_choice.h"
 #include "ibmfair/flow/settings/level_steps.h"
 #include "ibmfair/flow/settings/no_noise.h"
+#include "ibmfair/flow/settings/thin_walls.h"
 #include "ibmfair/flow/time_scale.h"
 #include "ibmfair/flow/tuning.h"
 
@@ -52,6 +55,7 @@ class Planner {
           set_scale();
         }
       }
+      find_thin_walls();
     }
     if (!arguments_.anisotropy.empty()) {
       project_directions();
@@ -106,7 +110,45 @@ class Planner {
     for (Eigen::Index v = 0; v < input_.weights.size(); ++v) {
       fixed[v] |= input_.weights[v] > 0 ? 0 : 1;
     }
+    if (input_.parts.is_whole() && !arguments_.plain) {
+      find_lines();
+    }
     input_.parts.refresh(fixed);  // the border of a piece is no boundary of the mesh
+  }
+
+  /// Finds the lines at which sheets meet, and the factors of the cut-off there. Their vertices are
+  /// among the fixed ones as far as the flow of the sheets goes.
+  void find_lines() {
+    plan_.lines = find_meeting_lines(input_.topology);
+    if (plan_.lines.empty()) {
+      return;
+    }
+    plan_.line_factor = input_.weights.size() > 0
+                            ? input_.weights.cwiseMax(0)
+                            : Eigen::VectorXd(Eigen::VectorXd::Ones(input_.X.rows()));
+    for (const Index v : input_.listed) {
+      plan_.line_factor[v] = 0;
+    }
+    for (std::size_t v = 0; v < input_.mask.size(); ++v) {
+      plan_.line_factor[static_cast<Eigen::Index>(v)] *= input_.mask[v] ? 1 : 0;
+    }
+  }
+
+  /// The walls of a mesh are sampled for a remark on their thickness. Where the amount of smoothing
+  /// is not estimated from noise, the rims of thin walls are fixed.
+  void find_thin_walls() {
+    if (!input_.parts.is_whole()) {
+      return;
+    }
+    const Stopwatch watch(plan_.seconds_walls);
+    plan_.wall_sample = sample_walls(input_.X, input_.topology, plan_.cutoff);
+    if (arguments_.cutoff_auto || arguments_.time_step || arguments_.plain) {
+      return;
+    }
+    plan_.thin = thin_walls(input_.X, input_.topology, plan_.wall_sample);
+    for (std::size_t v = 0; v < plan_.thin.rims.size(); ++v) {
+      plan_.fixed[v] |= plan_.thin.rims[v];
+    }
   }
 
   double in_flow_units(double time) const {
@@ -257,7 +299,17 @@ FlowReport run_smoothing(const SmoothPlan& plan, Points& X, const Topology& topo
     progress.advance(step, options.steps, options.total_time);
     return !parts.any(PostponedEnd::signal_number() != 0);
   };
-  return willmore_flow(X, topology, plan.fixed, options, observe, parts);
+  const bool restores = !plan.thin.walls.empty() && !options.keep_volume && !options.keep_area &&
+                        !std::isfinite(options.max_move);
+  const Points start = restores ? X : Points();
+  if (!plan.lines.empty()) {
+    fair_meeting_lines(plan.lines, topology, plan.cutoff, plan.line_factor, options.max_move, X);
+  }
+  const FlowReport report = willmore_flow(X, topology, plan.fixed, options, observe, parts);
+  if (restores) {
+    restore_walls(start, topology, plan.fixed, plan.thin, options.laplacian, X);
+  }
+  return report;
 }
 
 }  // namespace ibmfair::commands

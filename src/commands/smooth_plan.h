@@ -8,7 +8,9 @@
 #include "commands/progress.h"
 #include "commands/smooth_arguments.h"
 #include "ibmfair/flow/mesh_parts.h"
+#include "ibmfair/flow/passes/meeting_lines.h"
 #include "ibmfair/flow/settings/cutoff_choice.h"
+#include "ibmfair/flow/settings/thin_walls.h"
 #include "ibmfair/flow/willmore_flow.h"
 #include "ibmfair/mesh/topology.h"
 
@@ -42,7 +44,11 @@ struct SmoothPlan {
   double cutoff = 0;                    ///< length that corresponds to flow.total_time
   std::optional<CutoffChoice> choice;   ///< how `cutoff` was chosen, with --cutoff auto
   std::optional<FoundCreases> creases;  ///< with --denoise
-  double seconds_choice = 0, seconds_directions = 0;
+  std::vector<MeetingLine> lines;       ///< where sheets meet; none if the mesh is in parts
+  Eigen::VectorXd line_factor;          ///< #V, of the cut-off at vertices of `lines`
+  WallSample wall_sample;               ///< empty if the mesh is in parts
+  ThinWalls thin;                       ///< their rims are among the fixed vertices
+  double seconds_choice = 0, seconds_directions = 0, seconds_walls = 0;
 };
 
 /// Resolves the arguments on a mesh. Vertices are fixed by --boundary, --fix, --mask and weights of

@@ -8,6 +8,7 @@
 #include "commands/signals.h"
 #include "commands/value_list.h"
 #include "ibmfair/base/angle.h"
+#include "ibmfair/flow/tuning.h"
 
 namespace ibmfair::commands {
 namespace {
@@ -149,8 +150,73 @@ std::string remark_on_texture(const SmoothArguments& arguments, const SmoothPlan
   return {};
 }
 
+/// The median thickness of the sampled walls.
+double median_thickness(const WallSample& sample) {
+  std::vector<double> thickness;
+  for (const Wall& wall : sample.walls) {
+    if (wall.exists()) {
+      thickness.push_back(wall.thickness);
+    }
+  }
+  if (thickness.empty()) {
+    return 0;
+  }
+  const auto middle = thickness.begin() + static_cast<std::ptrdiff_t>(thickness.size() / 2);
+  std::nth_element(thickness.begin(), middle, thickness.end());
+  return *middle;
+}
+
+/// A remark about rims of thin walls, which stay; empty if there are none.
+std::string remark_on_thin_walls(const SmoothPlan& plan) {
+  const auto rims = std::ranges::count(plan.thin.rims, 1);
+  if (rims == 0) {
+    return {};
+  }
+  const double thickness = median_thickness(plan.wall_sample);
+  return fmt::format(
+      "the mesh has walls that are thinner than two edges (about {:.3g}): {} at their rims and "
+      "next to them stay fixed, as bending would blow the walls up there; with a --cutoff of less "
+      "than {:.3g}u they move",
+      thickness, counted(rims, "vertex", "vertices"), thickness / tuning.thin_walls.of_cutoff);
+}
+
+/// A remark about the lines in which sheets meet; empty if there are none.
+std::string remark_on_lines(const SmoothPlan& plan) {
+  if (plan.lines.empty() || plan.flow.steps == 0) {
+    return {};
+  }
+  std::size_t vertices = 0;
+  for (const MeetingLine& line : plan.lines) {
+    vertices += line.vertices.size();
+  }
+  return fmt::format("{} in which three or more sheets meet, with {}, {} smoothed as curves",
+                     counted(std::ssize(plan.lines), "line", "lines"),
+                     counted(static_cast<long long>(vertices), "vertex", "vertices"),
+                     plan.lines.size() == 1 ? "was" : "were");
+}
+
+/// Why no vertex can move where no option is the cause, with what helps; empty otherwise.
+std::string cause_of_standstill(const SmoothResult& result) {
+  if (2 * result.duplicates >= result.triangles) {
+    return fmt::format(
+        ": {} of {} triangles have the same vertices as another, and the vertices of such "
+        "triangles "
+        "are fixed; ibmfair has no option that removes them (delete one triangle of each pair in a "
+        "mesh editor first)",
+        result.duplicates, result.triangles);
+  }
+  if (std::ranges::count(result.plan.thin.rims, 1) > 0) {
+    return ": all lie at rims of thin walls or are fixed by an option (see above)";
+  }
+  return "";
+}
+
 /// The warning if no vertex may move, with what fixes the vertices.
 std::string warning_on_fixed(const SmoothArguments& arguments, const SmoothResult& result) {
+  const std::string cause = cause_of_standstill(result);
+  if (!cause.empty()) {
+    return "no vertex is free to move, and the mesh is written as it was read" + cause;
+  }
   std::vector<std::string> causes;
   if (!result.closed && arguments.boundary != "free") {
     causes.emplace_back("open boundaries (--boundary free lets them move)");
@@ -175,7 +241,8 @@ std::string warning_on_fixed(const SmoothArguments& arguments, const SmoothResul
 std::vector<std::string> notes_on(const SmoothArguments& arguments, const SmoothResult& result) {
   std::vector<std::string> notes{remark_on_texture(arguments, result.plan),
                                  remark_on_noise(result.plan),
-                                 remark_on_coincident_vertices(result)};
+                                 remark_on_coincident_vertices(result),
+                                 remark_on_thin_walls(result.plan), remark_on_lines(result.plan)};
   if (!arguments.cutoff && !result.plan.choice && !arguments.time_step) {
     notes.push_back(remark_on_default_cutoff(result));
   }
@@ -195,6 +262,19 @@ std::string warning_on_volume(const SmoothArguments& arguments, const SmoothResu
                      before, after, change_text(before, after),
                      cause_of_volume_change(result.before, result.plan.cutoff),
                      remedies_for_volume(arguments, result.plan.flow));
+}
+
+std::string warning_on_walls(const SmoothArguments& arguments, const SmoothResult& result) {
+  constexpr double large_change = 0.1;
+  if (!(std::abs(result.thickening - 1) > large_change) ||
+      !warning_on_volume(arguments, result).empty()) {
+    return {};
+  }
+  return fmt::format(
+      "walls thinner than two edges have changed their thickness ({}, the median): they are "
+      "shorter across than the cut-off {:.4g}; what helps: {}",
+      change_text(1, result.thickening), result.plan.cutoff,
+      remedies_for_volume(arguments, result.plan.flow));
 }
 
 std::string warning_on_end(const SmoothArguments& arguments, const SmoothResult& result,

@@ -77,6 +77,9 @@ ordered_json seconds_json(const SmoothResult& result) {
   if (result.plan.seconds_directions > 0) {
     seconds["directions"] = result.plan.seconds_directions;
   }
+  if (result.plan.seconds_walls > 0) {
+    seconds["walls"] = result.plan.seconds_walls;
+  }
   seconds.update({{"assemble", s.assemble},
                   {"analyse", s.analyse},
                   {"factor", s.factor},
@@ -360,7 +363,8 @@ void print_result(const SmoothArguments& arguments, const SmoothResult& result,
                            written.moved_vertices, result.vertices, by),
                smooth_table(result, console.level() == Console::Level::verbose));
   for (const std::string& warning :
-       {warning_on_volume(arguments, result), warning_on_end(arguments, result, output)}) {
+       {warning_on_volume(arguments, result), warning_on_walls(arguments, result),
+        warning_on_end(arguments, result, output)}) {
     if (!warning.empty()) {
       console.warning(warning);
       report.warnings.push_back({warning});
