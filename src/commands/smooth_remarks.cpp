@@ -189,20 +189,20 @@ std::string remark_on_lines(const SmoothPlan& plan) {
   for (const MeetingLine& line : plan.lines) {
     vertices += line.vertices.size();
   }
-  return fmt::format("{} in which three or more sheets meet, with {}, {} smoothed as curves",
-                     counted(std::ssize(plan.lines), "line", "lines"),
-                     counted(static_cast<long long>(vertices), "vertex", "vertices"),
-                     plan.lines.size() == 1 ? "was" : "were");
+  return fmt::format(
+      "{} in which three or more sheets meet, with {}, {}",
+      counted(std::ssize(plan.lines), "line", "lines"),
+      counted(static_cast<long long>(vertices), "vertex", "vertices"),
+      plan.lines.size() == 1 ? "was smoothed as a curve" : "were smoothed as curves");
 }
 
 /// Why no vertex can move where no option is the cause, with what helps; empty otherwise.
 std::string cause_of_standstill(const SmoothResult& result) {
-  if (2 * result.duplicates >= result.triangles) {
+  if (result.duplicates > 0 && 2 * result.duplicates >= result.triangles) {
     return fmt::format(
         ": {} of {} triangles have the same vertices as another, and the vertices of such "
-        "triangles "
-        "are fixed; ibmfair has no option that removes them (delete one triangle of each pair in a "
-        "mesh editor first)",
+        "triangles are fixed; ibmfair has no option that removes them (delete one triangle of each "
+        "pair in a mesh editor first, or leave out --weld if that has laid them over each other)",
         result.duplicates, result.triangles);
   }
   if (std::ranges::count(result.plan.thin.rims, 1) > 0) {

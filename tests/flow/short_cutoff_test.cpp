@@ -2,8 +2,11 @@
 // mends foldovers and spikes.
 #include "ibmfair/flow/short_cutoff.h"
 
+#include <algorithm>
+#include <cmath>
 #include <string>
 #include <tuple>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -13,6 +16,7 @@
 #include "support/files.h"
 #include "support/flow_run.h"
 #include "support/meshes.h"
+#include "support/solids.h"
 #include "support/states.h"
 
 namespace ibmfair::test {
@@ -53,6 +57,37 @@ TEST(ShortCutoff, MovesLittleOnRealMeshes) {
   for (const std::string& path : project_meshes()) {
     SCOPED_TRACE(path);
     expect_short_moves(State(read_mesh(path).mesh()));
+  }
+}
+
+/// The largest distance of a moved vertex from the plane of a triangle at it, over the mean edge
+/// length: 0 for vertices that stay in their faces, on their creases and in their corners.
+double farthest_off_faces(const State& state, const Points& X) {
+  double farthest = 0;
+  for (Index t = 0; t < state.topology.F.rows(); ++t) {
+    const Vec3 normal = double_area_vector(state.X, state.topology.F, t).normalized();
+    for (const Index v : state.topology.F.row(t)) {
+      farthest = std::max(farthest, std::abs((X.row(v) - state.X.row(v)).dot(normal)));
+    }
+  }
+  return farthest / mean_edge_length(state.X, state.topology.E);
+}
+
+// The flow itself leaves the faces by the fourth power of the cut-off; relaxation does not.
+TEST(ShortCutoff, LeavesVerticesOfCoarsePartsOnTheirCreasesAndCorners) {
+  const auto engraved = [](Index i, Index j, Index k) {
+    return k != 3 || !((i == 2 && j >= 1 && j <= 4) || (j == 1 && i >= 2 && i <= 4));
+  };
+  std::vector<Mesh> parts{solid_of_cells({0, 4, 6, 8, 12, 16, 20}, {0, 4, 8, 10, 14, 17, 20},
+                                         {0, 7, 14, 18, 20}, engraved),
+                          tray(4, 3, 1), angle_profile(4, 6, 1), plate(5, 3, 2),
+                          read_mesh(project_file("tests/flow/reported/pk_7.off")).mesh()};
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    const State state(parts[i]);
+    for (const double cutoff : {0.01, 0.1, 0.3}) {
+      const FlowRun run = run_flow(state, cutoff, {});
+      EXPECT_LE(farthest_off_faces(state, run.X), 5 * std::pow(cutoff, 4)) << i << " " << cutoff;
+    }
   }
 }
 

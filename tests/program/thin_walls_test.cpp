@@ -24,11 +24,9 @@
 namespace ibmfair::test {
 namespace {
 
-using nlohmann::json;
-
-struct Smoothed {
+struct ThinRun {
   std::string err;
-  json report;
+  nlohmann::json report;
   Points X;
 
   double volume_ratio() const {
@@ -38,14 +36,15 @@ struct Smoothed {
 
 class ThinWallRuns : public testing::Test {
  protected:
-  Smoothed smooth(const std::string& input, const Words& options = {}) {
+  ThinRun smooth(const std::string& input, const Words& options = {}) {
     const RunResult run =
         run_program(Words{"smooth", input, files_ / "out.off", "--overwrite", "--json"} + options);
     EXPECT_EQ(run.exit_code, 0) << run.err;
-    return {run.err, json::parse(run.out, nullptr, false), read_mesh(files_ / "out.off").mesh().X};
+    return {run.err, nlohmann::json::parse(run.out, nullptr, false),
+            read_mesh(files_ / "out.off").mesh().X};
   }
 
-  Smoothed smooth(const State& state, const Words& options = {}) {
+  ThinRun smooth(const State& state, const Words& options = {}) {
     write_mesh(mesh_from_triangles(state.X, state.topology.F), files_ / "in.off",
                {.overwrite = true});
     return smooth(files_ / "in.off", options);
@@ -57,7 +56,7 @@ class ThinWallRuns : public testing::Test {
 
   /// The volume stays to a tenth, and no hinge folds over.
   void expect_kept(const State& state, double most) {
-    const Smoothed result = smooth(state);
+    const ThinRun result = smooth(state);
     EXPECT_NEAR(result.volume_ratio(), 1, most) << result.err;
     EXPECT_TRUE(FoldWatch(state.X, state.topology).new_folds(result.X).empty());
     EXPECT_LE(result.report["after"]["energy"].get<double>(),
@@ -70,7 +69,7 @@ class ThinWallRuns : public testing::Test {
 };
 
 TEST_F(ThinWallRuns, PlateOfAUserKeepsItsVolume) {
-  const Smoothed result = smooth(reported("plate14.off"));
+  const ThinRun result = smooth(reported("plate14.off"));
   EXPECT_NEAR(result.volume_ratio(), 1, 0.01);  // it was 23.8
   EXPECT_EQ(result.report["after"]["folded_hinges"], 0);
   EXPECT_NE(result.err.find("stay fixed"), std::string::npos) << result.err;
@@ -125,20 +124,20 @@ TEST_F(ThinWallRuns, SheetsOfThinWallsLoseTheirNoise) {
 
 TEST_F(ThinWallRuns, AShortCutoffMovesTheRims) {
   const State state(plate(14, 14, 1));
-  const Smoothed fixed = smooth(state, {"--cutoff", "8"});
+  const ThinRun fixed = smooth(state, {"--cutoff", "8"});
   EXPECT_LT(fixed.report["mesh"]["unknowns"], state.X.rows());
-  const Smoothed moves = smooth(state, {"--cutoff", "2"});
+  const ThinRun moves = smooth(state, {"--cutoff", "2"});
   EXPECT_EQ(moves.report["mesh"]["unknowns"], state.X.rows());
 }
 
 TEST_F(ThinWallRuns, ThickBodiesWithThinEarsFlowAsBefore) {
-  const Smoothed result = smooth(project_file("data/bunny.obj"));
+  const ThinRun result = smooth(project_file("data/bunny.obj"));
   EXPECT_EQ(result.report["mesh"]["unknowns"], result.report["mesh"]["vertices"]);
 }
 
 TEST_F(ThinWallRuns, WallsThatChangeAreMentioned) {
   State state(plate(14, 14, 1));
-  const Smoothed result = smooth(state, {"--time-step", "1", "--keep-volume"});
+  const ThinRun result = smooth(state, {"--time-step", "1", "--keep-volume"});
   EXPECT_NE(result.err.find("changed their thickness"), std::string::npos) << result.err;
   EXPECT_NE(result.report["warnings"].dump().find("changed their thickness"), std::string::npos);
 }
@@ -165,7 +164,7 @@ TEST_F(ThinWallRuns, LineOfALabelMapBecomesACircle) {
   ASSERT_EQ(lines.size(), 1);
   const auto before = errors_of_circle(state.X, lines);
   for (const Words& options : {Words{}, Words{"--denoise"}}) {
-    const Smoothed result = smooth(reported("labels.off"), options);
+    const ThinRun result = smooth(reported("labels.off"), options);
     const auto after = errors_of_circle(result.X, lines);
     EXPECT_LT(after[0], 0.5 * before[0]);
     EXPECT_LT(after[1], 0.5 * before[1]);
@@ -212,9 +211,9 @@ TEST_F(ThinWallRuns, LinesObeyTheOptions) {
 TEST_F(ThinWallRuns, ShortCutoffsLeaveCoarsePartsAsTheyAre) {
   const std::string pocket = reported("pk_7.off");
   const double edge = smooth(pocket, {"--steps", "0"}).report["mesh"]["mean_edge_length"];
-  for (const double cutoff : {0.01, 0.1}) {
-    const Smoothed result = smooth(pocket, {"--cutoff", fmt::format("{}", cutoff)});
-    EXPECT_LE(result.report["largest_move"].get<double>(), 3 * cutoff * cutoff * edge) << cutoff;
+  for (const double cutoff : {0.01, 0.1, 1.0}) {
+    const ThinRun result = smooth(pocket, {"--cutoff", fmt::format("{}", cutoff)});
+    EXPECT_LE(result.report["largest_move"].get<double>(), 0.2 * cutoff * cutoff * edge) << cutoff;
   }
   EXPECT_LE(smooth(pocket, {"--cutoff", "0.01%"}).report["largest_move"].get<double>(), 0.01);
 }
@@ -227,7 +226,7 @@ TEST_F(ThinWallRuns, DoubleFacesNameTheRemedy) {
     twice.faces.add(std::array<Index, 3>{corners[0], corners[1], corners[2]});
   }
   write_mesh(twice, files_ / "twice.off");
-  const Smoothed result = smooth(files_ / "twice.off");
+  const ThinRun result = smooth(files_ / "twice.off");
   EXPECT_EQ(result.X, sheet.X);
   EXPECT_NE(result.err.find("delete one triangle of each pair"), std::string::npos) << result.err;
 }

@@ -11,15 +11,15 @@
 namespace ibmfair::test {
 namespace {
 
-using Triangle = std::array<Index, 3>;
+using Corners = std::array<Index, 3>;
 
-Mesh mesh_of(const std::vector<Vec3>& points, const std::vector<Triangle>& triangles) {
+Mesh mesh_of(const std::vector<Vec3>& points, const std::vector<Corners>& triangles) {
   Mesh mesh;
   mesh.X.resize(static_cast<Eigen::Index>(points.size()), 3);
   for (std::size_t v = 0; v < points.size(); ++v) {
     mesh.X.row(static_cast<Eigen::Index>(v)) = points[v];
   }
-  for (const Triangle& triangle : triangles) {
+  for (const Corners& triangle : triangles) {
     mesh.faces.add(triangle);
   }
   return mesh;
@@ -47,7 +47,7 @@ class GridPoints {
 
 /// The two triangles of the face of cell (i,j,k) on the side `up` of `axis`, outward.
 void add_face(GridPoints::Place cell, int axis, bool up, GridPoints& points,
-              std::vector<Triangle>& triangles) {
+              std::vector<Corners>& triangles) {
   const int right = (axis + 1) % 3, top = (axis + 2) % 3;
   cell[axis] += up ? 1 : 0;
   std::array<Index, 4> corners{};
@@ -59,9 +59,9 @@ void add_face(GridPoints::Place cell, int axis, bool up, GridPoints& points,
   }
   const auto [a, b, c, d] = corners;
   if (up) {
-    triangles.insert(triangles.end(), {Triangle{a, b, c}, Triangle{a, c, d}});
+    triangles.insert(triangles.end(), {Corners{a, b, c}, Corners{a, c, d}});
   } else {
-    triangles.insert(triangles.end(), {Triangle{a, c, b}, Triangle{a, d, c}});
+    triangles.insert(triangles.end(), {Corners{a, c, b}, Corners{a, d, c}});
   }
 }
 
@@ -98,7 +98,7 @@ Mesh solid_of_cells(const std::vector<double>& x, const std::vector<double>& y,
     return is_inside(cell[0], cell[1], cell[2]);
   };
   GridPoints points;
-  std::vector<Triangle> triangles;
+  std::vector<Corners> triangles;
   for (Index i = 0; i + 1 < std::ssize(x); ++i) {
     for (Index j = 0; j + 1 < std::ssize(y); ++j) {
       for (Index k = 0; k + 1 < std::ssize(z); ++k) {
@@ -157,7 +157,7 @@ Mesh washer(Index inner, Index outer, double thickness) {
       points.emplace_back(radius * std::cos(angle), radius * std::sin(angle), place[2]);
     }
   }
-  std::vector<Triangle> triangles;
+  std::vector<Corners> triangles;
   for (Index f = 0; f < mesh.faces.size(); ++f) {
     const auto corners = mesh.faces[f];
     const auto y = [&](int i) { return mesh.X(corners[i], 1); };
@@ -173,12 +173,12 @@ Mesh half_shell(Index radius, double thickness) {
   const auto rings = static_cast<Index>(radius * std::numbers::pi / 2);
   const Index around = 6 * radius;
   std::vector<Vec3> points;
-  std::vector<Triangle> triangles;
+  std::vector<Corners> triangles;
   for (const double r : {static_cast<double>(radius), radius - thickness}) {
     const auto pole = static_cast<Index>(points.size());
     const bool outer = pole == 0;
     const auto add = [&](Index a, Index b, Index c) {
-      triangles.push_back(outer ? Triangle{a, b, c} : Triangle{a, c, b});
+      triangles.push_back(outer ? Corners{a, b, c} : Corners{a, c, b});
     };
     points.emplace_back(0, 0, r);
     for (Index i = 1; i <= rings; ++i) {
@@ -210,7 +210,7 @@ Mesh half_shell(Index radius, double thickness) {
 
 Mesh leaf(Index columns, Index rows, double thickness) {
   std::vector<Vec3> points;
-  std::vector<Triangle> triangles;
+  std::vector<Corners> triangles;
   std::map<std::array<Index, 3>, Index> number;
   for (const int side : {1, -1}) {
     for (Index i = 0; i <= columns; ++i) {
@@ -228,7 +228,7 @@ Mesh leaf(Index columns, Index rows, double thickness) {
       return number.at({i, j, rim ? 0 : side});
     };
     const auto add = [&](Index a, Index b, Index c) {
-      triangles.push_back(side > 0 ? Triangle{a, b, c} : Triangle{a, c, b});
+      triangles.push_back(side > 0 ? Corners{a, b, c} : Corners{a, c, b});
     };
     for (Index i = 0; i < columns; ++i) {
       for (Index j = 0; j < rows; ++j) {
@@ -254,7 +254,7 @@ Mesh two_half_balls(Index radius) {
     return x.norm() > radius ? 0 : x.dot(Vec3(1, -0.3, 0.1)) > 0 ? 1 : 2;
   };
   GridPoints points;
-  std::vector<Triangle> triangles;
+  std::vector<Corners> triangles;
   for (Index i = -1; i <= 2 * radius; ++i) {
     for (Index j = -1; j <= 2 * radius; ++j) {
       for (Index k = -1; k <= 2 * radius; ++k) {

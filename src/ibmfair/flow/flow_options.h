@@ -58,7 +58,8 @@ struct FlowOptions {
   /// Make a sweep of tangential relaxation after each guarded step. If the mesh has needles
   /// (triangles with an angle below one degree), also relax their corners before the first step.
   bool relax = true;
-  double relaxation = 1;    ///< factor of the moves of tangential relaxation, 0 to 1
+  bool relax_along_creases = false;  ///< no relaxation across creases, even blunt ones that bend
+  double relaxation = 1;             ///< factor of the moves of tangential relaxation, 0 to 1
   bool relax_first = true;  ///< the value of `relax` for the first stage (flow/first_stage.h)
   FirstStage first_stage = FirstStage::flow;
   /// The largest distance of a vertex from its start, length.

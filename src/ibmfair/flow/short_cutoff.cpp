@@ -23,6 +23,7 @@ std::optional<FlowOptions> short_cutoff_options(const Points& X, const Topology&
   const double cutoff = tuning.short_cutoff.enough * std::pow(options.total_time / enough, 0.25);
   FlowOptions gentle = options;
   gentle.relaxation *= std::pow(cutoff / tuning.short_cutoff.enough, 2);
+  gentle.relax_along_creases = true;
   gentle.clean_up = options.clean_up && cutoff >= tuning.short_cutoff.clean_up;
   return gentle;
 }

@@ -11,7 +11,8 @@
 
 namespace ibmfair {
 
-/// The options with less tangential relaxation, and without a clean-up if the cut-off is shorter
+/// The options with less tangential relaxation, none of it across creases (which such a cut-off is
+/// too short to smooth), and without a clean-up if the cut-off is shorter
 /// than an edge; nothing if the cut-off that `options.total_time` corresponds to is long enough for
 /// all of it. As the cut-off goes to 0, all moves go to 0: relaxation as the square of the cut-off,
 /// the flow as its fourth power.

@@ -124,6 +124,9 @@ struct FirstStageTuning {
 struct ShortCutoffTuning {
   double enough = 2;    ///< from here on, relaxation is full
   double clean_up = 1;  ///< from here on, there is a clean-up
+  /// RelaxationTuning::crease (ratio) for shorter cut-offs than `enough`: no vertex moves across a
+  /// crease that turns by 25 degrees or more, and none leaves a corner at which one face is large.
+  double crease = 0.05;
 };
 
 /// The clean-up after the time steps (flow/passes/clean_up.h, unfolding.h). Chosen on scans with

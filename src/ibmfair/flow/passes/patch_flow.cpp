@@ -23,6 +23,7 @@ FlowOptions options_for_patches(const FlowProblem& problem) {
   result.metric = options.metric;
   result.newton_iterations = options.newton_iterations;
   result.relax = options.relax;
+  result.relax_along_creases = options.relax_along_creases;
   result.max_move = options.max_move;
   result.solver_tolerance = options.solver_tolerance;
   const std::string& taken = problem.report.solver;

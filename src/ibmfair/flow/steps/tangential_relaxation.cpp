@@ -33,7 +33,9 @@ TangentialRelaxation::TangentialRelaxation(const FlowProblem& problem, const Rin
       unknowns_(problem.unknowns),
       parts_(problem.parts),
       rings_(rings),
-      keeps_creases_(problem.options.sharp_angle > 0),
+      keeps_creases_(problem.options.sharp_angle > 0 || problem.options.relax_along_creases),
+      crease_(problem.options.relax_along_creases ? tuning.short_cutoff.crease
+                                                  : tuning.relaxation.crease),
       normals_(Points::Zero(topology_.vertex_count, 3)),
       left_(PerVertex::Zero(topology_.vertex_count)) {}
 
@@ -148,7 +150,7 @@ Vec3 TangentialRelaxation::along_creases(const Points& X, Index v, const Vec3& s
   Vec3 along = Vec3::Zero();
   for (int i = 0; i < 2; ++i) {
     const Vec3 direction = directions.eigenvectors().col(i);
-    const double free = 1 - facing[i] / (tuning.relaxation.crease * facing[2]);
+    const double free = 1 - facing[i] / (crease_ * facing[2]);
     along += std::max(0.0, free) * direction.dot(step) * direction;
   }
   return along;

@@ -17,7 +17,8 @@ namespace ibmfair {
 /// normal to project off and stay.
 class TangentialRelaxation {
  public:
-  /// Both must outlive this object. Creases are kept if the problem's options keep sharp hinges.
+  /// Both must outlive this object. Creases are kept if the problem's options keep sharp
+  /// hinges, or relax along creases only.
   TangentialRelaxation(const FlowProblem& problem, const RingGroups& rings);
 
   /// The moves of one sweep at `X` (one row per unknown, length): half way to the mean of the
@@ -49,8 +50,9 @@ class TangentialRelaxation {
   const MeshParts& parts_;
   const RingGroups& rings_;
   const bool keeps_creases_;
-  Points normals_;  // #V x 3, Surroundings::normal.xyz of the vertices in `rings`
-  PerVertex left_;  // #V, Surroundings::normal.w of the vertices in `rings`
+  const double crease_;  // RelaxationTuning::crease
+  Points normals_;       // #V x 3, Surroundings::normal.xyz of the vertices in `rings`
+  PerVertex left_;       // #V, Surroundings::normal.w of the vertices in `rings`
 };
 
 }  // namespace ibmfair
