@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include "ibmfair/energy/unknowns.h"
 #include "ibmfair/flow/fixed_vertices.h"
 #include "ibmfair/flow/steps/folds.h"
 #include "ibmfair/flow/time_scale.h"

@@ -14,6 +14,8 @@
 #include "ibmfair/flow/passes/meeting_lines.h"
 #include "ibmfair/flow/steps/folds.h"
 #include "ibmfair/io/mesh_file.h"
+#include "ibmfair/shapes/noise.h"
+#include "ibmfair/shapes/shapes.h"
 #include "support/files.h"
 #include "support/mesh_io.h"
 #include "support/run_program.h"
@@ -133,6 +135,18 @@ TEST_F(ThinWallRuns, AShortCutoffMovesTheRims) {
 TEST_F(ThinWallRuns, ThickBodiesWithThinEarsFlowAsBefore) {
   const ThinRun result = smooth(project_file("data/bunny.obj"));
   EXPECT_EQ(result.report["mesh"]["unknowns"], result.report["mesh"]["vertices"]);
+}
+
+TEST_F(ThinWallRuns, CrumpledBodiesHaveNoWalls) {
+  for (const double noise : {0.5, 0.7, 1.0}) {
+    for (const int level : {2, 3}) {
+      State state(make_shape("icosphere", {.subdivide = level}));
+      add_noise(state.X, noise * mean_edge_length(state.X, state.topology.E), 1);
+      const ThinRun result = smooth(state);
+      EXPECT_EQ(result.report["mesh"]["unknowns"], state.X.rows()) << noise;
+      EXPECT_EQ(result.err.find("thickness ("), std::string::npos) << result.err;
+    }
+  }
 }
 
 TEST_F(ThinWallRuns, WallsThatChangeAreMentioned) {

@@ -294,6 +294,10 @@ struct ThinWallTuning {
   /// (0.56 for a ball, 0.12 for a plate five times as wide as thick).
   double edges = 2, of_cutoff = 0.25, of_size = 0.15;
   double share = 0.25;  ///< ratio; of the area of a component that is a thin wall
+  /// Ratio of the length of the sum of the normals around a triangle to the sum of their lengths,
+  /// at least. It is 0.5 on rods and 0.65 to 1 on other thin parts, and at most 0.33 where noise of
+  /// half an edge or more has crumpled a sphere so that its sheets seem close together.
+  double coherence = 0.4;
   /// A rim is where a path over the surface leads from one side of the wall to the other that is at
   /// most this long: ratio to the thickness, plus ratio to the edge length.
   double path = 1.3, beyond = 0.9;

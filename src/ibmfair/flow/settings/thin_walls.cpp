@@ -24,6 +24,21 @@ double mean_edge_of(Index t, const Points& X, const Topology& topology) {
   return sum / 3;
 }
 
+/// How much the triangles around the corners of t face the same way: the length of the sum of their
+/// normals over the sum of the lengths.
+double coherence(Index t, const Points& X, const Topology& topology) {
+  Vec3 sum = Vec3::Zero();
+  double lengths = 0;
+  for (const Index v : topology.F.row(t)) {
+    for (const Index s : topology.stars[v]) {
+      const Vec3 N = double_area_vector(X, topology.F, s);
+      sum += N;
+      lengths += N.norm();
+    }
+  }
+  return lengths > 0 ? sum.norm() / lengths : 0;
+}
+
 double thickest_wall(const Points& X, const Topology& topology, double cutoff) {
   return std::min(tuning.thin_walls.edges * mean_edge_length(X, topology.E),
                   tuning.thin_walls.of_cutoff * cutoff);
@@ -103,6 +118,12 @@ WallSample sample_walls(const Points& X, const Topology& topology, double cutoff
     sample.triangles.push_back(t);
   }
   sample.walls = find_walls(X, topology, sample.triangles, thickest_wall(X, topology, cutoff));
+  for (std::size_t i = 0; i < sample.walls.size(); ++i) {
+    if (sample.walls[i].exists() &&
+        coherence(sample.triangles[i], X, topology) < tuning.thin_walls.coherence) {
+      sample.walls[i] = {};
+    }
+  }
   return sample;
 }
 

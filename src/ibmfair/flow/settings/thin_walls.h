@@ -22,6 +22,7 @@ struct WallSample {
 };
 
 /// Walls of a closed mesh that are thinner than two mean edge lengths and a quarter of `cutoff`.
+/// What noise has crumpled has no walls.
 WallSample sample_walls(const Points& X, const Topology& topology, double cutoff);
 
 /// The median, over the sampled walls, of the ratio of the thickness at Y to that at X; 1 if less
