@@ -185,6 +185,7 @@ TEST_F(SmoothFeatures, VolumeAndAreaStayToTheDigit) {
   const Smoothed refused = smooth(open, {"--keep-volume"});
   EXPECT_EQ(refused.exit_code, 4);
   EXPECT_TRUE(contains(refused.err, "need a closed mesh")) << refused.err;
+  EXPECT_TRUE(contains(refused.err, "ibmfair fill")) << refused.err;
 }
 
 TEST_F(SmoothFeatures, TheUmbrellaIsNotRelaxedUnlessAsked) {
