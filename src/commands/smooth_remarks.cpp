@@ -84,10 +84,10 @@ std::string cause_of_volume_change(const MeshStatistics& before, double cutoff) 
                            cutoff);
 }
 
-/// What keeps the volume better.
+/// What keeps the volume and the walls better.
 std::string remedies_for_volume(const SmoothArguments& arguments, const FlowOptions& options) {
   std::vector<std::string> remedies{"a shorter --cutoff LENGTH"};
-  if (!std::isfinite(options.max_move)) {
+  if (!std::isfinite(options.max_move) && !options.keep_volume) {
     remedies.emplace_back("--keep-volume");
   }
   if (options.twicing == 0) {

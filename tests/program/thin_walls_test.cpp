@@ -154,6 +154,7 @@ TEST_F(ThinWallRuns, WallsThatChangeAreMentioned) {
   const ThinRun result = smooth(state, {"--time-step", "1", "--keep-volume"});
   EXPECT_NE(result.err.find("changed their thickness"), std::string::npos) << result.err;
   EXPECT_NE(result.report["warnings"].dump().find("changed their thickness"), std::string::npos);
+  EXPECT_EQ(result.err.find("--keep-volume"), std::string::npos) << result.err;  // was given
 }
 
 /// The distances of the vertices of the lines from a circle about the origin in the plane through
