@@ -53,6 +53,7 @@ class Twicing {
     const std::vector<Index>& free = p_.unknowns.vertex;
     Points move = p_.start()(free, Eigen::all) - p_.X(free, Eigen::all);
     flow_linearly(p_, p_.options.twicing_steps(), move);
+    p_.keep_rims(move);
     return move;
   }
 

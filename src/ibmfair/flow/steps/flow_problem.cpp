@@ -48,6 +48,7 @@ FlowProblem::FlowProblem(const Points& X_start, const Topology& mesh_topology,
       start_(X_start),
       bound_(start_, flow_options.max_move),
       conserved_(X, topology, unknowns, options),
+      rims_(start_, topology, options.guarded ? unknowns : Unknowns()),
       bending_(bind_energy(topology, options, fixed, parts)),
       jacobian_(
           std::make_unique<Jacobian>(start_, *bending_, topology, unknowns, options, report)) {
@@ -120,6 +121,10 @@ double FlowProblem::evaluate(const Points& Y, Points& gradient) {
   gradient.resize(unknowns.size(), 3);
   parallel_for(unknowns.size(),
                [&](std::int64_t u) { gradient.row(u) = G_.row(unknowns.vertex[u]); });
+  if (!rims_.empty()) {
+    rims_.find_normals(Y);
+    rims_.project(gradient);
+  }
   return parts.sum(energy);
 }
 
@@ -129,15 +134,25 @@ void FlowProblem::newton_step(Points& step) {
   scratch_.resize(g_.rows(), 3);
   parallel_for(g_.rows(), [&](std::int64_t u) { scratch_.row(u) = -h * g_.row(u); });
   solve(scratch_, step);  // [W07] (12) at X_k, where the residual is h grad E_b
+  keep_rims(step);
   conserved_.linearise(X, solve);
   conserved_.constrain(step);
   Points Y, correction;
   for (int i = 1; i < options.newton_iterations; ++i) {
     displace(step, Y);
-    const Points residual = jacobian_->metric().asDiagonal() * step + h * gradient_at(Y);
+    Points residual = jacobian_->metric().asDiagonal() * step + h * gradient_at(Y);
+    keep_rims(residual);
     solve(-residual, correction);
+    keep_rims(correction);
     conserved_.constrain(correction);
     step += correction;
+  }
+}
+
+void FlowProblem::keep_rims(Points& rows) {
+  if (!rims_.empty()) {
+    rims_.find_normals(X);
+    rims_.project(rows);
   }
 }
 

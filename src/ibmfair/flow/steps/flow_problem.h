@@ -13,6 +13,7 @@
 #include "ibmfair/flow/mesh_parts.h"
 #include "ibmfair/flow/steps/conserved_quantities.h"
 #include "ibmfair/flow/steps/folds.h"
+#include "ibmfair/flow/steps/free_rims.h"
 #include "ibmfair/flow/steps/move_bound.h"
 #include "ibmfair/mesh/topology.h"
 
@@ -77,6 +78,12 @@ class FlowProblem {
   /// `options.newton_iterations` inexact Newton iterations: one row per unknown, length.
   void newton_step(Points& step);
 
+  /// Keeps only the parts along the surface's normals of moves or forces (one row per unknown) at
+  /// free rims (flow/steps/free_rims.h). Gradients and Newton steps have no other parts there.
+  void keep_rims(Points& rows);
+
+  const FreeRims& rims() const { return rims_; }
+
   /// The move (one row per unknown) with the rows of the unknowns of other parts appended.
   const Points& with_others(const Points& move);
 
@@ -131,6 +138,7 @@ class FlowProblem {
   const Points& start_;
   MoveBound bound_;
   ConservedQuantities conserved_;
+  FreeRims rims_;  // empty if the flow is not guarded
   std::unique_ptr<BendingEnergy> bending_;
   std::unique_ptr<Jacobian> jacobian_;
   double energy_ = 0, next_energy_ = 0;

@@ -160,6 +160,7 @@ class GuardedFlow {
     record.time = p_.report.time_reached = control_.reached();
     p_.report.energy_after = found.energy;
     search_.move_to_result();
+    relaxation_.pull_in_rims(energy_before);
     relaxation_.relax(energy_before);
   }
 

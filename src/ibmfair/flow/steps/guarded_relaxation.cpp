@@ -27,4 +27,16 @@ void GuardedRelaxation::relax(double bound) {
   }
 }
 
+void GuardedRelaxation::pull_in_rims(double bound) {
+  const Stopwatch watch(problem_.report.seconds.relax);
+  const bool pulls_here = problem_.rims().pull_in(problem_.X, moves_);
+  if (!problem_.parts.any(pulls_here)) {
+    return;
+  }
+  if (!pulls_here) {
+    moves_ = Points::Zero(problem_.unknowns.size(), 3);
+  }
+  move_.make(moves_, bound);
+}
+
 }  // namespace ibmfair

@@ -21,6 +21,10 @@ class GuardedRelaxation {
   /// Makes one sweep that leaves the energy at most at `bound`.
   void relax(double bound);
 
+  /// Makes the moves of FreeRims::pull_in that leave the energy at most at `bound`, whatever the
+  /// options say.
+  void pull_in_rims(double bound);
+
   /// The number of sweeps that had to be shortened or withheld.
   int failures() const { return move_.failures(); }
 
