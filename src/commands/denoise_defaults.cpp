@@ -27,7 +27,8 @@ constexpr const char* crease_laplacian = "crouzeix-raviart";  // only this one k
 constexpr std::array defaults{
     DefaultValue{"--cutoff", "auto", "auto"},
     DefaultValue{"--laplacian", "umbrella", crease_laplacian}, DefaultValue{"--twicing", "1", "0"},
-    DefaultValue{"--steps", "8", "8"}, DefaultValue{"--first-stage", "normals", "normals"}};
+    DefaultValue{"--steps", "8", "8"}, DefaultValue{"--boundary", "fair", "fair"},
+    DefaultValue{"--first-stage", "normals", "normals"}};
 
 using Value = const char* DefaultValue::*;
 
@@ -57,6 +58,7 @@ void add_denoise_flag(CLI::App& app, SmoothArguments& arguments) {
       arguments.finds_creases = arguments.finds_creases && !is_given(app, option);
     }
     arguments.chooses_steps = !is_given(app, "--steps");
+    arguments.chooses_boundary = !is_given(app, "--boundary");
     for (const auto& [name, value, with_creases] : defaults) {
       if (!is_given(app, name)) {  // set as if given, so that reports and jobs contain the value
         app.get_option(name)->add_result(keeps_sharp ? with_creases : value);
@@ -78,7 +80,8 @@ std::string denoising_text() {
       "  {} --keep-sharp ANGLE\n"
       "with the angle that leaves the least error; the angle is {:.0f} degrees if the\n"
       "noise of neighbouring vertices is correlated, as that of depth cameras. Steps\n"
-      "of voxels or of rounded heights are smoothed by the default of smooth.\n",
+      "of voxels or of rounded heights are smoothed by the default of smooth. An\n"
+      "outline that is more jagged than the noise keeps most of its shape.\n",
       words(&DefaultValue::value), words(&DefaultValue::with_creases, &DefaultValue::value),
       tuning.noise.sharp_angle);
 }

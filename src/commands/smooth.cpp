@@ -116,14 +116,15 @@ std::optional<Scene> smooth_scene(const SmoothArguments& arguments, const Smooth
   return mesh_scene(std::move(source), warnings, console);
 }
 
-/// Measures the mesh before and after. If no vertex was fixed, the energies of the whole mesh are
-/// known from the flow.
+/// Measures the mesh before and after. If no vertex was fixed and no rim faired, the energies of
+/// the whole mesh are known from the flow.
 void measure(Smoothing& s) {
   SmoothResult& result = s.result;
   const Stopwatch watch(result.seconds_measure);
   const FlowOptions& options = result.plan.flow;
   const auto& fixed = result.plan.fixed;
-  const bool known = options.steps > 0 && std::find(fixed.begin(), fixed.end(), 1) == fixed.end();
+  const bool known = options.steps > 0 && !result.plan.rims &&
+                     std::find(fixed.begin(), fixed.end(), 1) == fixed.end();
   const auto statistics = [&](const Points& X, double energy) {
     return known ? mesh_statistics(X, s.topology, energy) : mesh_statistics(X, s.topology, options);
   };

@@ -171,10 +171,14 @@ void add_feature_options(CLI::App& app, SmoothArguments& a) {
 
 void add_constraint_options(CLI::App& app, SmoothArguments& a) {
   begin_group(app, "Which vertices move");
-  app.add_option("--boundary", a.boundary,
-                 "open boundaries: fixed (the boundary and the next ring of vertices do not move), "
-                 "position (the boundary does not move) or free")
-      ->check(CLI::IsMember({"fixed", "position", "free"}))
+  app.add_option(
+         "--boundary", a.boundary,
+         "open boundaries: fixed (the boundary and the next ring of vertices do not move), "
+         "position (the boundary does not move), free (the boundary moves with the "
+         "surface, along its normals) or fair (the boundary is first smoothed as a curve, up "
+         "to the same cut-off, except for its corners; with --cutoff auto as far as the "
+         "noise explains)")
+      ->check(CLI::IsMember({"fixed", "position", "free", "fair"}))
       ->capture_default_str();
   CLI::Option* fix =
       app.add_option("--fix", a.fix_file,

@@ -26,7 +26,8 @@ struct SmoothArguments {
 
   std::string engine;
   bool denoise = false;
-  bool finds_creases = false;  // with --denoise: find creases, and keep them
+  bool finds_creases = false;     // with --denoise: find creases, and keep them
+  bool chooses_boundary = false;  // with --denoise: fix open boundaries if the noise is steps
   bool chooses_steps = false;  // with --denoise: take the number of time steps that suits the noise
   FlowOptions flow;
   std::optional<double> time_step;

@@ -32,7 +32,7 @@ constexpr double default_cutoff_edges = 8;
 BoundaryCondition boundary_condition(const std::string& name) {
   return name == "fixed"      ? BoundaryCondition::fixed
          : name == "position" ? BoundaryCondition::position
-                              : BoundaryCondition::free;
+                              : BoundaryCondition::free;  // "free" and "fair"
 }
 
 class Planner {
@@ -42,7 +42,10 @@ class Planner {
     plan_.textured = input.textured;
     plan_.mean_edge_length = mean_edge_length(input.X, input.topology, input.parts);
     set_flow_options();
-    fix_vertices();
+    plan_.fixed = fixed_where(boundary_condition(arguments_.boundary));
+    if (input.parts.is_whole() && !arguments.plain) {
+      find_lines();
+    }
   }
 
   SmoothPlan plan() {
@@ -59,6 +62,11 @@ class Planner {
     }
     if (!arguments_.anisotropy.empty()) {
       project_directions();
+    }
+    const bool keeps_rims =
+        arguments_.chooses_boundary && plan_.choice && plan_.choice->kind == NoiseKind::steps;
+    if (arguments_.boundary == "fair" && plan_.flow.steps > 0 && !keeps_rims) {
+      plan_rims();
     }
     return std::move(plan_);
   }
@@ -98,9 +106,9 @@ class Planner {
     flow.relax_first = name != "none" && !flow.put_back_slides;
   }
 
-  void fix_vertices() {
-    std::vector<std::uint8_t>& fixed = plan_.fixed;
-    fixed = fixed_vertices(input_.topology, boundary_condition(arguments_.boundary));
+  /// Flags of the vertices that do not move under this condition at open boundaries.
+  std::vector<std::uint8_t> fixed_where(BoundaryCondition condition) const {
+    std::vector<std::uint8_t> fixed = fixed_vertices(input_.topology, condition);
     for (const Index v : input_.listed) {
       fixed[v] = 1;
     }
@@ -110,10 +118,28 @@ class Planner {
     for (Eigen::Index v = 0; v < input_.weights.size(); ++v) {
       fixed[v] |= input_.weights[v] > 0 ? 0 : 1;
     }
-    if (input_.parts.is_whole() && !arguments_.plain) {
-      find_lines();
-    }
     input_.parts.refresh(fixed);  // the border of a piece is no boundary of the mesh
+    return fixed;
+  }
+
+  /// The fixed vertices for choosing a cut-off. The noise at a rim is removed along the rim first,
+  /// and what is left of it would be taken for detail.
+  std::vector<std::uint8_t> fixed_for_choice() const {
+    std::vector<std::uint8_t> fixed = plan_.fixed;
+    if (arguments_.boundary == "fair") {
+      fixed = fixed_where(BoundaryCondition::fixed);
+    }
+    return std::ranges::count(fixed, 0) > 0 ? fixed : plan_.fixed;
+  }
+
+  /// If the noise is known, rims are faired as far as it explains. The standard deviation of
+  /// correlated noise is that of its shortest waves only, and explains little.
+  void plan_rims() {
+    const bool explains = plan_.choice && plan_.choice->kind != NoiseKind::correlated;
+    plan_.rims = RimFairing{.cutoff = plan_.cutoff,
+                            .twicing = std::max(1, plan_.flow.twicing),
+                            .noise = explains ? plan_.choice->noise : 0,
+                            .max_move = plan_.flow.max_move};
   }
 
   /// Finds the lines at which sheets meet, and the factors of the cut-off there. Their vertices are
@@ -205,8 +231,9 @@ class Planner {
       smooth_steps(step);
       return;
     }
+    const std::vector<std::uint8_t> fixed = fixed_for_choice();
     const CutoffSearch search{.largest = plan_.diagonal / 2, .observer = tell};
-    plan_.choice = choose_cutoff(input_.X, input_.topology, plan_.fixed, plan_.flow, search);
+    plan_.choice = choose_cutoff(input_.X, input_.topology, fixed, plan_.flow, search);
     if (arguments_.denoise && is_without_noise(input_.X, input_.topology, *plan_.choice)) {
       leave_as_it_is();
       return;
@@ -222,8 +249,8 @@ class Planner {
       plan_.flow = options;
       return;
     }
-    if (const auto creases = choose_creases(input_.X, input_.topology, plan_.fixed, plan_.flow,
-                                            options, *plan_.choice, search)) {
+    if (const auto creases = choose_creases(input_.X, input_.topology, fixed, plan_.flow, options,
+                                            *plan_.choice, search)) {
       options.sharp_angle = creases->sharp_angle;
       plan_.flow = options;
       plan_.creases = {creases->sharp_angle, *plan_.choice};
@@ -247,6 +274,9 @@ class Planner {
     plan_.choice->cutoff = default_cutoff_edges * plan_.mean_edge_length;
     if (arguments_.chooses_steps) {
       plan_.flow.steps = default_steps;
+    }
+    if (arguments_.chooses_boundary) {
+      plan_.fixed = fixed_where(BoundaryCondition::fixed);
     }
     keep_creases(plan_.flow);
     set_relaxation(plan_.flow);
@@ -305,9 +335,15 @@ FlowReport run_smoothing(const SmoothPlan& plan, Points& X, const Topology& topo
   if (!plan.lines.empty()) {
     fair_meeting_lines(plan.lines, topology, plan.cutoff, plan.line_factor, options.max_move, X);
   }
-  const FlowReport report = willmore_flow(X, topology, plan.fixed, options, observe, parts);
+  std::vector<std::uint8_t> fixed = plan.fixed;
+  if (plan.rims) {
+    const auto with_curves = fair_rims(X, topology, plan.fixed, *plan.rims);
+    // Where a crease ends at a rim, the curve is blunter than the crease that the flow keeps.
+    fixed = options.sharp_angle > 0 ? fixed : with_curves;
+  }
+  const FlowReport report = willmore_flow(X, topology, fixed, options, observe, parts);
   if (restores) {
-    restore_walls(start, topology, plan.fixed, plan.thin, options.laplacian, X);
+    restore_walls(start, topology, fixed, plan.thin, options.laplacian, X);
   }
   return report;
 }

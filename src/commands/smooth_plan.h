@@ -9,6 +9,7 @@
 #include "commands/smooth_arguments.h"
 #include "ibmfair/flow/mesh_parts.h"
 #include "ibmfair/flow/passes/meeting_lines.h"
+#include "ibmfair/flow/passes/rim_fairing.h"
 #include "ibmfair/flow/settings/cutoff_choice.h"
 #include "ibmfair/flow/settings/thin_walls.h"
 #include "ibmfair/flow/willmore_flow.h"
@@ -48,22 +49,24 @@ struct SmoothPlan {
   Eigen::VectorXd line_factor;          ///< #V, of the cut-off at vertices of `lines`
   WallSample wall_sample;               ///< empty if the mesh is in parts
   ThinWalls thin;                       ///< their rims are among the fixed vertices
+  std::optional<RimFairing> rims;       ///< with --boundary fair: what comes before the flow
   double seconds_choice = 0, seconds_directions = 0, seconds_walls = 0;
 };
 
 /// Resolves the arguments on a mesh. Vertices are fixed by --boundary, --fix, --mask and weights of
 /// 0. With --cutoff auto, and if any vertex can move, the cut-off is chosen, and whether creases
-/// are kept. With --anisotropy, the direction is projected onto the surface that the same flow
-/// without anisotropy produces, and carried back to the mesh with its triangles: the triangles of
-/// the noisy mesh, turned and stretched by the noise, would each give a different direction. With
+/// are kept; both from the mesh without its rims, if it has more. With --anisotropy, the direction
+/// is projected onto the surface that the same flow without anisotropy produces, and carried back
+/// to the mesh with its triangles: the triangles of the noisy mesh, turned and stretched by the
+/// noise, would each give a different direction. With
 /// --dry-run or without steps it is projected onto the mesh as it is. Throws BadMesh if the edges
 /// are so long or short that the time of the flow overflows or underflows, and like choose_cutoff,
 /// willmore_flow and material_directions.
 SmoothPlan plan_smoothing(const SmoothArguments& arguments, const SmoothInput& input,
                           Progress& progress);
 
-/// Moves X by the flow of the plan. If `may_end_early`, a request to end stops the flow between two
-/// steps. Throws like willmore_flow.
+/// Fairs the rims of X, if the plan says so, and moves X by the flow of the plan. If
+/// `may_end_early`, a request to end stops the flow between two steps. Throws like willmore_flow.
 FlowReport run_smoothing(const SmoothPlan& plan, Points& X, const Topology& topology,
                          const MeshParts& parts, bool may_end_early, Progress& progress);
 

@@ -55,6 +55,7 @@ void require_shareable(const SmoothArguments& arguments) {
   refuse(!arguments.picture.path.empty(), "--picture");
   refuse(arguments.dry_run, "--dry-run");
   refuse(arguments.denoise, "--denoise");
+  refuse(arguments.boundary == "fair", "--boundary fair");
   refuse(arguments.cutoff_auto, "--cutoff auto");
   refuse(std::isfinite(arguments.flow.memory_limit), "--memory");
   refuse(arguments.flow.keep_volume, "--keep-volume");
