@@ -60,7 +60,8 @@ std::string describe(const Topology& topology, const Kind& kind) {
 /// What follows from defects of this kind.
 const char* consequence(const Kind& kind) {
   return kind.list == &Defects::non_manifold_edges
-             ? "left out of the energy, and the vertices there do not move with the sheets that meet "
+             ? "left out of the energy, and the vertices there do not move with the sheets that "
+               "meet "
                "there"
              : "left out of the energy, and the vertices there stay fixed";
 }

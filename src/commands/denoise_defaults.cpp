@@ -24,21 +24,29 @@ constexpr const char* crease_laplacian = "crouzeix-raviart";  // only this one k
 // With more steps the error is the same (within 1 % on all meshes of the table) and the run takes
 // longer. With fewer steps, the choice of the cut-off cannot continue the flow of one trial for the
 // next trial.
-constexpr std::array defaults{
-    DefaultValue{"--cutoff", "auto", "auto"},
-    DefaultValue{"--laplacian", "umbrella", crease_laplacian}, DefaultValue{"--twicing", "1", "0"},
-    DefaultValue{"--steps", "8", "8"}, DefaultValue{"--boundary", "fair", "fair"},
-    DefaultValue{"--first-stage", "normals", "normals"}};
+constexpr std::array defaults{DefaultValue{"--cutoff", "auto", "auto"},
+                              DefaultValue{"--laplacian", "umbrella", crease_laplacian},
+                              DefaultValue{"--twicing", "1", "0"},
+                              DefaultValue{"--steps", "8", "8"},
+                              DefaultValue{"--boundary", "fair", "fair"},
+                              DefaultValue{"--first-stage", "normals", "normals"}};
 
 using Value = const char* DefaultValue::*;
 
-/// The options with the values of a column, as on a command line. If `other` is given, only the
-/// options for which the columns differ.
+/// The options with the values of a column, as on a command line in lines that fit into a terminal.
+/// If `other` is given, only the options for which the columns differ.
 std::string words(Value value, Value other = nullptr) {
+  constexpr std::size_t width = 72;
   std::string text;
+  std::size_t line = 0;  // where the last line begins
   for (const DefaultValue& set : defaults) {
     if (other == nullptr || std::string_view(set.*value) != set.*other) {
-      text += fmt::format("{}{} {}", text.empty() ? "" : " ", set.option, set.*value);
+      const std::string word = fmt::format("{} {}", set.option, set.*value);
+      if (text.size() - line + word.size() >= width) {
+        text += "\n ";
+        line = text.size();
+      }
+      text += (text.empty() ? "" : " ") + word;
     }
   }
   return text;

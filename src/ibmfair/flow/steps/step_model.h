@@ -7,7 +7,8 @@ namespace ibmfair {
 
 /// For a step d with J d = -h g, J = D + h S, the model predicts that a part a of the step lowers
 /// the energy by -a <g,d> - a^2/2 d^T S d = (a - a^2/2) <-g,d> + a^2/2 <d,Dd>/h > 0. For energies
-/// that are quadratic in the positions, with S their Hessian, this is exact.
+/// that are quadratic in the positions, with S their Hessian, this is exact, except with free rims,
+/// where d is cut to its part along the normals (flow/steps/free_rims.h).
 class StepModel {
  public:
   StepModel() = default;
