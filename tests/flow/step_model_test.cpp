@@ -33,7 +33,9 @@ struct Midway {
   }
 
   double actual_decrease(double a) {
-    return problem->energy() - problem->energy_at(state.X + a * step);
+    Points Y = state.X;
+    Y(problem->unknowns.vertex, Eigen::all) += a * step;
+    return problem->energy() - problem->energy_at(Y);
   }
 
   State state;
