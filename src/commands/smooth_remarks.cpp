@@ -107,8 +107,9 @@ std::string remark_on_noise(const SmoothPlan& plan) {
   }
   switch (plan.choice->kind) {
     case NoiseKind::none:
-      return "no noise was found: the mesh is written as it was read (--cutoff LENGTH smooths it "
-             "nevertheless)";
+      return "no noise was found: the mesh is written as it was read (noise that hardly differs "
+             "between neighbouring vertices cannot be told from detail; --cutoff LENGTH smooths "
+             "it)";
     case NoiseKind::outliers:
       return "the noise has outliers: a few vertices are much farther off than the others";
     case NoiseKind::correlated:

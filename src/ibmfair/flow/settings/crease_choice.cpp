@@ -35,8 +35,11 @@ class CreaseSearch {
   CreaseChoice with_angle(double angle, double start) const {
     CreaseChoice choice{radians(angle), without_};
     // Creases allow longer cut-offs than without.
-    choice.cutoff.trials = trials_around([&](double cutoff) { return risk(angle, cutoff); }, start,
-                                         without_.cutoff / std::sqrt(2.0), search_.largest);
+    choice.cutoff.trials = trials_around([&](double cutoff) { return risk(angle, cutoff); },
+                                         {.start = start,
+                                          .shortest = without_.cutoff / std::sqrt(2.0),
+                                          .largest = search_.largest,
+                                          .hopeless = bending_risk_});
     choice.cutoff.cutoff = cutoff_of_least_risk(choice.cutoff.trials, true);
     return choice;
   }

@@ -81,7 +81,9 @@ CutoffChoice choose_with_creases(const TrialMesh& mesh, const CutoffSearch& sear
         }
         return estimate.risk(mesh.options(), cutoff);
       },
-      tuning.creases.first_cutoff * edge, tuning.cutoff.shortest * edge, search.largest);
+      {.start = tuning.creases.first_cutoff * edge,
+       .shortest = tuning.cutoff.shortest * edge,
+       .largest = search.largest});
   choice.cutoff = cutoff_of_least_risk(choice.trials, true);
   return choice;
 }

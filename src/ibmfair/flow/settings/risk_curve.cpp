@@ -27,15 +27,16 @@ double cutoff_of_least_risk(const std::vector<CutoffTrial>& trials, bool keeps_c
   return trials[i].cutoff * std::pow(trials[i + 1].cutoff / trials[i].cutoff, shift);
 }
 
-std::vector<CutoffTrial> trials_around(const std::function<double(double)>& risk, double start,
-                                       double shortest, double largest) {
+std::vector<CutoffTrial> trials_around(const std::function<double(double)>& risk,
+                                       const CutoffRange& range) {
   const double factor = std::sqrt(2.0);
-  std::vector<CutoffTrial> trials{{start, risk(start)}};
+  std::vector<CutoffTrial> trials{{range.start, risk(range.start)}};
+  const double largest = trials[0].risk > range.hopeless ? range.start : range.largest;
   const auto rises = [&] { return trials.back().risk > trials[least_risk(trials)].risk; };
-  for (double cutoff = factor * start; cutoff <= largest && !rises(); cutoff *= factor) {
+  for (double cutoff = factor * range.start; cutoff <= largest && !rises(); cutoff *= factor) {
     trials.push_back({cutoff, risk(cutoff)});
   }
-  for (double cutoff = start / factor; cutoff >= shortest && least_risk(trials) == 0;
+  for (double cutoff = range.start / factor; cutoff >= range.shortest && least_risk(trials) == 0;
        cutoff /= factor) {
     trials.insert(trials.begin(), {cutoff, risk(cutoff)});
   }

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <limits>
 #include <vector>
 
 namespace ibmfair {
@@ -24,10 +25,18 @@ std::size_t least_risk(const std::vector<CutoffTrial>& trials);
 /// that shift. `trials`: with increasing cut-offs, each longer than the last by the same factor.
 double cutoff_of_least_risk(const std::vector<CutoffTrial>& trials, bool keeps_creases);
 
-/// The trials at `start` (length) and at cut-offs around it, each longer than the last by the
-/// square root of two, until the least risk has a neighbour on both sides or the next cut-off would
-/// be below `shortest` or above `largest`.
+struct CutoffRange {
+  double start = 0;     ///< the first cut-off, length
+  double shortest = 0;  ///< length
+  double largest = 0;   ///< length
+  /// If the first cut-off leaves a larger risk (length^2), longer ones are not tried.
+  double hopeless = std::numeric_limits<double>::infinity();
+};
+
+/// The trials at the first cut-off of the range and at cut-offs around it, each longer than the
+/// last by the square root of two, until the least risk has a neighbour on both sides or the range
+/// ends.
 std::vector<CutoffTrial> trials_around(const std::function<double(double cutoff)>& risk,
-                                       double start, double shortest, double largest);
+                                       const CutoffRange& range);
 
 }  // namespace ibmfair
