@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "ibmfair/base/parallel.h"
 #include "ibmfair/base/random_numbers.h"
 #include "ibmfair/flow/steps/unknown_normals.h"
 #include "ibmfair/flow/time_scale.h"
@@ -47,11 +48,10 @@ double AddedNoise::risk(FlowOptions options, double cutoff) const {
   options.total_time =
       time_in_flow_units(time_for_cutoff(cutoff), mesh_.X(), mesh_.topology(), options);
   options.steps = std::min(options.steps, tuning.cutoff.leg_steps);
-  const auto end_from = [&](Points Y) {
-    willmore_flow(Y, mesh_.topology(), mesh_.fixed(), options);
-    return Y;
-  };
-  const Points plus = end_from(noisier_), minus = end_from(2 * mesh_.X() - noisier_);
+  Points plus = noisier_, minus = 2 * mesh_.X() - noisier_;
+  parallel_tasks(2, [&](std::int64_t i) {
+    willmore_flow(i == 0 ? plus : minus, mesh_.topology(), mesh_.fixed(), options);
+  });
   const double squared_moves =
       heights(plus, mesh_.X()).squaredNorm() / 2 + heights(minus, mesh_.X()).squaredNorm() / 2;
   const double trace = added_.dot(heights(plus, minus)) / added_.squaredNorm() / 2;
