@@ -114,28 +114,6 @@ Extension extension_of(const Filling& filling, const Triangulation& triangulatio
   return extension;
 }
 
-/// A sentence that lists the requested results that were not achieved; empty if there are none.
-std::string shortfall(const Filling& filling, bool allow_intersections) {
-  std::int64_t open = 0, rough = 0, folds = 0, intersections = 0;
-  for (const HoleReport& hole : filling.holes) {
-    open += hole.status == HoleStatus::failed ? 1 : 0;
-    rough += hole.status == HoleStatus::not_converged || hole.status == HoleStatus::coarse ? 1 : 0;
-    folds += hole.seam.folds;
-    intersections += hole.intersections;
-  }
-  std::vector<std::string> parts;
-  const auto add = [&parts](std::int64_t count, const char* text) {
-    if (count > 0) {
-      parts.push_back(fmt::format("{} {}", count, text));
-    }
-  };
-  add(open, "left open");
-  add(rough, "not converged");
-  add(folds, "folded hinges");
-  add(allow_intersections ? 0 : intersections, "intersecting pairs of triangles");
-  return parts.empty() ? std::string() : fmt::format("holes: {}", fmt::join(parts, ", "));
-}
-
 void tell(const WriteReport& written, const Console& console) {
   for (const std::string& note : written.notes) {
     console.note(note);

@@ -1,6 +1,9 @@
 #include "commands/fill_report.h"
 
+#include <cstdint>
 #include <map>
+#include <string>
+#include <vector>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -273,6 +276,27 @@ void add_filling(const Filling& filling, const std::vector<Hole>& holes, const F
     json["bridges"] = std::move(bridges);
   }
   json["seconds"] = seconds_json(seconds);
+}
+
+std::string shortfall(const Filling& filling, bool allow_intersections) {
+  std::int64_t open = 0, rough = 0, folds = 0, intersections = 0;
+  for (const HoleReport& hole : filling.holes) {
+    open += hole.status == HoleStatus::failed ? 1 : 0;
+    rough += hole.status == HoleStatus::not_converged || hole.status == HoleStatus::coarse ? 1 : 0;
+    folds += hole.seam.folds;
+    intersections += hole.intersections;
+  }
+  std::vector<std::string> parts;
+  const auto add = [&parts](std::int64_t count, const char* text) {
+    if (count > 0) {
+      parts.push_back(fmt::format("{} {}", count, text));
+    }
+  };
+  add(open, "left open");
+  add(rough, "not converged");
+  add(folds, "folded hinges");
+  add(allow_intersections ? 0 : intersections, "intersecting pairs of triangles");
+  return parts.empty() ? std::string() : fmt::format("holes: {}", fmt::join(parts, ", "));
 }
 
 std::string region_text(const RegionReport& region, const FillSeconds& seconds, bool detailed) {

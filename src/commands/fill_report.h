@@ -23,6 +23,9 @@ std::string fill_text(const Filling& filling, const FillSeconds& seconds, bool d
 void add_filling(const Filling& filling, const std::vector<Hole>& holes, const FillSeconds& seconds,
                  Report& report);
 
+/// A sentence that lists the requested results that were not achieved; empty if there are none.
+std::string shortfall(const Filling& filling, bool allow_intersections);
+
 /// Describes the fairing of a region.
 std::string region_text(const RegionReport& region, const FillSeconds& seconds, bool detailed);
 void add_region(const RegionReport& region, const FillSeconds& seconds, Report& report);
