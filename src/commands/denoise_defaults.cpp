@@ -1,9 +1,11 @@
 #include "commands/denoise_defaults.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -52,6 +54,15 @@ std::string words(Value value, Value other = nullptr) {
   return text;
 }
 
+/// Whether the option is given with another value than --denoise would give it. Jobs name all
+/// values, and mean the same as the command line from which they came.
+bool is_changed(const CLI::App& app, const std::string& name) {
+  const auto set = std::ranges::find_if(
+      defaults, [&](const DefaultValue& value) { return name == value.option; });
+  return is_given(app, name.c_str()) &&
+         app.get_option(name)->results() != std::vector<std::string>{set->value};
+}
+
 }  // namespace
 
 void add_denoise_flag(CLI::App& app, SmoothArguments& arguments) {
@@ -61,12 +72,12 @@ void add_denoise_flag(CLI::App& app, SmoothArguments& arguments) {
       return;
     }
     const bool keeps_sharp = is_given(app, "--keep-sharp");
-    arguments.finds_creases = !keeps_sharp;
-    for (const char* const option : {"--cutoff", "--laplacian", "--twicing", "--mass"}) {
-      arguments.finds_creases = arguments.finds_creases && !is_given(app, option);
+    arguments.finds_creases = !keeps_sharp && !is_given(app, "--mass");
+    for (const char* const option : {"--cutoff", "--laplacian", "--twicing"}) {
+      arguments.finds_creases = arguments.finds_creases && !is_changed(app, option);
     }
-    arguments.chooses_steps = !is_given(app, "--steps");
-    arguments.chooses_boundary = !is_given(app, "--boundary");
+    arguments.chooses_steps = !is_changed(app, "--steps");
+    arguments.chooses_boundary = !is_changed(app, "--boundary");
     for (const auto& [name, value, with_creases] : defaults) {
       if (!is_given(app, name)) {  // set as if given, so that reports and jobs contain the value
         app.get_option(name)->add_result(keeps_sharp ? with_creases : value);
@@ -84,7 +95,9 @@ std::string denoising_text() {
       "--denoise is shorthand for these options; each of them can be overridden:\n"
       "  {}\n"
       "It also keeps the volume of a closed mesh, unless --max-move is given. If\n"
-      "sharp edges are found, it uses these instead:\n"
+      "sharp edges are found (they are looked for unless --keep-sharp, --mass, or\n"
+      "other values of --cutoff, --laplacian or --twicing are given), it uses these\n"
+      "instead:\n"
       "  {} --keep-sharp ANGLE\n"
       "with the angle that leaves the least error; the angle is {:.0f} degrees if the\n"
       "noise of neighbouring vertices is correlated, as that of depth cameras. Steps\n"

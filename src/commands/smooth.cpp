@@ -70,6 +70,7 @@ Smoothing read_smoothing(const SmoothArguments& arguments, const Console& consol
   s.topology = build_topology(s.before(), triangulate(s.file.mesh()).F);
   s.result.vertices = s.topology.vertex_count;
   s.result.triangles = s.topology.F.rows();
+  s.result.has_rims = !s.topology.boundary_loops.empty();
   s.result.closed =
       s.topology.boundary_loops.empty() && s.topology.defects.non_manifold_edges.empty();
   s.result.defective = std::ranges::find(s.topology.defective, 1) != s.topology.defective.end();

@@ -63,8 +63,11 @@ class Planner {
     if (!arguments_.anisotropy.empty()) {
       project_directions();
     }
-    const bool keeps_rims =
-        arguments_.chooses_boundary && plan_.choice && plan_.choice->kind == NoiseKind::steps;
+    const bool steps = plan_.choice && plan_.choice->kind == NoiseKind::steps;
+    if (plan_.choice && !steps) {
+      plan_.lines.clear();  // their corners cannot be told from noise
+    }
+    const bool keeps_rims = arguments_.chooses_boundary && steps;
     if (arguments_.boundary == "fair" && plan_.flow.steps > 0 && !keeps_rims) {
       plan_rims();
     }

@@ -176,9 +176,10 @@ std::string remark_on_thin_walls(const SmoothPlan& plan) {
   const double thickness = median_thickness(plan.wall_sample);
   return fmt::format(
       "the mesh has walls that are thinner than two edges (about {:.3g}): {} at their rims and "
-      "next to them stay fixed, as bending would blow the walls up there; with a --cutoff of less "
-      "than {:.3g}u they move",
-      thickness, counted(rims, "vertex", "vertices"), thickness / tuning.thin_walls.of_cutoff);
+      "next to them stay fixed, as bending would blow the walls up there; a --cutoff that is "
+      "shorter "
+      "than the walls are thick lets them move",
+      thickness, counted(rims, "vertex", "vertices"));
 }
 
 /// A remark about the lines in which sheets meet; empty if there are none.
@@ -186,15 +187,21 @@ std::string remark_on_lines(const SmoothPlan& plan) {
   if (plan.lines.empty() || plan.flow.steps == 0) {
     return {};
   }
-  std::size_t vertices = 0;
+  std::size_t lines = 0, vertices = 0;
   for (const MeetingLine& line : plan.lines) {
-    vertices += line.vertices.size();
+    const std::size_t ends = line.closed ? 0 : 2;  // which stay
+    if (line.vertices.size() > ends) {
+      ++lines;
+      vertices += line.vertices.size() - ends;
+    }
   }
-  return fmt::format(
-      "{} in which three or more sheets meet, with {}, {}",
-      counted(std::ssize(plan.lines), "line", "lines"),
-      counted(static_cast<long long>(vertices), "vertex", "vertices"),
-      plan.lines.size() == 1 ? "was smoothed as a curve" : "were smoothed as curves");
+  if (lines == 0) {
+    return {};
+  }
+  return fmt::format("{} in which three or more sheets meet, with {}, {}",
+                     counted(static_cast<long long>(lines), "line", "lines"),
+                     counted(static_cast<long long>(vertices), "vertex", "vertices"),
+                     lines == 1 ? "was smoothed as a curve" : "were smoothed as curves");
 }
 
 /// Why no vertex can move where no option is the cause, with what helps; empty otherwise.
@@ -219,7 +226,7 @@ std::string warning_on_fixed(const SmoothArguments& arguments, const SmoothResul
     return "no vertex is free to move, and the mesh is written as it was read" + cause;
   }
   std::vector<std::string> causes;
-  if (!result.closed && arguments.boundary != "free") {
+  if (result.has_rims && (arguments.boundary == "fixed" || arguments.boundary == "position")) {
     causes.emplace_back("open boundaries (--boundary free lets them move)");
   }
   if (result.defective) {
@@ -254,8 +261,8 @@ std::vector<std::string> notes_on(const SmoothArguments& arguments, const Smooth
 std::string warning_on_volume(const SmoothArguments& arguments, const SmoothResult& result) {
   constexpr double large_change = 0.01;
   constexpr double rounding = 1e-9;  // of the volume of a cube of this area
-  const double before = std::abs(result.before.volume), after = std::abs(result.after.volume);
-  if (!result.closed || !(before > rounding * std::pow(result.before.area, 1.5)) ||
+  const double before = result.before.volume, after = result.after.volume;
+  if (result.has_rims || !(std::abs(before) > rounding * std::pow(result.before.area, 1.5)) ||
       !(std::abs(after / before - 1) > large_change)) {
     return {};
   }
@@ -267,7 +274,9 @@ std::string warning_on_volume(const SmoothArguments& arguments, const SmoothResu
 
 std::string warning_on_walls(const SmoothArguments& arguments, const SmoothResult& result) {
   constexpr double large_change = 0.1;
-  if (!(std::abs(result.thickening - 1) > large_change) ||
+  const bool looked = !arguments.cutoff_auto && !arguments.time_step && !arguments.plain;
+  const bool has_none = looked && result.plan.thin.walls.empty();
+  if (has_none || !(std::abs(result.thickening - 1) > large_change) ||
       !warning_on_volume(arguments, result).empty()) {
     return {};
   }
@@ -282,7 +291,7 @@ std::string warning_on_end(const SmoothArguments& arguments, const SmoothResult&
                            const std::string& output) {
   switch (result.flow.status) {
     case FlowStatus::completed:
-      if (result.plan.flow.steps > 0 && result.flow.unknowns == 0) {
+      if (result.plan.flow.steps > 0 && result.flow.unknowns == 0 && result.largest_move == 0) {
         return warning_on_fixed(arguments, result);
       }
       return result.flow.twicings < result.plan.flow.twicing && result.plan.flow.steps > 0

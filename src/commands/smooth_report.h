@@ -26,6 +26,7 @@ struct SmoothResult {
   std::int64_t coincident = 0;  ///< vertices that lie on others, if most are on open boundaries
   std::int64_t duplicates = 0;  ///< triangles with the same vertices as another
   bool closed = true;           ///< every edge lies between two triangles
+  bool has_rims = false;        ///< open boundaries
   bool defective = false;       ///< whether vertices are fixed because the mesh has defects there
   double seconds_read = 0, seconds_topology = 0, seconds_measure = 0, seconds_write = 0;
 };

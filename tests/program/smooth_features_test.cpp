@@ -335,13 +335,25 @@ TEST_F(SmoothFeatures, DenoiseKeepsCreasesWhereThatLeavesLess) {
                      "--keep-sharp", fmt::format("{}", angle), "--first-stage", "normals",
                      "--keep-volume"});
   EXPECT_LT((named.X - kept.X).norm(), 1e-9);
-  // Options that are given explicitly take precedence.
-  const Smoothed rounded = smooth(input, {"--denoise", "--laplacian", "umbrella"});
+  // Values that --denoise sets itself change nothing, and others take precedence.
+  const Smoothed same = smooth(input, {"--denoise", "--laplacian", "umbrella", "--cutoff", "auto"});
+  EXPECT_EQ(same.X, kept.X);
+  const Smoothed rounded = smooth(input, {"--denoise", "--laplacian", "lagrange"});
   EXPECT_FALSE(rounded.report["cutoff_choice"].contains("keep_sharp"));
   EXPECT_GT(degrees_off(), 2);
   const Smoothed told = smooth(input, {"--denoise", "--keep-sharp", "20"});
   EXPECT_FALSE(told.report["cutoff_choice"].contains("keep_sharp"));
   EXPECT_LT(degrees_off(), 1);
+}
+
+TEST_F(SmoothFeatures, DenoiseDoesTheSameInABatch) {
+  const std::string input = noisy("cube", {"--subdivide", "4", "--noise", "0.2"});
+  ASSERT_EQ(run_program({"smooth", input, files_ / "one.ply", "--denoise"}).exit_code, 0);
+  ASSERT_EQ(run_program({"smooth", input, "--out-dir", files_ / "batch", "--denoise"}).exit_code,
+            0);
+  const std::string name = std::filesystem::path(input).filename();
+  EXPECT_EQ(read_mesh(std::filesystem::path(files_ / "batch") / name).mesh().X,
+            read_mesh(files_ / "one.ply").mesh().X);
 }
 
 TEST_F(SmoothFeatures, DenoiseSmoothsStepsLikeSmoothWithoutOptionsAndSaysSo) {

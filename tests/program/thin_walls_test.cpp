@@ -128,7 +128,7 @@ TEST_F(ThinWallRuns, AShortCutoffMovesTheRims) {
   const State state(plate(14, 14, 1));
   const ThinRun fixed = smooth(state, {"--cutoff", "8"});
   EXPECT_LT(fixed.report["mesh"]["unknowns"], state.X.rows());
-  const ThinRun moves = smooth(state, {"--cutoff", "2"});
+  const ThinRun moves = smooth(state, {"--cutoff", "0.8"});
   EXPECT_EQ(moves.report["mesh"]["unknowns"], state.X.rows());
 }
 

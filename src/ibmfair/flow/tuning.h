@@ -317,7 +317,7 @@ struct CreaseTuning {
 struct ThinWallTuning {
   /// The thickest wall: mean edge lengths, and ratios to the cut-off and to the root of the area
   /// (0.56 for a ball, 0.12 for a plate five times as wide as thick).
-  double edges = 2, of_cutoff = 0.25, of_size = 0.15;
+  double edges = 2, of_cutoff = 1, of_size = 0.15;
   double share = 0.25;  ///< ratio; of the area of a component that is a thin wall
   /// Ratio of the length of the sum of the normals around a triangle to the sum of their lengths,
   /// at least. It is 0.5 on rods and 0.65 to 1 on other thin parts, and at most 0.33 where noise of
@@ -326,6 +326,7 @@ struct ThinWallTuning {
   /// A rim is where a path over the surface leads from one side of the wall to the other that is at
   /// most this long: ratio to the thickness, plus ratio to the edge length.
   double path = 1.3, beyond = 0.9;
+  int most_seen = 1000;       ///< count; neighbours that are looked at for one path; not measured
   double share_around = 0.5;  ///< ratio; of the area around a triangle whose wall counts
   Index sample = 4'000;       ///< count; triangles that tell whether a large mesh has thin walls
   int sweeps = 6;             ///< count; of averages over one ring of the change in thickness

@@ -15,13 +15,13 @@ namespace {
 /// most. The sides of a wedge of 70 degrees have it; at a rim, averaged normals are tilted as much.
 constexpr double facing = -0.3;
 
-/// The direction of the sum of the area vectors of the triangles around the corners of t.
-Vec3 mean_normal(const Points& X, const Topology& topology, Index t) {
-  Vec3 sum = Vec3::Zero();
-  for (const Index v : topology.F.row(t)) {
-    sum += double_area_vector_at(v, X, topology);
-  }
-  return sum.stableNormalized();
+/// The averaged normal of triangle t.
+Vec3 mean_normal(const Points& area_vectors, const Topology& topology, Index t) {
+  const auto corners = topology.F.row(t);
+  return (area_vectors.row(corners[0]) + area_vectors.row(corners[1]) +
+          area_vectors.row(corners[2]))
+      .transpose()
+      .stableNormalized();
 }
 
 Vec3 centroid(const Points& X, const Topology& topology, Index t) {
@@ -61,7 +61,11 @@ class WallFinder {
  public:
   WallFinder(const Points& X, const Topology& topology, const std::vector<Index>& triangles,
              double thickest)
-      : X_(X), topology_(topology), triangles_(triangles), thickest_(thickest) {}
+      : X_(X),
+        topology_(topology),
+        triangles_(triangles),
+        thickest_(thickest),
+        area_vectors_(vertex_area_vectors(X, topology)) {}
 
   std::vector<Wall> find() {
     cast_rays();
@@ -91,8 +95,9 @@ class WallFinder {
     parallel_for(std::ssize(rays_), [&](std::int64_t i) {
       const Index t = triangles_[i], component = topology_.component[topology_.F(t, 0)];
       rays_[i].start = centroid(X_, topology_, t);
-      rays_[i].direction = component < 0 ? Vec3(Vec3::Zero())
-                                         : Vec3(-sign[component] * mean_normal(X_, topology_, t));
+      rays_[i].direction = component < 0
+                               ? Vec3(Vec3::Zero())
+                               : Vec3(-sign[component] * mean_normal(area_vectors_, topology_, t));
     });
   }
 
@@ -110,15 +115,18 @@ class WallFinder {
             std::vector<Meeting>& meetings) const {
     std::vector<Index> found;
     for (auto t = static_cast<Index>(first); t < last; ++t) {
+      if (!topology_.usable[t]) {
+        continue;
+      }
       const Vec3 a = X_.row(topology_.F(t, 0)), b = X_.row(topology_.F(t, 1)),
                  c = X_.row(topology_.F(t, 2));
       grid.find(BoxGrid::Box(a).extend(b).extend(c), found);
       for (const Index i : found) {
-        if (triangles_[i] == t || rays_[i].direction.isZero()) {
+        if (triangles_[i] == t || rays_[i].direction.isZero() || !faces_against(i, t)) {
           continue;
         }
         Meeting meeting = meeting_of(rays_[i], a, b, c);
-        if (meeting.distance <= thickest_ && faces_against(i, t)) {
+        if (meeting.distance <= thickest_) {
           meeting.ray = i;
           meeting.triangle = t;
           meetings.push_back(meeting);
@@ -131,13 +139,15 @@ class WallFinder {
   bool faces_against(Index i, Index t) const {
     const Index component = topology_.component[topology_.F(t, 0)];
     return component == topology_.component[topology_.F(triangles_[i], 0)] &&
-           mean_normal(X_, topology_, t).dot(mean_normal(X_, topology_, triangles_[i])) < facing;
+           mean_normal(area_vectors_, topology_, t)
+                   .dot(mean_normal(area_vectors_, topology_, triangles_[i])) < facing;
   }
 
   const Points& X_;
   const Topology& topology_;
   const std::vector<Index>& triangles_;
   const double thickest_;
+  const Points area_vectors_;
   std::vector<Ray> rays_;
 };
 
@@ -165,14 +175,22 @@ std::vector<int> outward_signs(const Points& X, const Topology& topology) {
   return sign;
 }
 
-double thickness_at(const Points& Y, const Topology& topology, Index t, const Wall& wall,
-                    int outward) {
+Points vertex_area_vectors(const Points& X, const Topology& topology) {
+  Points sums(X.rows(), 3);
+  parallel_for(X.rows(), [&](std::int64_t v) {
+    sums.row(v) = double_area_vector_at(static_cast<Index>(v), X, topology);
+  });
+  return sums;
+}
+
+double thickness_at(const Points& Y, const Points& area_vectors, const Topology& topology, Index t,
+                    const Wall& wall, int outward) {
   const auto corners = topology.F.row(wall.opposite);
   Vec3 there = Vec3::Zero();
   for (int i = 0; i < 3; ++i) {
     there += wall.weights[i] * Y.row(corners[i]);
   }
-  return outward * mean_normal(Y, topology, t).dot(centroid(Y, topology, t) - there);
+  return outward * mean_normal(area_vectors, topology, t).dot(centroid(Y, topology, t) - there);
 }
 
 std::vector<Wall> find_walls(const Points& X, const Topology& topology,

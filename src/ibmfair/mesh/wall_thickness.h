@@ -27,12 +27,17 @@ struct Wall {
 std::vector<Wall> find_walls(const Points& X, const Topology& topology,
                              const std::vector<Index>& triangles, double thickest);
 
+/// The sum of the double area vectors of the triangles at each vertex, #V x 3, length^2. The
+/// averaged normal of a triangle is the direction of the sum over its corners.
+Points vertex_area_vectors(const Points& X, const Topology& topology);
+
 /// The thickness of a wall of triangle t in the positions Y of the same mesh, from the triangle's
 /// centroid to the point that was opposite when the wall was found, along the triangle's averaged
 /// normal; negative where the two sheets have passed through each other. `outward` is 1 or -1, as
-/// the triangles of the component face outwards or inwards (outward_signs).
-double thickness_at(const Points& Y, const Topology& topology, Index t, const Wall& wall,
-                    int outward);
+/// the triangles of the component face outwards or inwards (outward_signs); `area_vectors` is
+/// vertex_area_vectors(Y, topology).
+double thickness_at(const Points& Y, const Points& area_vectors, const Topology& topology, Index t,
+                    const Wall& wall, int outward);
 
 /// 1 or -1 for each component whose triangles face outwards or inwards; 0 for components that are
 /// not closed or not orientable.

@@ -52,13 +52,15 @@ class WallRestoration {
   PerVertex change_at_vertices(const Points& X) const {
     PerVertex change = PerVertex::Zero(topology_.vertex_count),
               weight = PerVertex::Zero(topology_.vertex_count);
+    const Points area_vectors = vertex_area_vectors(X, topology_);
     for (Index t = 0; t < topology_.F.rows(); ++t) {
       if (!walls_[t].exists()) {
         continue;
       }
       const int outward = outward_[topology_.component[topology_.F(t, 0)]];
       const double area = double_area_vector(X, topology_.F, t).norm();
-      const double more = thickness_at(X, topology_, t, walls_[t], outward) - walls_[t].thickness;
+      const double more =
+          thickness_at(X, area_vectors, topology_, t, walls_[t], outward) - walls_[t].thickness;
       if (std::abs(more) <= rounding * walls_[t].thickness) {
         continue;
       }

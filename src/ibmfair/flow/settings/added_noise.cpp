@@ -1,6 +1,7 @@
 #include "ibmfair/flow/settings/added_noise.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "ibmfair/base/parallel.h"
 #include "ibmfair/base/random_numbers.h"
@@ -8,27 +9,45 @@
 #include "ibmfair/flow/time_scale.h"
 #include "ibmfair/flow/tuning.h"
 #include "ibmfair/flow/willmore_flow.h"
+#include "ibmfair/mesh/corners.h"
 #include "ibmfair/mesh/guided_normals.h"
 
 namespace ibmfair {
 namespace {
-
-Points with_more_noise(const Points& X, const Unknowns& unknowns, double deviation) {
-  Points Y = X;
-  RandomNumbers random(1);
-  for (const Index v : unknowns.vertex) {
-    for (int axis = 0; axis < 3; ++axis) {
-      Y(v, axis) += deviation * random.normal();
-    }
-  }
-  return Y;
-}
 
 Points with_filtered_normals(const TrialMesh& mesh) {
   const FirstStageTuning& tuned = tuning.first_stage;
   const Points normals =
       guided_normals(mesh.X(), mesh.topology(), tuned.normal_sweeps, tuned.unlike);
   return fit_to_normals(mesh.X(), mesh.topology(), mesh.fixed(), normals, tuned.vertex_sweeps);
+}
+
+/// Two directions that turn with the mesh, one along the edge to another vertex, both perpendicular
+/// to the unit normal of v.
+std::pair<Vec3, Vec3> tangents_at(Index v, const Vec3& normal, const TrialMesh& mesh) {
+  const auto star = mesh.topology().stars[v];
+  Vec3 edge = Vec3::Zero();
+  if (!star.empty()) {
+    edge = mesh.X().row(other_corners(mesh.topology().F, star[0], v)[0]) - mesh.X().row(v);
+  }
+  const Vec3 along = (edge - normal.dot(edge) * normal).stableNormalized();
+  return {along, normal.cross(along)};
+}
+
+/// The mesh with white noise of this standard deviation in every direction. The noise turns with
+/// the mesh, so that choices do not depend on its orientation. `normals`: of the unknowns.
+Points with_more_noise(const TrialMesh& mesh, const Unknowns& unknowns, const Points& normals,
+                       double deviation) {
+  Points Y = mesh.X();
+  RandomNumbers random(1);
+  for (Index u = 0; u < unknowns.size(); ++u) {
+    const Index v = unknowns.vertex[u];
+    const Vec3 normal = normals.row(u);
+    const auto [along, across] = tangents_at(v, normal, mesh);
+    const double x = random.normal(), y = random.normal(), z = random.normal();
+    Y.row(v) += deviation * (x * along + y * across + z * normal);
+  }
+  return Y;
 }
 
 }  // namespace
@@ -38,10 +57,10 @@ AddedNoise::AddedNoise(const TrialMesh& mesh, double noise)
       noise_(noise),
       unknowns_(mesh.fixed()),
       counted_(counted_unknowns(mesh, unknowns_)),
-      noisier_(with_more_noise(mesh.X(), unknowns_,
+      normals_(unknown_normals(with_filtered_normals(mesh), mesh.topology(), unknowns_)),
+      noisier_(with_more_noise(mesh, unknowns_, normals_,
                                std::max(tuning.cutoff.added_noise * noise,
                                         tuning.cutoff.least_added * mesh.mean_edge_length()))),
-      normals_(unknown_normals(with_filtered_normals(mesh), mesh.topology(), unknowns_)),
       added_(heights(noisier_, mesh.X())) {}
 
 double AddedNoise::risk(FlowOptions options, double cutoff) const {

@@ -46,8 +46,8 @@ class AddedNoise {
   const double noise_;
   Unknowns unknowns_;
   std::vector<Index> counted_;  // unknowns whose vertices are counted
-  Points noisier_;              // #V x 3, with the noise added
   Points normals_;              // #unknowns x 3, of the mesh with filtered normals
+  Points noisier_;              // #V x 3, with the noise added
   Eigen::VectorXd added_;       // heights of the noise added
 };
 

@@ -1,5 +1,7 @@
 #include "ibmfair/flow/settings/rim_paths.h"
 
+#include "ibmfair/flow/tuning.h"
+
 namespace ibmfair {
 
 std::vector<Index> RimPaths::find(Index from, Index to, double longest) {
@@ -8,7 +10,7 @@ std::vector<Index> RimPaths::find(Index from, Index to, double longest) {
   for (const Index v : topology_.F.row(from)) {
     visit(v, -1, 0);
   }
-  while (!queue_.empty()) {
+  for (int seen = 0; !queue_.empty();) {
     const auto [length, v] = queue_.top();
     queue_.pop();
     if (length > reached_.at(v).length) {
@@ -17,7 +19,12 @@ std::vector<Index> RimPaths::find(Index from, Index to, double longest) {
     if ((topology_.F.row(to).array() == v).any()) {
       return path_to(v);
     }
-    for (const Index w : rings_[v]) {
+    const auto ring = rings_[v];
+    seen += static_cast<int>(ring.size());
+    if (seen > tuning.thin_walls.most_seen) {
+      return {};
+    }
+    for (const Index w : ring) {
       const double there = length + (X_.row(w) - X_.row(v)).norm();
       if (there <= longest) {
         visit(w, v, there);

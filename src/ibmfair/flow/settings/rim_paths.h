@@ -20,7 +20,8 @@ class RimPaths {
       : X_(X), topology_(topology), rings_(rings) {}
 
   /// The vertices of the shortest path from a corner of `from` to a corner of `to`, both included;
-  /// empty if the path is longer than `longest` (length).
+  /// empty if the path is longer than `longest` (length), or if vertices with
+  /// very many neighbours lie around (ThinWallTuning::most_seen).
   std::vector<Index> find(Index from, Index to, double longest);
 
  private:

@@ -24,19 +24,35 @@ double mean_edge_of(Index t, const Points& X, const Topology& topology) {
   return sum / 3;
 }
 
-/// How much the triangles around the corners of t face the same way: the length of the sum of their
-/// normals over the sum of the lengths.
-double coherence(Index t, const Points& X, const Topology& topology) {
-  Vec3 sum = Vec3::Zero();
-  double lengths = 0;
-  for (const Index v : topology.F.row(t)) {
-    for (const Index s : topology.stars[v]) {
-      const Vec3 N = double_area_vector(X, topology.F, s);
-      sum += N;
-      lengths += N.norm();
+/// The sum over the corners of t.
+template <class Values>
+double at_corners(const Values& values, Index t, const Topology& topology) {
+  const auto corners = topology.F.row(t);
+  return values[corners[0]] + values[corners[1]] + values[corners[2]];
+}
+
+/// A value for each vertex: the sum over its triangles.
+template <class Value>
+Eigen::VectorXd around_vertices(const Topology& topology, const Value& of_triangle) {
+  Eigen::VectorXd sums = Eigen::VectorXd::Zero(topology.vertex_count);
+  for (Index t = 0; t < topology.F.rows(); ++t) {
+    const double value = of_triangle(t);
+    for (const Index v : topology.F.row(t)) {
+      sums[v] += value;
     }
   }
-  return lengths > 0 ? sum.norm() / lengths : 0;
+  return sums;
+}
+
+/// How much the triangles around the corners of t face the same way: the length of the sum of their
+/// area vectors over the sum of the lengths.
+double coherence(Index t, const Points& area_vectors, const Eigen::VectorXd& lengths,
+                 const Topology& topology) {
+  const auto corners = topology.F.row(t);
+  const Vec3 sum =
+      area_vectors.row(corners[0]) + area_vectors.row(corners[1]) + area_vectors.row(corners[2]);
+  const double all = at_corners(lengths, t, topology);
+  return all > 0 ? sum.norm() / all : 0;
 }
 
 double thickest_wall(const Points& X, const Topology& topology, double cutoff) {
@@ -70,20 +86,6 @@ std::vector<std::uint8_t> thin_components(const Points& X, const Topology& topol
   return result;
 }
 
-/// The share of the area around triangle t that has walls.
-double walled_share_around(Index t, const Points& X, const Topology& topology,
-                           const std::vector<Wall>& walls) {
-  double walled = 0, all = 0;
-  for (const Index v : topology.F.row(t)) {
-    for (const Index s : topology.stars[v]) {
-      const double area = area_of(s, X, topology);
-      all += area;
-      walled += walls[s].exists() ? area : 0;
-    }
-  }
-  return walled / all;
-}
-
 /// Flags the vertices between the two sides of each wall where a short path leads from one side to
 /// the other.
 std::vector<std::uint8_t> rims_of(const std::vector<Wall>& walls, const Points& X,
@@ -91,9 +93,13 @@ std::vector<std::uint8_t> rims_of(const std::vector<Wall>& walls, const Points& 
   std::vector<std::uint8_t> rims(static_cast<std::size_t>(topology.vertex_count), 0);
   const CompressedRows rings = vertex_rings(topology);
   RimPaths paths(X, topology, rings);
+  const auto area = [&](Index t) { return area_of(t, X, topology); };
+  const Eigen::VectorXd all = around_vertices(topology, area);
+  const Eigen::VectorXd walled =
+      around_vertices(topology, [&](Index t) { return walls[t].exists() ? area(t) : 0; });
   for (Index t = 0; t < topology.F.rows(); ++t) {
-    if (!walls[t].exists() ||
-        walled_share_around(t, X, topology, walls) < tuning.thin_walls.share_around) {
+    if (!walls[t].exists() || at_corners(walled, t, topology) <
+                                  tuning.thin_walls.share_around * at_corners(all, t, topology)) {
       continue;
     }
     const double longest = tuning.thin_walls.path * walls[t].thickness +
@@ -118,9 +124,12 @@ WallSample sample_walls(const Points& X, const Topology& topology, double cutoff
     sample.triangles.push_back(t);
   }
   sample.walls = find_walls(X, topology, sample.triangles, thickest_wall(X, topology, cutoff));
+  const Points area_vectors = vertex_area_vectors(X, topology);
+  const Eigen::VectorXd lengths =
+      around_vertices(topology, [&](Index t) { return 2 * area_of(t, X, topology); });
   for (std::size_t i = 0; i < sample.walls.size(); ++i) {
-    if (sample.walls[i].exists() &&
-        coherence(sample.triangles[i], X, topology) < tuning.thin_walls.coherence) {
+    if (sample.walls[i].exists() && coherence(sample.triangles[i], area_vectors, lengths,
+                                              topology) < tuning.thin_walls.coherence) {
       sample.walls[i] = {};
     }
   }
@@ -131,6 +140,7 @@ double median_thickening(const Points& X, const Points& Y, const Topology& topol
                          const WallSample& sample) {
   constexpr double least_share = 0.01;
   const std::vector<int> outward = outward_signs(X, topology);
+  const Points area_vectors = vertex_area_vectors(Y, topology);
   std::vector<double> ratios;
   double walled = 0, all = 0;
   for (std::size_t i = 0; i < sample.triangles.size(); ++i) {
@@ -139,9 +149,9 @@ double median_thickening(const Points& X, const Points& Y, const Topology& topol
     all += area_of(t, X, topology);
     if (wall.exists() && wall.thickness > 0) {
       walled += area_of(t, X, topology);
-      ratios.push_back(
-          thickness_at(Y, topology, t, wall, outward[topology.component[topology.F(t, 0)]]) /
-          wall.thickness);
+      ratios.push_back(thickness_at(Y, area_vectors, topology, t, wall,
+                                    outward[topology.component[topology.F(t, 0)]]) /
+                       wall.thickness);
     }
   }
   if (!(walled > least_share * all)) {

@@ -120,8 +120,8 @@ ConservedQuantities::ConservedQuantities(const Points& X, const Topology& topolo
   if (!kept_.empty() && !(topology.boundary_loops.empty() && topology.orientable)) {
     throw BadMesh(
         topology.orientable
-            ? fmt::format("--keep-volume and --keep-area need a closed mesh, and this one has {} "
-                          "boundary loops (`ibmfair fill` closes holes)",
+            ? fmt::format("--keep-volume and --keep-area need a closed mesh, and this one has open "
+                          "boundaries: {} (`ibmfair fill --all` closes them)",
                           topology.boundary_loops.size())
             : std::string("--keep-volume and --keep-area need an orientable mesh, and this one has "
                           "only one side"));
