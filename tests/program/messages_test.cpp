@@ -148,7 +148,7 @@ TEST_F(Messages, NameBothOptionsThatCannotBeCombined) {
 TEST_F(Messages, NameTheMeshWhoseGeometryIsRefused) {
   expect({
       {{"smooth", "open.off", "o.off", "--keep-volume"},
-       {"open.off: ", "open boundaries: 2", "`ibmfair fill`"},
+       {"open.off: ", "open boundaries: 2", "`ibmfair fill --all`"},
        4},
       {{"smooth", "tiny.off", "o.off"}, {"tiny.off: ", "too short", "scale the mesh"}, 4},
       {{"smooth", "defects.off", "o.off", "--strict"}, {"defects.off: ", "--strict", "(1)"}, 4},
