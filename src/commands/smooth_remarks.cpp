@@ -251,6 +251,9 @@ std::vector<std::string> notes_on(const SmoothArguments& arguments, const Smooth
                                  remark_on_noise(result.plan),
                                  remark_on_coincident_vertices(result),
                                  remark_on_thin_walls(result.plan), remark_on_lines(result.plan)};
+  if (arguments.first_stage == "normals" && !arguments.denoise && !arguments.keep_sharp) {
+    notes.emplace_back("--first-stage has no effect without --keep-sharp ANGLE");
+  }
   if (!arguments.cutoff && !result.plan.choice && !arguments.time_step) {
     notes.push_back(remark_on_default_cutoff(result));
   }

@@ -57,6 +57,7 @@ void require_shareable(const SmoothArguments& arguments) {
   refuse(arguments.denoise, "--denoise");
   refuse(arguments.boundary == "fair", "--boundary fair");
   refuse(arguments.cutoff_auto, "--cutoff auto");
+  refuse(arguments.first_stage == "normals", "--first-stage normals");
   refuse(std::isfinite(arguments.flow.memory_limit), "--memory");
   refuse(arguments.flow.keep_volume, "--keep-volume");
   refuse(arguments.flow.keep_area, "--keep-area");

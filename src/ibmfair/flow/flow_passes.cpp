@@ -85,7 +85,7 @@ void require_usable(const Points& X, const std::vector<std::uint8_t>& fixed,
         "combined with --engine petsc");
   }
   if (!parts.is_whole() && options.first_stage == FirstStage::normals) {
-    throw BadOption("normals can be filtered of a mesh in one piece only");
+    throw BadOption("--first-stage normals needs the whole mesh in one process");
   }
   const Eigen::VectorXd& factor = options.cutoff_factor;
   if (factor.size() > 0 && factor.size() != X.rows()) {
