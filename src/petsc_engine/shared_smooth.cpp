@@ -107,7 +107,8 @@ SharedMesh read(const Communicator& comm, const SmoothArguments& arguments, cons
   for (Index v = 0; v < mesh.piece.own; ++v) {
     open = open || on_boundary(v);
   }
-  result.closed = !comm.any(open);
+  result.has_rims = comm.any(open);
+  result.closed = !result.has_rims;
   return mesh;
 }
 
