@@ -31,7 +31,7 @@ struct Length {
 /// BadOption with a message that starts with `name`.
 Length parse_length_option(std::string_view name, std::string_view text, Length::Unit unit);
 
-/// The same for an option that also takes another word, `other`, which the message then names.
+/// Parses the length of an option that also takes the word `other`, which the message then names.
 Length parse_length_or(std::string_view name, std::string_view text, Length::Unit unit,
                        std::string_view other);
 

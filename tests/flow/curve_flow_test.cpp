@@ -72,7 +72,7 @@ TEST(CurveFlow, LeavesOfARippleWhatTheFlowOfASheetLeaves) {
   }
 }
 
-// The same ripple on a sheet, by the flow of surfaces, along the middle of the sheet.
+// A ripple on a sheet, smoothed by the flow of surfaces, is compared along the middle of the sheet.
 TEST(CurveFlow, DampsAsTheFlowOfSurfacesDoes) {
   const Eigen::Index columns = 121;
   State sheet(flat_sheet(columns - 1, 40));
