@@ -60,12 +60,16 @@ std::optional<FlowOptions> first_stage_options(const FlowProblem& problem) {
   return stage;
 }
 
-void filter_normals(FlowProblem& stage) {
+Points with_filtered_normals(const Points& X, const Topology& topology,
+                             const std::vector<std::uint8_t>& fixed) {
   const FirstStageTuning& tuned = tuning.first_stage;
+  const Points normals = guided_normals(X, topology, tuned.normal_sweeps, tuned.unlike);
+  return fit_to_normals(X, topology, fixed, normals, tuned.vertex_sweeps);
+}
+
+void filter_normals(FlowProblem& stage) {
   const Points& start = stage.start();
-  const Points normals = guided_normals(start, stage.topology, tuned.normal_sweeps, tuned.unlike);
-  const Points fitted =
-      fit_to_normals(start, stage.topology, stage.fixed, normals, tuned.vertex_sweeps);
+  const Points fitted = with_filtered_normals(start, stage.topology, stage.fixed);
   const auto& vertex = stage.unknowns.vertex;
   Points Y;
   stage.displace(fitted(vertex, Eigen::all) - start(vertex, Eigen::all), Y);

@@ -18,6 +18,12 @@ namespace ibmfair {
 /// flow keeps no sharp hinges.
 std::optional<FlowOptions> first_stage_options(const FlowProblem& problem);
 
+/// The positions, #V x 3, of the mesh at `X` (#V x 3) with filtered normals: vertices that are not
+/// `fixed` (#V flags) move so that the triangles get the normals of a guided filter
+/// (mesh/guided_normals.h).
+Points with_filtered_normals(const Points& X, const Topology& topology,
+                             const std::vector<std::uint8_t>& fixed);
+
 /// The stage by normals (FirstStage::normals), from the start of a stage's problem: filters the
 /// normals of the triangles, and moves the vertices so that the triangles get these normals. Strong
 /// noise may fold hinges over; the flow unfolds them: without the moves that fold, a cube with

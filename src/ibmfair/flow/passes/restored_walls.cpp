@@ -28,11 +28,12 @@ class WallRestoration {
 
   /// One correction; false if it would fold the mesh however small it is made.
   bool correct(Points& X) const {
-    const PerVertex change = averaged(change_at_vertices(X));
+    const Points area_vectors = vertex_area_vectors(X, topology_);
+    const PerVertex change = averaged(change_at_vertices(X, area_vectors));
     Points move = Points::Zero(X.rows(), 3);
     for (Index v = 0; v < topology_.vertex_count; ++v) {
       if (!fixed_[v] && change[v] != 0) {
-        const Vec3 normal = double_area_vector_at(v, X, topology_).stableNormalized();
+        const Vec3 normal = Vec3(area_vectors.row(v)).stableNormalized();
         move.row(v) = -0.5 * outward_[topology_.component[v]] * change[v] * normal;
       }
     }
@@ -49,10 +50,9 @@ class WallRestoration {
 
  private:
   /// The mean change in thickness of the walls at each vertex, weighted by area; 0 without walls.
-  PerVertex change_at_vertices(const Points& X) const {
+  PerVertex change_at_vertices(const Points& X, const Points& area_vectors) const {
     PerVertex change = PerVertex::Zero(topology_.vertex_count),
               weight = PerVertex::Zero(topology_.vertex_count);
-    const Points area_vectors = vertex_area_vectors(X, topology_);
     for (Index t = 0; t < topology_.F.rows(); ++t) {
       if (!walls_[t].exists()) {
         continue;

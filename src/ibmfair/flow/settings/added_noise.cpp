@@ -5,22 +5,15 @@
 
 #include "ibmfair/base/parallel.h"
 #include "ibmfair/base/random_numbers.h"
+#include "ibmfair/flow/first_stage.h"
 #include "ibmfair/flow/steps/unknown_normals.h"
 #include "ibmfair/flow/time_scale.h"
 #include "ibmfair/flow/tuning.h"
 #include "ibmfair/flow/willmore_flow.h"
 #include "ibmfair/mesh/corners.h"
-#include "ibmfair/mesh/guided_normals.h"
 
 namespace ibmfair {
 namespace {
-
-Points with_filtered_normals(const TrialMesh& mesh) {
-  const FirstStageTuning& tuned = tuning.first_stage;
-  const Points normals =
-      guided_normals(mesh.X(), mesh.topology(), tuned.normal_sweeps, tuned.unlike);
-  return fit_to_normals(mesh.X(), mesh.topology(), mesh.fixed(), normals, tuned.vertex_sweeps);
-}
 
 /// Two directions that turn with the mesh, one along the edge to another vertex, both perpendicular
 /// to the unit normal of v.
@@ -57,7 +50,8 @@ AddedNoise::AddedNoise(const TrialMesh& mesh, double noise)
       noise_(noise),
       unknowns_(mesh.fixed()),
       counted_(counted_unknowns(mesh, unknowns_)),
-      normals_(unknown_normals(with_filtered_normals(mesh), mesh.topology(), unknowns_)),
+      normals_(unknown_normals(with_filtered_normals(mesh.X(), mesh.topology(), mesh.fixed()),
+                               mesh.topology(), unknowns_)),
       noisier_(with_more_noise(mesh, unknowns_, normals_,
                                std::max(tuning.cutoff.added_noise * noise,
                                         tuning.cutoff.least_added * mesh.mean_edge_length()))),
