@@ -126,11 +126,11 @@ Runner declare_batch(CLI::App& app) {
       {"ibmfair batch jobs.json --shard 3/8 --resume",
        "runs the third of eight parts of the list, of which other machines run the others"},
   };
-  return [arguments, &app](Console& console) {
+  return [arguments, &app](Host& host) {
     BatchOptions options = arguments->options;
     options.threads = app["--threads"]->empty() ? 0 : app["--threads"]->as<int>();
     return run_batch(app, read_jobs(arguments->jobs), options, default_journal(arguments->jobs),
-                     console);
+                     host.console());
   };
 }
 

@@ -6,8 +6,8 @@
 #include <span>
 #include <string_view>
 
-#include "commands/console.h"
 #include "commands/exit_code.h"
+#include "commands/host.h"
 
 namespace CLI {
 class App;
@@ -17,7 +17,7 @@ namespace ibmfair::commands {
 
 /// Runs a command with the arguments that were parsed before. Reports failure by throwing one of
 /// the library's exceptions.
-using Runner = std::function<ExitCode(Console& console)>;
+using Runner = std::function<ExitCode(Host& host)>;
 
 struct Command {
   std::string_view name;

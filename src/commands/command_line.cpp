@@ -212,10 +212,10 @@ std::string explain(const char* error, const CLI::App& app) {
 }
 
 /// Runs the command. Messages about the geometry of its only input name the file.
-ExitCode run_naming_input(const NamedCommand& command, Console& console) {
+ExitCode run_naming_input(const NamedCommand& command, Host& host) {
   const CLI::Option* input = input_argument(*command.app);
   if (input == nullptr || key_of(*input) != "input" || input->count() == 0) {
-    return command.run(console);
+    return command.run(host);
   }
   const std::string path = input->results().front();
   const std::string name = path == "-" ? "standard input" : path;
@@ -223,7 +223,7 @@ ExitCode run_naming_input(const NamedCommand& command, Console& console) {
     return message.find(name) != std::string::npos ? message : fmt::format("{}: {}", name, message);
   };
   try {
-    return command.run(console);
+    return command.run(host);
   } catch (const BadMesh& error) {
     throw BadMesh(named(error.what()));
   } catch (const FactorizationFailed& error) {
@@ -382,17 +382,19 @@ std::string CommandLine::first_commands() const {
              : "";
 }
 
-ExitCode CommandLine::run(Console& console) {
+ExitCode CommandLine::run(Host& host) {
   const NamedCommand& chosen = parts_->chosen();
   const FrameOptions& options = parts_->options;
   if (options.dump_config) {
     write_standard_output(job_file_text({job_of(*chosen.app)}));
     return ExitCode::done;
   }
-  console.set_level(level_of(options));
+  host.console().set_level(level_of(options));
   set_thread_count(options.threads);
-  note_stage(chosen.app->get_name());
-  return run_naming_input(chosen, console);
+  if (host.console().listener() == nullptr) {
+    note_stage(chosen.app->get_name());
+  }
+  return run_naming_input(chosen, host);
 }
 
 }  // namespace ibmfair::commands

@@ -51,7 +51,7 @@ class CommandLine {
   std::string first_commands() const;
 
   /// Runs the command with the parsed arguments.
-  ExitCode run(Console& console);
+  ExitCode run(Host& host);
 
  private:
   struct Parts;

@@ -59,8 +59,8 @@ struct Comparison {
   double largest_distance = 0.0;
 };
 
-Side read_side(const std::string& path, const InputOptions& options, Console& console) {
-  Side side{read_input(path, options, console).mesh(), {}, {}};
+Side read_side(const std::string& path, const InputOptions& options, const Host& host) {
+  Side side{read_input(path, options, host).mesh(), {}, {}};
   side.F = triangulate(side.mesh).F;
   side.summary = summarise(side.mesh, build_topology(side.mesh.X, side.F));
   return side;
@@ -217,11 +217,11 @@ void compare_named(const Side& a, const Side& b, const CompareArguments& argumen
 }
 
 /// Compares A with what the arguments name.
-void run_comparison(const CompareArguments& arguments, const Side& a, Console& console,
+void run_comparison(const CompareArguments& arguments, const Side& a, const Host& host,
                     Comparison& comparison) {
   if (!arguments.b.empty()) {
     comparison.json["b"] = arguments.b;
-    compare_named(a, read_side(arguments.b, arguments.input, console), arguments, comparison);
+    compare_named(a, read_side(arguments.b, arguments.input, host), arguments, comparison);
   } else if (!arguments.sphere.empty()) {
     compare_with_sphere(a, arguments, comparison);
   } else {
@@ -233,27 +233,27 @@ void run_comparison(const CompareArguments& arguments, const Side& a, Console& c
   }
 }
 
-ExitCode run_compare(const CompareArguments& arguments, const CLI::App& app, Console& console) {
+ExitCode run_compare(const CompareArguments& arguments, const CLI::App& app, const Host& host) {
   check(arguments);
   check_reports(arguments.report, {}, arguments.overwrite);
-  const Side a = read_side(arguments.a, arguments.input, console);
+  const Side a = read_side(arguments.a, arguments.input, host);
   Report report(app);
   Comparison comparison{report.figures, {}, 0.0};
   comparison.json["a"] = arguments.a;
-  run_comparison(arguments, a, console, comparison);
+  run_comparison(arguments, a, host, comparison);
 
   const bool within = !arguments.tolerance || comparison.largest_distance <= *arguments.tolerance;
   if (arguments.tolerance) {
     comparison.json["tolerance"] = *arguments.tolerance;
     comparison.json["within_tolerance"] = within;
   }
-  deliver_report(arguments.report, arguments.overwrite, report);
+  host.deliver(arguments.report, arguments.overwrite, report);
   if (!arguments.report.json) {
     write_standard_output(comparison.list.text());
   }
   if (!within) {
-    console.note(fmt::format("the largest distance {:.6g} is above the tolerance {:.6g}",
-                             comparison.largest_distance, *arguments.tolerance));
+    host.console().note(fmt::format("the largest distance {:.6g} is above the tolerance {:.6g}",
+                                    comparison.largest_distance, *arguments.tolerance));
   }
   return within ? ExitCode::done : ExitCode::not_reached;
 }
@@ -322,7 +322,7 @@ Runner declare_compare(CLI::App& app) {
       {"ibmfair compare ball.ply --sphere fit",
        "prints the distances to the sphere that fits best"},
   };
-  return [arguments, &app](Console& console) { return run_compare(*arguments, app, console); };
+  return [arguments, &app](Host& host) { return run_compare(*arguments, app, host); };
 }
 
 }  // namespace ibmfair::commands

@@ -30,34 +30,54 @@ bool wants_colour(bool on_terminal) {
   return (!force.empty() && force != "0") || (on_terminal && !terminal.empty());
 }
 
+struct Label {
+  std::string_view text, colour;
+};
+
+Label label_of(MessageKind kind) {
+  switch (kind) {
+    case MessageKind::error:
+      return {"error: ", "\x1b[1;31m"};
+    case MessageKind::warning:
+      return {"warning: ", "\x1b[1;33m"};
+    case MessageKind::note:
+    case MessageKind::detail:
+      break;
+  }
+  return {};
+}
+
 }  // namespace
 
 Console::Console() : terminal_(isatty(STDERR_FILENO) == 1), coloured_(wants_colour(terminal_)) {}
 
 void Console::error(std::string_view text) const {
-  say("error: ", "\x1b[1;31m", text);
+  say(MessageKind::error, text);
 }
 
 void Console::warning(std::string_view text) const {
   if (level_ != Level::quiet) {
-    say("warning: ", "\x1b[1;33m", text);
+    say(MessageKind::warning, text);
   }
 }
 
 void Console::detail(std::string_view text) const {
   if (level_ == Level::verbose) {
-    say("", "", text);
+    say(MessageKind::detail, text);
   }
 }
 
 void Console::note(std::string_view text, std::string_view table) const {
   if (level_ != Level::quiet) {
-    say("", "", text, table);
+    say(MessageKind::note, text, table);
   }
 }
 
-void Console::say(std::string_view label, std::string_view colour, std::string_view text,
-                  std::string_view table) const {
+void Console::say(MessageKind kind, std::string_view text, std::string_view table) const {
+  if (listener_ != nullptr) {
+    listener_->message(kind, text);
+    return;
+  }
   std::string escaped;
   if (!is_printable(text)) {
     try {
@@ -68,6 +88,7 @@ void Console::say(std::string_view label, std::string_view colour, std::string_v
     }
   }
   const TerminalPause pause;
+  const auto [label, colour] = label_of(kind);
   const bool in_colour = coloured_ && !colour.empty();
   const std::array<std::string_view, 7> parts{
       "ibmfair: ", in_colour ? colour : "", label, in_colour ? "\x1b[0m" : "", text, "\n", table};

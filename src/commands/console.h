@@ -6,6 +6,18 @@
 
 namespace ibmfair::commands {
 
+struct ProgressState;
+
+enum class MessageKind : std::uint8_t { error, warning, note, detail };
+
+/// Takes messages and progress in place of the terminal.
+class Listener {
+ public:
+  virtual ~Listener() = default;
+  virtual void message(MessageKind kind, std::string_view text) = 0;
+  virtual void progress(const ProgressState& state) = 0;
+};
+
 class Console {
  public:
   enum class Level : std::uint8_t {
@@ -18,11 +30,17 @@ class Console {
   /// NO_COLOR is set or TERM is "dumb".
   Console();
 
+  /// Prints nothing: everything goes to the listener, which must outlive this object.
+  explicit Console(Listener& listener) : listener_(&listener) {}
+
   void set_level(Level level) { level_ = level; }
   Level level() const { return level_; }
 
   /// Whether standard error is a terminal: progress is shown only there.
   bool on_terminal() const { return terminal_; }
+
+  /// Null for a console that prints.
+  Listener* listener() const { return listener_; }
 
   // Each function prints one line; line breaks and control characters in the text, for example from
   // file names, are escaped (commands/printable.h).
@@ -33,12 +51,12 @@ class Console {
   void note(std::string_view text, std::string_view table = {}) const;
 
  private:
-  void say(std::string_view label, std::string_view colour, std::string_view text,
-           std::string_view table = {}) const;
+  void say(MessageKind kind, std::string_view text, std::string_view table = {}) const;
 
   Level level_ = Level::normal;
-  bool terminal_;
-  bool coloured_;
+  bool terminal_ = false;
+  bool coloured_ = false;
+  Listener* listener_ = nullptr;
 };
 
 /// Writes data to standard output. Throws CannotWrite, also if standard output is closed or its

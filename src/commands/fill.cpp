@@ -144,7 +144,7 @@ nlohmann::ordered_json state_json(const FillArguments& arguments, const SceneSta
 
 /// Completes and writes the report. `after` begins with the vertices and triangles of the input.
 void deliver(const FillArguments& arguments, const Input& input, const SceneState& after,
-             const SceneSource& marks, Report& report, const Console& console) {
+             const SceneSource& marks, Report& report, const Host& host) {
   const SceneState before{"before", &input.file.mesh().X, &input.topology};
   report.figures["defects"] = defects_json(input.topology);
   if (wants_page(arguments.report)) {
@@ -157,14 +157,14 @@ void deliver(const FillArguments& arguments, const Input& input, const SceneStat
     source.states = {before, after};
     source.laplacian = arguments.fill.fairing.laplacian;
     source.polygons = &input.file.mesh().faces;
-    return mesh_scene(std::move(source), report.warnings, console);
+    return mesh_scene(std::move(source), report.warnings, host.console());
   };
-  deliver_report(arguments.report, arguments.output.write.overwrite, report);
+  host.deliver(arguments.report, arguments.output.write.overwrite, report);
 }
 
 void deliver(const FillArguments& arguments, const Input& input, const Filling& filling,
              const ShownMesh& shown, const std::vector<Hole>& holes, Report& report,
-             const Console& console) {
+             const Host& host) {
   SceneSource marks;
   marks.patch = filling.hole_of_triangle;
   for (const HoleReport& hole : filling.holes) {
@@ -172,18 +172,17 @@ void deliver(const FillArguments& arguments, const Input& input, const Filling& 
       marks.lines.push_back(seam_line(filling.X, holes[static_cast<std::size_t>(hole.hole)]));
     }
   }
-  deliver(arguments, input, {"after", &shown.X, &shown.topology}, marks, report, console);
+  deliver(arguments, input, {"after", &shown.X, &shown.topology}, marks, report, host);
 }
 
 void deliver_region(const FillArguments& arguments, const Input& input, const Points& X,
-                    const std::vector<std::uint8_t>& region, Report& report,
-                    const Console& console) {
+                    const std::vector<std::uint8_t>& region, Report& report, const Host& host) {
   std::vector<std::uint8_t> fixed(region.size());
   std::transform(region.begin(), region.end(), fixed.begin(),
                  [](std::uint8_t chosen) { return chosen ? 0 : 1; });
   SceneSource marks;
   marks.lines = fixed_lines(X, input.topology, fixed);
-  deliver(arguments, input, {"after", &X, &input.topology}, marks, report, console);
+  deliver(arguments, input, {"after", &X, &input.topology}, marks, report, host);
 }
 
 /// A bridge can join pieces of opposite orientations. The triangles of the file stay as they are.
@@ -237,7 +236,8 @@ Filling fill_within_memory(const FillArguments& arguments, const Input& input, P
 }
 
 ExitCode fill(const FillArguments& arguments, const Input& input, FillSeconds& seconds,
-              Report& report, Console& console, Progress& progress) {
+              Report& report, const Host& host, Progress& progress) {
+  const Console& console = host.console();
   const Points& X = input.file.mesh().X;
   Filling filling;
   {
@@ -252,9 +252,9 @@ ExitCode fill(const FillArguments& arguments, const Input& input, FillSeconds& s
     const Stopwatch watch(seconds.write);
     progress.begin("write");
     tell(filling.new_F.rows() > 0
-             ? write_mesh(input.file, filling.X, extension_of(filling, input.triangulation),
-                          arguments.output.path, arguments.output.write)
-             : write_mesh(input.file, X, arguments.output.path, arguments.output.write),
+             ? host.write(input.file, filling.X, extension_of(filling, input.triangulation),
+                          arguments.output)
+             : host.write(input.file, X, arguments.output),
          console);
     draw_filling(arguments, X, input.topology, filling, shown.X, shown.topology);
   }
@@ -290,12 +290,13 @@ ExitCode fill(const FillArguments& arguments, const Input& input, FillSeconds& s
     }
   }
   const ExitCode code = conclude(missed, arguments.strict, report, console);
-  deliver(arguments, input, filling, shown, holes, report, console);
+  deliver(arguments, input, filling, shown, holes, report, host);
   return code;
 }
 
 ExitCode fair_again(const FillArguments& arguments, const Input& input, FillSeconds& seconds,
-                    Report& report, Console& console, Progress& progress) {
+                    Report& report, const Host& host, Progress& progress) {
+  const Console& console = host.console();
   Points X = input.file.mesh().X;
   const std::vector<std::uint8_t> chosen = region_of(arguments, input);
   RegionReport region;
@@ -313,7 +314,7 @@ ExitCode fair_again(const FillArguments& arguments, const Input& input, FillSeco
   if (missed.empty() || !arguments.strict) {
     const Stopwatch watch(seconds.write);
     progress.begin("write");
-    tell(write_mesh(input.file, X, arguments.output.path, arguments.output.write), console);
+    tell(host.write(input.file, X, arguments.output), console);
     draw_region(arguments, input.file.mesh().X, input.topology, X);
   }
   progress.end();
@@ -322,7 +323,7 @@ ExitCode fair_again(const FillArguments& arguments, const Input& input, FillSeco
                            arguments.region),
                region_text(region, seconds, console.level() == Console::Level::verbose));
   const ExitCode code = conclude(missed, arguments.strict, report, console);
-  deliver_region(arguments, input, X, chosen, report, console);
+  deliver_region(arguments, input, X, chosen, report, host);
   return code;
 }
 
@@ -331,13 +332,13 @@ void connect_input(Input& input) {
   input.topology = build_topology(input.file.mesh().X, input.triangulation.F);
 }
 
-Input read(const FillArguments& arguments, FillSeconds& seconds, Console& console,
+Input read(const FillArguments& arguments, FillSeconds& seconds, const Host& host,
            Progress& progress) {
   Input input;
   progress.begin("read");
   {
     const Stopwatch watch(seconds.read);
-    input.file = read_input(arguments.input, arguments.reading, console);
+    input.file = read_input(arguments.input, arguments.reading, host);
   }
   progress.begin("connect");
   const Stopwatch watch(seconds.topology);
@@ -345,7 +346,8 @@ Input read(const FillArguments& arguments, FillSeconds& seconds, Console& consol
   return input;
 }
 
-ExitCode run_fill(const FillArguments& given, const CLI::App& app, Console& console) {
+ExitCode run_fill(const FillArguments& given, const CLI::App& app, Host& host) {
+  const Console& console = host.console();
   FillArguments arguments = given;
   check_fill_arguments(arguments);
   check_reports(arguments.report,
@@ -353,8 +355,8 @@ ExitCode run_fill(const FillArguments& given, const CLI::App& app, Console& cons
                 arguments.output.write.overwrite);
   FillSeconds seconds;
   Progress progress(console);
-  Input input = read(arguments, seconds, console, progress);
-  require_writable_format(input.file, arguments.output.path, arguments.output.write);
+  Input input = read(arguments, seconds, host, progress);
+  host.require_writable(input.file, arguments.output);
   Report report(app);
   report.figures["input"] = arguments.input;
   report.figures["output"] = arguments.output.path;
@@ -369,9 +371,8 @@ ExitCode run_fill(const FillArguments& given, const CLI::App& app, Console& cons
   warn_of_defects(input.topology, arguments.strict, console);
   std::ranges::move(defect_list(input.file.mesh().X, input.topology),
                     std::back_inserter(report.warnings));
-  return arguments.region.empty()
-             ? fill(arguments, input, seconds, report, console, progress)
-             : fair_again(arguments, input, seconds, report, console, progress);
+  return arguments.region.empty() ? fill(arguments, input, seconds, report, host, progress)
+                                  : fair_again(arguments, input, seconds, report, host, progress);
 }
 
 }  // namespace
@@ -379,7 +380,7 @@ ExitCode run_fill(const FillArguments& given, const CLI::App& app, Console& cons
 Runner declare_fill(CLI::App& app) {
   auto arguments = std::make_shared<FillArguments>();
   add_fill_arguments(app, *arguments);
-  return [arguments, &app](Console& console) { return run_fill(*arguments, app, console); };
+  return [arguments, &app](Host& host) { return run_fill(*arguments, app, host); };
 }
 
 }  // namespace ibmfair::commands

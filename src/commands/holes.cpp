@@ -58,9 +58,10 @@ std::string to_text(const std::vector<Hole>& holes) {
   return text;
 }
 
-ExitCode run_holes(const HolesArguments& arguments, const CLI::App& app, Console& console) {
+ExitCode run_holes(const HolesArguments& arguments, const CLI::App& app, const Host& host) {
+  const Console& console = host.console();
   check_reports(arguments.report, {}, arguments.overwrite);
-  const MeshFile file = read_input(arguments.path, arguments.input, console);
+  const MeshFile file = read_input(arguments.path, arguments.input, host);
   const Mesh& mesh = file.mesh();
   const Topology topology = build_topology(mesh.X, triangulate(mesh).F);
   const std::vector<Hole> holes = find_holes(mesh.X, topology);
@@ -77,7 +78,7 @@ ExitCode run_holes(const HolesArguments& arguments, const CLI::App& app, Console
   }
   report.figures["cracks"] = crack_json(cracks);
   add_reading(file, report);
-  deliver_report(arguments.report, arguments.overwrite, report);
+  host.deliver(arguments.report, arguments.overwrite, report);
   for (const std::string& note : crack_notes(cracks)) {
     console.note(note);
   }
@@ -104,7 +105,7 @@ Runner declare_holes(CLI::App& app) {
       {"ibmfair holes scan.ply --json > holes.json",
        "the same as JSON, with the vertices of each loop"},
   };
-  return [arguments, &app](Console& console) { return run_holes(*arguments, app, console); };
+  return [arguments, &app](Host& host) { return run_holes(*arguments, app, host); };
 }
 
 }  // namespace ibmfair::commands

@@ -243,9 +243,9 @@ std::string to_text(const MeshFile& file, const Topology& topology, const Findin
   return list.text();
 }
 
-ExitCode run_info(const InfoArguments& arguments, const CLI::App& app, Console& console) {
+ExitCode run_info(const InfoArguments& arguments, const CLI::App& app, const Host& host) {
   check_reports(arguments.report, {}, arguments.overwrite);
-  const MeshFile file = read_input(arguments.path, arguments.input, console);
+  const MeshFile file = read_input(arguments.path, arguments.input, host);
   const Mesh& mesh = file.mesh();
   const Topology topology = build_topology(mesh.X, triangulate(mesh).F);
   const Findings findings = examine(mesh, topology, arguments);
@@ -254,7 +254,7 @@ ExitCode run_info(const InfoArguments& arguments, const CLI::App& app, Console& 
   add_findings(report.figures, file, topology, findings);
   report.warnings = defect_list(mesh.X, topology);
   add_reading(file, report);
-  deliver_report(arguments.report, arguments.overwrite, report);
+  host.deliver(arguments.report, arguments.overwrite, report);
   if (!arguments.report.json) {
     write_standard_output(to_text(file, topology, findings));
   }
@@ -291,7 +291,7 @@ Runner declare_info(CLI::App& app) {
       {"ibmfair info scan.ply --laplacian lagrange --mass voronoi",
        "also prints the smallest and largest eigenvalue of that Laplacian"},
   };
-  return [arguments, &app](Console& console) { return run_info(*arguments, app, console); };
+  return [arguments, &app](Host& host) { return run_info(*arguments, app, host); };
 }
 
 }  // namespace ibmfair::commands

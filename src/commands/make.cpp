@@ -60,7 +60,8 @@ double mean_edge_length_of(const Mesh& mesh) {
   return mean_edge_length(mesh.X, topology.E);
 }
 
-ExitCode run_make(const MakeArguments& arguments, Console& console) {
+ExitCode run_make(const MakeArguments& arguments, const Host& host) {
+  const Console& console = host.console();
   require_known(arguments.shape);
   require_writable(arguments.output.path, arguments.output.write.overwrite);
   ShapeSettings settings = arguments.settings;
@@ -152,7 +153,7 @@ Runner declare_make(CLI::App& app) {
       {"ibmfair make torus torus.obj --noise 0.2 --seed 7",
        "makes a torus with noise of a fifth of an edge length; each seed gives other noise"},
   };
-  return [arguments](Console& console) { return run_make(*arguments, console); };
+  return [arguments](Host& host) { return run_make(*arguments, host); };
 }
 
 }  // namespace ibmfair::commands

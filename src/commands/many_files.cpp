@@ -127,8 +127,9 @@ Runner take_many_files(CLI::App& command, Runner run) {
   for (CLI::Option* option : of_batch) {
     option->needs(folder);
   }
-  return [run = std::move(run), options, &command](Console& console) {
-    return takes_many_files(command) ? run_many_files(command, *options, console) : run(console);
+  return [run = std::move(run), options, &command](Host& host) {
+    return takes_many_files(command) ? run_many_files(command, *options, host.console())
+                                     : run(host);
   };
 }
 

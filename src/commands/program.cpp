@@ -16,7 +16,7 @@ namespace ibmfair::commands {
 
 namespace {
 
-ExitCode parse_and_run(int argc, const char* const* argv, Console& console) {
+ExitCode parse_and_run(int argc, const char* const* argv, Host& host) {
   CommandLine line;
   try {
     const std::vector<std::string> words{argv + (argc > 0 ? 1 : 0), argv + argc};
@@ -25,12 +25,12 @@ ExitCode parse_and_run(int argc, const char* const* argv, Console& console) {
       return ExitCode::done;
     }
   } catch (const Misuse& misuse) {
-    console.error(misuse.what());
-    console.note(line.help_hint(), line.first_commands());
+    host.console().error(misuse.what());
+    host.console().note(line.help_hint(), line.first_commands());
     return ExitCode::usage;
   }
   become_engine(line.command(), argv);
-  return line.run(console);
+  return line.run(host);
 }
 
 /// The terminate handler: libraries may throw std::bad_alloc from a noexcept function.
@@ -47,13 +47,13 @@ ExitCode parse_and_run(int argc, const char* const* argv, Console& console) {
 int run_program(int argc, const char* const* argv) {
   std::set_terminate(end_by_exception);
   prepare_process();
-  Console console;
+  Host host;
   ExitCode code = ExitCode::done;
   try {
     choose_kernel_set_by_environment();
-    code = parse_and_run(argc, argv, console);
+    code = parse_and_run(argc, argv, host);
   } catch (...) {
-    code = print_current_exception(console);
+    code = print_current_exception(host.console());
   }
   return static_cast<int>(code);
 }

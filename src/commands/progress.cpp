@@ -85,7 +85,8 @@ std::string progress_line(const ProgressState& state, std::size_t columns) {
 }
 
 Progress::Progress(const Console& console)
-    : visible_(console.on_terminal() && console.level() != Console::Level::quiet &&
+    : listener_(console.listener()),
+      visible_(console.on_terminal() && console.level() != Console::Level::quiet &&
                can_go_back_in_line()) {
   if (visible_) {
     try {
@@ -117,7 +118,12 @@ void Progress::change(const Change& make) {
   {
     const std::lock_guard lock(mutex_);
     make();
-    note_stage(state_.stage, state_.detail);
+    if (listener_ == nullptr) {
+      note_stage(state_.stage, state_.detail);
+    }
+  }
+  if (listener_ != nullptr) {
+    listener_->progress(state_);
   }
   changed_.notify_one();
 }

@@ -29,7 +29,8 @@ std::string progress_line(const ProgressState& state, std::size_t columns);
 
 /// Draws the progress line, at most ten times a second, and clears it at the end. Draws only if the
 /// console is not quiet and standard error is a terminal that supports carriage return (TERM is not
-/// "dumb"). In all cases stores the stage for the crash message (commands/crash_message.h).
+/// "dumb"). Passes every change to the listener of the console, if there is one; otherwise stores
+/// the stage for the crash message (commands/crash_message.h).
 class Progress {
  public:
   explicit Progress(const Console& console);
@@ -58,6 +59,7 @@ class Progress {
   void draw_until_end();
   void draw_frames();
 
+  Listener* const listener_;
   bool visible_;
   std::mutex mutex_;
   std::condition_variable changed_;

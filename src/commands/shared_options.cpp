@@ -9,6 +9,7 @@
 
 #include "commands/argument_roles.h"
 #include "commands/documentation.h"
+#include "commands/host.h"
 #include "commands/printable.h"
 #include "commands/report/report_formats.h"
 #include "commands/value_list.h"
@@ -117,8 +118,9 @@ void add_input_options(CLI::App& app, InputOptions& options) {
       });
 }
 
-MeshFile read_input(const std::string& path, const InputOptions& options, const Console& console) {
-  MeshFile file = read_mesh(path, options.read);
+MeshFile read_input(const std::string& path, const InputOptions& options, const Host& host) {
+  const Console& console = host.console();
+  MeshFile file = host.read(path, options.read);
   for (const std::string& note : file.notes()) {
     console.note(note);
   }

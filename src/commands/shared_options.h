@@ -7,7 +7,6 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-#include "commands/console.h"
 #include "commands/length.h"
 #include "ibmfair/io/mesh_file.h"
 
@@ -17,6 +16,8 @@ class Option;
 }  // namespace CLI
 
 namespace ibmfair::commands {
+
+class Host;
 
 /// Declares the positional argument IN: a mesh to read.
 void add_input_argument(CLI::App& app, std::string& path);
@@ -36,7 +37,7 @@ void add_input_options(CLI::App& app, InputOptions& options);
 
 /// Reads a mesh file ("-": standard input), merges its vertices as the options say, and prints
 /// remarks to the console.
-MeshFile read_input(const std::string& path, const InputOptions& options, const Console& console);
+MeshFile read_input(const std::string& path, const InputOptions& options, const Host& host);
 
 /// Path and format of the mesh to write.
 struct OutputOptions {

@@ -12,12 +12,12 @@
 #include "commands/progress.h"
 #include "commands/report/reading.h"
 #include "commands/report/report_formats.h"
+#include "commands/signals.h"
 #include "commands/smooth_arguments.h"
+#include "commands/smooth_input.h"
 #include "commands/smooth_plan.h"
 #include "commands/smooth_remarks.h"
 #include "commands/smooth_report.h"
-#include "commands/vertex_list.h"
-#include "commands/vertex_values.h"
 #include "ibmfair/base/stopwatch.h"
 #include "ibmfair/flow/willmore_flow.h"
 #include "ibmfair/io/weld.h"
@@ -26,11 +26,11 @@
 namespace ibmfair::commands {
 namespace {
 
-void check_formats(const SmoothArguments& arguments, const MeshFile& file) {
+void check_formats(const SmoothArguments& arguments, const MeshFile& file, const Host& host) {
   for (const FlowStatus status : {FlowStatus::completed, FlowStatus::interrupted}) {
     const OutputOptions output = output_of(arguments, status);
     if (!output.path.empty()) {
-      require_writable_format(file, output.path, output.write);
+      host.require_writable(file, output);
     }
   }
 }
@@ -56,15 +56,14 @@ std::int64_t coincident_vertices(const Points& X, const Topology& topology) {
   return std::ssize(weld.vertex) - std::ssize(weld.first);
 }
 
-Smoothing read_smoothing(const SmoothArguments& arguments, const Console& console,
-                         Progress& progress) {
+Smoothing read_smoothing(const SmoothArguments& arguments, const Host& host, Progress& progress) {
   Smoothing s;
   progress.begin("read");
   {
     const Stopwatch watch(s.result.seconds_read);
-    s.file = read_input(arguments.input, arguments.reading, console);
+    s.file = read_input(arguments.input, arguments.reading, host);
   }
-  check_formats(arguments, s.file);
+  check_formats(arguments, s.file, host);
   progress.begin("connect");
   const Stopwatch watch(s.result.seconds_topology);
   s.topology = build_topology(s.before(), triangulate(s.file.mesh()).F);
@@ -78,25 +77,6 @@ Smoothing read_smoothing(const SmoothArguments& arguments, const Console& consol
   s.result.coincident = coincident_vertices(s.before(), s.topology);
   s.X = s.before();
   return s;
-}
-
-/// The mesh with the data at its vertices that the options name.
-SmoothInput input_of(const SmoothArguments& arguments, const Smoothing& s) {
-  SmoothInput input{.X = s.before(), .topology = s.topology};
-  input.textured = s.file.has_texture_coordinates();
-  if (!arguments.weights.empty()) {
-    input.weights = vertex_values(s.file, arguments.weights, 0, "--weights");
-  }
-  if (!arguments.h0.empty()) {
-    input.h0 = vertex_values_or_number(s.file, arguments.h0, "--h0");
-  }
-  if (!arguments.fix_file.empty()) {
-    input.listed = read_vertex_list("--fix", arguments.fix_file, s.topology.vertex_count);
-  }
-  if (!arguments.mask.empty()) {
-    input.mask = s.file.vertex_mask(arguments.mask);
-  }
-  return input;
 }
 
 void draw(const SmoothArguments& arguments, const Smoothing& s) {
@@ -138,56 +118,63 @@ void measure(Smoothing& s) {
 }
 
 ExitCode forecast(const SmoothArguments& arguments, const Smoothing& s, Report& report,
-                  const Console& console) {
+                  const Host& host) {
   const SmoothPlan& plan = s.result.plan;
   FlowForecast forecast;
   if (plan.flow.steps > 0) {
     forecast = forecast_flow(s.X, s.topology, plan.fixed, plan.flow);
   }
-  print_forecast(arguments, s.result, forecast, console, report);
-  deliver_report(arguments.report, arguments.output.write.overwrite, report);
+  print_forecast(arguments, s.result, forecast, host.console(), report);
+  host.deliver(arguments.report, arguments.output.write.overwrite, report);
   return ExitCode::done;
 }
 
 /// Writes the smoothed mesh, and prints the results.
 void write_and_print(const SmoothArguments& arguments, Smoothing& s, Report& report,
-                     const Console& console, Progress& progress) {
+                     const Host& host, Progress& progress) {
+  const Console& console = host.console();
   const OutputOptions output = output_of(arguments, s.result.flow.status);
   WriteReport written;
   progress.begin("write");
   {
     const Stopwatch watch(s.result.seconds_write);
-    written = write_mesh(s.file, s.X, output.path, output.write);
+    written = host.write(s.file, s.X, output);
   }
   draw(arguments, s);
   progress.end();
   report.figures["defects"] = defects_json(s.topology);
   print_result(arguments, s.result, output.path, written, "", console, report);
   report.scene = [&] { return smooth_scene(arguments, s, report.warnings, console); };
-  deliver_report(arguments.report, output.write.overwrite, report);
+  host.deliver(arguments.report, output.write.overwrite, report);
 }
 
-ExitCode run_smooth(const SmoothArguments& arguments, const CLI::App& app, Console& console) {
+ExitCode run_smooth(const SmoothArguments& arguments, const CLI::App& app, Host& host) {
+  const Console& console = host.console();
   require_single_engine(arguments.engine);
   check_outputs(arguments);
   Progress progress(console);
-  Smoothing s = read_smoothing(arguments, console, progress);
+  Smoothing s = read_smoothing(arguments, host, progress);
   warn_of_defects(s.topology, arguments.strict, console);
   Report report(app);
   report.warnings = defect_list(s.before(), s.topology);
   add_reading(s.file, report);
-  s.result.plan = plan_smoothing(arguments, input_of(arguments, s), progress);
+  s.result.plan = plan_smoothing(arguments, smooth_input(arguments, s.file, s.topology), progress);
   if (arguments.dry_run) {
     progress.end();
-    return forecast(arguments, s, report, console);
+    return forecast(arguments, s, report, host);
   }
   if (s.result.plan.flow.steps > 0) {
-    s.result.flow = run_smoothing(s.result.plan, s.X, s.topology, MeshParts::one(),
-                                  !arguments.checkpoint.empty(), progress);
+    std::optional<PostponedEnd> postponed;
+    if (!arguments.checkpoint.empty()) {
+      postponed.emplace();
+    }
+    s.result.flow = run_smoothing(
+        s.result.plan, s.X, s.topology, MeshParts::one(), [&host] { return host.wants_end(); },
+        progress);
   }
   progress.begin("measure");
   measure(s);
-  write_and_print(arguments, s, report, console, progress);
+  write_and_print(arguments, s, report, host, progress);
   return exit_code_of(s.result);
 }
 
@@ -196,7 +183,7 @@ ExitCode run_smooth(const SmoothArguments& arguments, const CLI::App& app, Conso
 Runner declare_smooth(CLI::App& app) {
   auto arguments = std::make_shared<SmoothArguments>();
   add_smooth_arguments(app, *arguments);
-  return [arguments, &app](Console& console) { return run_smooth(*arguments, app, console); };
+  return [arguments, &app](Host& host) { return run_smooth(*arguments, app, host); };
 }
 
 }  // namespace ibmfair::commands

@@ -6,7 +6,6 @@
 #include <fmt/format.h>
 
 #include "commands/denoise_defaults.h"
-#include "commands/signals.h"
 #include "ibmfair/base/angle.h"
 #include "ibmfair/base/errors.h"
 #include "ibmfair/base/stopwatch.h"
@@ -320,17 +319,14 @@ SmoothPlan plan_smoothing(const SmoothArguments& arguments, const SmoothInput& i
 }
 
 FlowReport run_smoothing(const SmoothPlan& plan, Points& X, const Topology& topology,
-                         const MeshParts& parts, bool may_end_early, Progress& progress) {
+                         const MeshParts& parts, const std::function<bool()>& wants_end,
+                         Progress& progress) {
   FlowOptions options = plan.flow;
-  std::optional<PostponedEnd> postponed;
-  if (may_end_early) {
-    postponed.emplace();
-  }
   progress.begin_work("prepare");
   options.on_stage = [&progress](FlowStage stage) { progress.enter(stage); };
   const auto observe = [&](const StepRecord& step) {
     progress.advance(step, options.steps, options.total_time);
-    return !parts.any(PostponedEnd::signal_number() != 0);
+    return !parts.any(wants_end());
   };
   const bool restores = !plan.thin.walls.empty() && !options.keep_volume && !options.keep_area &&
                         !std::isfinite(options.max_move);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -65,9 +66,10 @@ struct SmoothPlan {
 SmoothPlan plan_smoothing(const SmoothArguments& arguments, const SmoothInput& input,
                           Progress& progress);
 
-/// Fairs the rims of X, if the plan says so, and moves X by the flow of the plan. If
-/// `may_end_early`, a request to end stops the flow between two steps. Throws like willmore_flow.
+/// Fairs the rims of X, if the plan says so, and moves X by the flow of the plan. The flow ends
+/// after a step at which `wants_end` is true. Throws like willmore_flow.
 FlowReport run_smoothing(const SmoothPlan& plan, Points& X, const Topology& topology,
-                         const MeshParts& parts, bool may_end_early, Progress& progress);
+                         const MeshParts& parts, const std::function<bool()>& wants_end,
+                         Progress& progress);
 
 }  // namespace ibmfair::commands

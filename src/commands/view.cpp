@@ -39,18 +39,16 @@ struct ViewedMesh {
   const Points& X() const { return file.mesh().X; }
 };
 
-ViewedMesh read_viewed(const std::string& path, const ViewArguments& arguments,
-                       const Console& console) {
-  ViewedMesh mesh{read_input(path, arguments.reading, console), {}};
+ViewedMesh read_viewed(const std::string& path, const ViewArguments& arguments, const Host& host) {
+  ViewedMesh mesh{read_input(path, arguments.reading, host), {}};
   mesh.topology = build_topology(mesh.X(), triangulate(mesh.file.mesh()).F);
   return mesh;
 }
 
 /// Reads the second mesh, and gives it the triangles of the first mesh, because the triangulation
 /// of a quadrilateral depends on the positions of its corners.
-ViewedMesh read_other(const ViewArguments& arguments, const ViewedMesh& first,
-                      const Console& console) {
-  ViewedMesh other{read_input(arguments.with, arguments.reading, console), {}};
+ViewedMesh read_other(const ViewArguments& arguments, const ViewedMesh& first, const Host& host) {
+  ViewedMesh other{read_input(arguments.with, arguments.reading, host), {}};
   if (!same_connectivity(first.file.mesh(), other.file.mesh())) {
     throw BadMesh(fmt::format(
         "'{}' and '{}' have different vertices or faces; `ibmfair compare` measures such meshes",
@@ -89,7 +87,8 @@ void require_html(const std::string& path) {
   }
 }
 
-ExitCode run_view(const ViewArguments& arguments, const CLI::App& app, Console& console) {
+ExitCode run_view(const ViewArguments& arguments, const CLI::App& app, const Host& host) {
+  const Console& console = host.console();
   if (arguments.input == "-" && arguments.with == "-") {
     throw BadOption("view: standard input holds one mesh only; name a file for IN or --with");
   }
@@ -98,20 +97,20 @@ ExitCode run_view(const ViewArguments& arguments, const CLI::App& app, Console& 
   reports.paths.insert(reports.paths.begin(), arguments.page);
   check_reports(reports, {}, arguments.overwrite);
 
-  const ViewedMesh mesh = read_viewed(arguments.input, arguments, console);
+  const ViewedMesh mesh = read_viewed(arguments.input, arguments, host);
   Report report(app);
   add_view(arguments, mesh, report);
   SceneSource source{arguments.input, {{"mesh", &mesh.X(), &mesh.topology}}, arguments.laplacian};
   source.polygons = &mesh.file.mesh().faces;
   ViewedMesh other;
   if (!arguments.with.empty()) {
-    other = read_other(arguments, mesh, console);
+    other = read_other(arguments, mesh, host);
     report.figures["other"] = arguments.with;
     report.figures["after"] = state_json(arguments, other);
     source.states = {{"before", &mesh.X(), &mesh.topology}, {"after", &other.X(), &other.topology}};
   }
   report.scene = [&] { return mesh_scene(source, report.warnings, console); };
-  deliver_report(reports, arguments.overwrite, report);
+  host.deliver(reports, arguments.overwrite, report);
   console.detail(fmt::format("{} -> {}", arguments.input, arguments.page));
   return ExitCode::done;
 }
@@ -143,7 +142,7 @@ Runner declare_view(CLI::App& app) {
       {"ibmfair view scan.ply both.html --with fair.ply",
        "shows two meshes with the same faces as before and after"},
   };
-  return [arguments, &app](Console& console) { return run_view(*arguments, app, console); };
+  return [arguments, &app](Host& host) { return run_view(*arguments, app, host); };
 }
 
 }  // namespace ibmfair::commands

@@ -23,8 +23,7 @@ constexpr commands::Command shared_smooth{
     "smooth", "remove noise and ripples from a mesh that all ranks share",
     [](CLI::App& app) { return declare_shared_smooth(app, *world); }};
 
-commands::ExitCode parse_and_run(const std::vector<std::string>& words,
-                                 commands::Console& console) {
+commands::ExitCode parse_and_run(const std::vector<std::string>& words, commands::Host& host) {
   commands::CommandLine line(shared_smooth);
   const bool tells = world->is_first();
   try {
@@ -34,12 +33,12 @@ commands::ExitCode parse_and_run(const std::vector<std::string>& words,
     }
   } catch (const commands::Misuse& misuse) {
     if (tells) {
-      console.error(misuse.what());
-      console.note(line.help_hint());
+      host.console().error(misuse.what());
+      host.console().note(line.help_hint());
     }
     return commands::ExitCode::usage;
   }
-  return line.run(console);
+  return line.run(host);
 }
 
 /// Whether all ranks reach this function within 5 s. Otherwise some ranks wait for a message
@@ -73,16 +72,16 @@ int print_or_abort(const commands::Console& console) {
 }
 
 int run(const std::vector<std::string>& words) {
-  commands::Console console;
+  commands::Host host;
   try {
-    return static_cast<int>(parse_and_run(words, console));
+    return static_cast<int>(parse_and_run(words, host));
   } catch (const Failure& failure) {
     if (world->is_first()) {
-      console.error(failure.message());
+      host.console().error(failure.message());
     }
     return failure.code();
   } catch (...) {
-    return print_or_abort(console);
+    return print_or_abort(host.console());
   }
 }
 

@@ -27,19 +27,19 @@ bool may_be_shared(const std::string& input, const std::string& output,
 std::unique_ptr<MeshSource> open_source(const Communicator& comm, const std::string& input,
                                         const std::string& output,
                                         const commands::InputOptions& options,
-                                        const commands::Console& console) {
+                                        const commands::Host& host) {
   if (!comm.any(!may_be_shared(input, output, options))) {
     if (auto source = PlySource::open(comm, input)) {
       return source;
     }
   }
   if (comm.size() > 1) {
-    console.note(
+    host.console().note(
         fmt::format("{} -> {}: not from one binary PLY file of triangles to another, so "
                     "the first rank reads and writes it whole",
                     input, output));
   }
-  return std::make_unique<WholeSource>(comm, input, options, console);
+  return std::make_unique<WholeSource>(comm, input, options, host);
 }
 
 }  // namespace ibmfair::petsc

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "commands/host.h"
 #include "commands/shared_options.h"
 #include "ibmfair/io/mesh_file.h"
 #include "petsc_engine/mesh_piece.h"
@@ -43,6 +44,6 @@ class MeshSource {
 std::unique_ptr<MeshSource> open_source(const Communicator& comm, const std::string& input,
                                         const std::string& output,
                                         const commands::InputOptions& options,
-                                        const commands::Console& console);
+                                        const commands::Host& host);
 
 }  // namespace ibmfair::petsc

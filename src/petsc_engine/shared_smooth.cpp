@@ -12,6 +12,7 @@
 #include "commands/defect_warnings.h"
 #include "commands/progress.h"
 #include "commands/report/report_formats.h"
+#include "commands/signals.h"
 #include "commands/smooth_arguments.h"
 #include "commands/smooth_plan.h"
 #include "commands/smooth_remarks.h"
@@ -35,6 +36,7 @@ namespace {
 
 using commands::Console;
 using commands::ExitCode;
+using commands::Host;
 using commands::Progress;
 using commands::Report;
 using commands::SmoothArguments;
@@ -83,14 +85,14 @@ struct SharedMesh {
   }
 };
 
-SharedMesh read(const Communicator& comm, const SmoothArguments& arguments, const Console& console,
+SharedMesh read(const Communicator& comm, const SmoothArguments& arguments, const Host& host,
                 SmoothResult& result, Progress& progress) {
   SharedMesh mesh;
   progress.begin("read");
   {
     const Stopwatch watch(result.seconds_read);
     mesh.source =
-        open_source(comm, arguments.input, arguments.output.path, arguments.reading, console);
+        open_source(comm, arguments.input, arguments.output.path, arguments.reading, host);
   }
   progress.begin("distribute");
   const Stopwatch watch(result.seconds_topology);
@@ -206,8 +208,8 @@ nlohmann::ordered_json ranks_json(const Communicator& comm, const MeshPiece& pie
 class SharedSmooth {
  public:
   SharedSmooth(const Communicator& comm, const SmoothArguments& arguments, const CLI::App& app,
-               Console& console)
-      : comm_(comm), arguments_(arguments), console_(console), report_(app) {}
+               Host& host)
+      : comm_(comm), arguments_(arguments), host_(host), console_(host.console()), report_(app) {}
 
   ExitCode run() {
     if (!comm_.is_first()) {
@@ -221,14 +223,19 @@ class SharedSmooth {
       }
     });
     Progress progress(console_);
-    SharedMesh mesh = read(comm_, arguments_, console_, result_, progress);
+    SharedMesh mesh = read(comm_, arguments_, host_, result_, progress);
     print_defects(mesh);
     result_.plan = commands::plan_smoothing(arguments_, input_of(arguments_, mesh), progress);
     progress.begin("measure");
     result_.before = measured(mesh);
     if (result_.plan.flow.steps > 0) {
-      result_.flow = commands::run_smoothing(result_.plan, mesh.X, mesh.topology, *mesh.parts,
-                                             !arguments_.checkpoint.empty(), progress);
+      std::optional<commands::PostponedEnd> postponed;
+      if (!arguments_.checkpoint.empty()) {
+        postponed.emplace();
+      }
+      result_.flow = commands::run_smoothing(
+          result_.plan, mesh.X, mesh.topology, *mesh.parts, [this] { return host_.wants_end(); },
+          progress);
     }
     progress.begin("measure");
     result_.after = measured(mesh);
@@ -284,11 +291,12 @@ class SharedSmooth {
     report_.figures["ranks"] = ranks;
     print_result(arguments_, result_, output.path, written,
                  fmt::format(", on {} ranks", comm_.size()), console_, report_);
-    deliver_report(arguments_.report, output.write.overwrite, report_);
+    host_.deliver(arguments_.report, output.write.overwrite, report_);
   }
 
   const Communicator& comm_;
   const SmoothArguments& arguments_;
+  Host& host_;
   Console& console_;
   Report report_;
   SmoothResult result_;
@@ -299,11 +307,11 @@ class SharedSmooth {
 commands::Runner declare_shared_smooth(CLI::App& app, const Communicator& comm) {
   auto arguments = std::make_shared<SmoothArguments>();
   add_smooth_arguments(app, *arguments);
-  return [arguments, &app, &comm](Console& console) {
+  return [arguments, &app, &comm](Host& host) {
     if (app["--threads"]->empty()) {
       set_thread_count(1);  // by default each rank uses one core
     }
-    return SharedSmooth(comm, *arguments, app, console).run();
+    return SharedSmooth(comm, *arguments, app, host).run();
   };
 }
 

@@ -30,13 +30,13 @@ std::vector<std::array<T, 3>> rows_of(const Matrix& matrix) {
 }  // namespace
 
 WholeSource::WholeSource(const Communicator& comm, const std::string& path,
-                         const commands::InputOptions& options, const commands::Console& console)
+                         const commands::InputOptions& options, const commands::Host& host)
     : comm_(comm) {
   std::vector<std::array<double, 3>> X;
   std::vector<std::array<Index, 3>> F;
   comm.together([&] {
     if (comm.is_first()) {
-      file_ = commands::read_input(path, options, console);
+      file_ = commands::read_input(path, options, host);
       X = rows_of<double>(file_.mesh().X);
       F = rows_of<Index>(triangulate(file_.mesh()).F);
       has_texture_ = file_.has_texture_coordinates();

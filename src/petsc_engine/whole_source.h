@@ -9,7 +9,7 @@ class WholeSource final : public MeshSource {
  public:
   /// Throws Failure. Collective.
   WholeSource(const Communicator& comm, const std::string& path,
-              const commands::InputOptions& options, const commands::Console& console);
+              const commands::InputOptions& options, const commands::Host& host);
 
   BlockMesh take_mesh() override { return std::move(mesh_); }
   bool has_texture_coordinates() const override { return has_texture_; }

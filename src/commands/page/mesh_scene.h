@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "commands/console.h"
 #include "commands/report/report.h"
 #include "commands/shared_options.h"
 #include "ibmfair/page/scene.h"
