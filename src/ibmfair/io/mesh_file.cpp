@@ -156,6 +156,10 @@ bool MeshFile::has_normals() const {
 bool MeshFile::welded() const {
   return contents_->weld.has_value();
 }
+const std::vector<Index>& MeshFile::merged_vertices() const {
+  static const std::vector<Index> none;
+  return welded() ? contents_->weld->vertex : none;
+}
 const std::vector<std::string>& MeshFile::notes() const {
   return contents_->parsed.notes;
 }

@@ -51,6 +51,9 @@ class MeshFile {
   /// Whether vertices were merged, so that the mesh is no longer that of the file.
   bool welded() const;
 
+  /// The number in mesh() of each vertex of the file; empty unless welded().
+  const std::vector<Index>& merged_vertices() const;
+
   /// Notes on the reading for the user, one sentence each.
   const std::vector<std::string>& notes() const;
 
