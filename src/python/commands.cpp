@@ -1,0 +1,57 @@
+// Runs a command of the command line on meshes in memory.
+#include <pybind11/stl.h>
+
+#include "bindings.h"
+#include "commands/command_line.h"
+#include "memory_host.h"
+
+namespace py = pybind11;
+
+namespace ibmfair::python {
+namespace {
+
+/// The result of a run, for ibmfair/_run.py.
+py::dict result_of(const Outcome& outcome, const RunListener& listener, int code) {
+  py::dict result;
+  result["code"] = code;
+  result["V"] = outcome.X ? py::object(array_of(Points(*outcome.X))) : py::none();
+  result["F"] = outcome.faces ? py::object(faces_of(*outcome.faces)) : py::none();
+  result["merged"] = array_of(outcome.merged);
+  result["figures"] = outcome.figures;
+  result["warnings"] = listener.warnings();
+  result["notes"] = listener.notes();
+  result["error"] = listener.error();
+  return result;
+}
+
+py::dict run(std::vector<std::string> words, const std::vector<py::tuple>& meshes,
+             py::object progress) {
+  std::vector<NamedMesh> named;
+  for (const py::tuple& mesh : meshes) {
+    named.push_back(named_mesh_of(mesh));
+  }
+  RunListener listener(std::move(progress));
+  Outcome outcome;
+  MemoryHost host(std::move(named), listener, outcome);
+  int code = 0;
+  {
+    const py::gil_scoped_release unlocked;
+    try {
+      commands::CommandLine line(words.front());
+      line.parse(std::move(words));
+      code = static_cast<int>(line.run(host));
+    } catch (const Cancelled&) {
+      code = static_cast<int>(commands::ExitCode::interrupted);
+    }
+  }
+  return result_of(outcome, listener, code);
+}
+
+}  // namespace
+
+void bind_commands(py::module_& module) {
+  module.def("run", &run, py::arg("words"), py::arg("meshes"), py::arg("progress"),
+             "Runs a command on meshes that its arguments name.");
+}
+
+}  // namespace ibmfair::python
