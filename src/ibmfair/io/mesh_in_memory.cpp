@@ -10,60 +10,79 @@
 namespace ibmfair {
 namespace {
 
-/// Appends numbers to bytes that were made large enough before.
+/// Appends numbers to bytes that are large enough.
 class Writer {
  public:
   explicit Writer(char* place) : place_(place) {}
 
   template <class T>
-  void put(T value) {
-    std::memcpy(place_, &value, sizeof(T));
-    place_ += sizeof(T);
+  void put(const T* values, std::size_t count) {
+    std::memcpy(place_, values, count * sizeof(T));
+    place_ += count * sizeof(T);
   }
 
  private:
   char* place_;
 };
 
-std::string header(const Mesh& mesh, std::span<const VertexProperty> properties) {
+std::string header(std::size_t vertices, std::size_t faces,
+                   std::span<const VertexProperty> properties) {
   std::string text = fmt::format(
       "ply\nformat binary_{}_endian 1.0\nelement vertex {}\n"
       "property double x\nproperty double y\nproperty double z\n",
-      std::endian::native == std::endian::little ? "little" : "big", mesh.X.rows());
+      std::endian::native == std::endian::little ? "little" : "big", vertices);
   for (const VertexProperty& property : properties) {
     text += fmt::format("property double {}\n", property.name);
   }
-  return text + fmt::format("element face {}\nproperty list int int vertex_indices\nend_header\n",
-                            mesh.faces.size());
+  return text +
+         fmt::format("element face {}\nproperty list int int vertex_indices\nend_header\n", faces);
+}
+
+void put_vertices(const MeshView& mesh, std::span<const VertexProperty> properties, Writer& out) {
+  if (properties.empty()) {
+    out.put(mesh.X.data(), mesh.X.size());
+    return;
+  }
+  for (std::size_t v = 0; 3 * v < mesh.X.size(); ++v) {
+    out.put(&mesh.X[3 * v], 3);
+    for (const VertexProperty& property : properties) {
+      out.put(&property.values[v], 1);
+    }
+  }
+}
+
+void put_faces(const MeshView& mesh, Writer& out) {
+  for (std::size_t f = 0; f + 1 < mesh.first.size(); ++f) {
+    const auto count = static_cast<std::int32_t>(mesh.first[f + 1] - mesh.first[f]);
+    out.put(&count, 1);
+    out.put(mesh.corner.data() + mesh.first[f], static_cast<std::size_t>(count));
+  }
 }
 
 }  // namespace
 
-MeshFile mesh_in_memory(const std::string& name, const Mesh& mesh,
+MeshView::MeshView(std::span<const double> positions, std::span<const std::int64_t> first_corners,
+                   std::span<const Index> corners)
+    : X(positions), first(first_corners), corner(corners) {}
+
+MeshView::MeshView(const Mesh& mesh)
+    : X(mesh.X.data(), static_cast<std::size_t>(mesh.X.size())),
+      first(mesh.faces.first),
+      corner(mesh.faces.corner) {}
+
+MeshFile mesh_in_memory(const std::string& name, const MeshView& mesh,
                         std::span<const VertexProperty> properties) {
-  std::string bytes = header(mesh, properties);
-  const std::size_t begin = bytes.size();
-  bytes.resize(begin +
-               static_cast<std::size_t>(mesh.X.rows()) * (3 + properties.size()) * sizeof(double) +
-               (static_cast<std::size_t>(mesh.faces.size()) + mesh.faces.corner.size()) *
-                   sizeof(std::int32_t));
-  Writer out(bytes.data() + begin);
-  for (Eigen::Index v = 0; v < mesh.X.rows(); ++v) {
-    for (int i = 0; i < 3; ++i) {
-      out.put(mesh.X(v, i));
-    }
-    for (const VertexProperty& property : properties) {
-      out.put(property.values[static_cast<std::size_t>(v)]);
-    }
-  }
-  for (Index f = 0; f < mesh.faces.size(); ++f) {
-    const std::span<const Index> corners = mesh.faces[f];
-    out.put(static_cast<std::int32_t>(corners.size()));
-    for (const Index corner : corners) {
-      out.put(static_cast<std::int32_t>(corner));
-    }
-  }
-  return read_mesh(SourceBytes::from_memory(name, bytes), {.format = "ply"});
+  const std::size_t vertices = mesh.X.size() / 3, faces = mesh.first.size() - 1;
+  const std::string text = header(vertices, faces, properties);
+  const std::size_t size = text.size() + vertices * (3 + properties.size()) * sizeof(double) +
+                           (faces + mesh.corner.size()) * sizeof(std::int32_t);
+  auto bytes = SourceBytes::from_memory(name, size, [&](char* place) {
+    Writer out(place);
+    out.put(text.data(), text.size());
+    put_vertices(mesh, properties, out);
+    put_faces(mesh, out);
+  });
+  return read_mesh(std::move(bytes), {.format = "ply"});
 }
 
 }  // namespace ibmfair

@@ -156,11 +156,18 @@ std::shared_ptr<const SourceBytes> SourceBytes::read(const std::string& path) {
 
 std::shared_ptr<const SourceBytes> SourceBytes::from_memory(std::string name,
                                                             std::string_view bytes) {
+  return from_memory(std::move(name), bytes.size(),
+                     [bytes](char* place) { std::copy(bytes.begin(), bytes.end(), place); });
+}
+
+std::shared_ptr<const SourceBytes> SourceBytes::from_memory(
+    std::string name, std::size_t size, const std::function<void(char*)>& fill) {
   std::shared_ptr<SourceBytes> source(new SourceBytes);
   source->name_ = std::move(name);
-  source->bytes_ = std::make_unique_for_overwrite<char[]>(bytes.size() + 1);
-  *std::copy(bytes.begin(), bytes.end(), source->bytes_.get()) = '\n';
-  source->size_ = bytes.size();
+  source->bytes_ = std::make_unique_for_overwrite<char[]>(size + 1);
+  fill(source->bytes_.get());
+  source->bytes_[size] = '\n';
+  source->size_ = size;
   return source;
 }
 

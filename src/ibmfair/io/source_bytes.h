@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -19,6 +20,10 @@ class SourceBytes {
 
   /// Copies bytes that are in memory already; `name` is the name to use in messages.
   static std::shared_ptr<const SourceBytes> from_memory(std::string name, std::string_view bytes);
+
+  /// `size` bytes that `fill` writes to the place it is given.
+  static std::shared_ptr<const SourceBytes> from_memory(std::string name, std::size_t size,
+                                                        const std::function<void(char*)>& fill);
 
   std::string_view view() const { return {bytes_.get(), size_}; }
   const char* begin() const { return bytes_.get(); }
