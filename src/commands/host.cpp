@@ -23,6 +23,10 @@ WriteReport Host::write(const MeshFile& source, const Points& X, const Extension
   return write_mesh(source, X, extension, output.path, output.write);
 }
 
+WriteReport Host::write(const Mesh& mesh, const OutputOptions& output) const {
+  return write_mesh(mesh, output.path, output.write);
+}
+
 void Host::deliver(const ReportOptions& options, bool overwrite, const Report& report) const {
   deliver_report(options, overwrite, report);
 }

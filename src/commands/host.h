@@ -41,6 +41,9 @@ class Host {
   virtual WriteReport write(const MeshFile& source, const Points& X, const Extension& extension,
                             const OutputOptions& output) const;
 
+  /// Writes a mesh that was not read from a file.
+  virtual WriteReport write(const Mesh& mesh, const OutputOptions& output) const;
+
   /// Writes the report to each of the files in `options`, and to standard output if requested.
   virtual void deliver(const ReportOptions& options, bool overwrite, const Report& report) const;
 

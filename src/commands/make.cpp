@@ -8,10 +8,10 @@
 #include "commands/command.h"
 #include "commands/documentation.h"
 #include "commands/numeric_options.h"
+#include "commands/output_files.h"
 #include "commands/shared_options.h"
 #include "commands/suggest.h"
 #include "ibmfair/base/errors.h"
-#include "ibmfair/io/atomic_file.h"
 #include "ibmfair/mesh/geometry.h"
 #include "ibmfair/mesh/topology.h"
 #include "ibmfair/shapes/noise.h"
@@ -63,7 +63,7 @@ double mean_edge_length_of(const Mesh& mesh) {
 ExitCode run_make(const MakeArguments& arguments, const Host& host) {
   const Console& console = host.console();
   require_known(arguments.shape);
-  require_writable(arguments.output.path, arguments.output.write.overwrite);
+  check_output_files({{"", arguments.output.path}}, arguments.output.write.overwrite);
   ShapeSettings settings = arguments.settings;
   settings.seed = arguments.seed;
   Mesh mesh = make_shape(arguments.shape, settings);
@@ -73,7 +73,7 @@ ExitCode run_make(const MakeArguments& arguments, const Host& host) {
   }
   mesh.X.rowwise() += Eigen::RowVector3d::Map(arguments.move.data());
 
-  const WriteReport written = write_mesh(mesh, arguments.output.path, arguments.output.write);
+  const WriteReport written = host.write(mesh, arguments.output);
   for (const std::string& note : written.notes) {
     console.note(note);
   }
