@@ -18,6 +18,11 @@ py::array_t<T> owning_array(Matrix matrix) {
   return py::array_t<T>({rows.rows(), rows.cols()}, rows.data(), owner);
 }
 
+template <class T>
+std::span<const T> span_of(const Array<T>& array) {
+  return {array.data(), static_cast<std::size_t>(array.size())};
+}
+
 }  // namespace
 
 Points points_of(const Array<double>& V) {
@@ -36,13 +41,13 @@ NamedMesh named_mesh_of(const py::tuple& given) {
   if (given.size() == 2) {
     return {name, given[1].cast<MeshFile>()};
   }
-  const Mesh mesh{
-      points_of(given[1].cast<Array<double>>()),
-      polygons_of(given[2].cast<Array<std::int64_t>>(), given[3].cast<Array<std::int32_t>>())};
-  std::vector<VertexProperty> properties;
+  const auto V = given[1].cast<Array<double>>();
+  const auto first = given[2].cast<Array<std::int64_t>>();
+  const auto corner = given[3].cast<Array<std::int32_t>>();
+  const MeshView mesh(span_of(V), span_of(first), span_of(corner));
+  std::vector<VertexProperty> properties;  // the dictionary keeps their arrays
   for (const auto& [key, values] : given[4].cast<py::dict>()) {
-    const auto array = values.cast<Array<double>>();
-    properties.push_back({key.cast<std::string>(), {array.data(), array.data() + array.size()}});
+    properties.push_back({key.cast<std::string>(), span_of(values.cast<Array<double>>())});
   }
   return {name, mesh_in_memory(name, mesh, properties)};
 }

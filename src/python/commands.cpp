@@ -3,6 +3,7 @@
 
 #include "bindings.h"
 #include "commands/command_line.h"
+#include "ibmfair/base/stopwatch.h"
 #include "memory_host.h"
 
 namespace py = pybind11;
@@ -11,10 +12,11 @@ namespace ibmfair::python {
 namespace {
 
 /// The result of a run, for ibmfair/_run.py.
-py::dict result_of(const Outcome& outcome, const RunListener& listener, int code) {
+py::dict result_of(Outcome outcome, const RunListener& listener, int code, double seconds) {
   py::dict result;
   result["code"] = code;
-  result["V"] = outcome.X ? py::object(array_of(Points(*outcome.X))) : py::none();
+  result["seconds"] = seconds;
+  result["V"] = outcome.X ? py::object(array_of(std::move(*outcome.X))) : py::none();
   result["F"] = outcome.faces ? py::object(faces_of(*outcome.faces)) : py::none();
   result["merged"] = array_of(outcome.merged);
   result["figures"] = outcome.figures;
@@ -34,8 +36,10 @@ py::dict run(std::vector<std::string> words, const std::vector<py::tuple>& meshe
   Outcome outcome;
   MemoryHost host(std::move(named), listener, outcome);
   int code = 0;
+  double seconds = 0;  // of the command, without the conversions
   {
     const py::gil_scoped_release unlocked;
+    const Stopwatch watch(seconds);
     try {
       commands::CommandLine line(words.front());
       line.parse(std::move(words));
@@ -44,7 +48,7 @@ py::dict run(std::vector<std::string> words, const std::vector<py::tuple>& meshe
       code = static_cast<int>(commands::ExitCode::interrupted);
     }
   }
-  return result_of(outcome, listener, code);
+  return result_of(std::move(outcome), listener, code, seconds);
 }
 
 }  // namespace

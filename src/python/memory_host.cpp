@@ -112,6 +112,12 @@ WriteReport MemoryHost::write(const MeshFile& source, const Points& X, const Ext
   return keep(source, X, &extension);
 }
 
+WriteReport MemoryHost::write(const Mesh& mesh, const commands::OutputOptions& /*output*/) const {
+  outcome_.X = mesh.X;
+  outcome_.faces = mesh.faces;
+  return {};
+}
+
 WriteReport MemoryHost::keep(const MeshFile& source, const Points& X,
                              const Extension* extension) const {
   const Mesh& mesh = source.mesh();

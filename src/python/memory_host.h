@@ -75,6 +75,7 @@ class MemoryHost : public commands::Host {
                     const commands::OutputOptions& output) const override;
   WriteReport write(const MeshFile& source, const Points& X, const Extension& extension,
                     const commands::OutputOptions& output) const override;
+  WriteReport write(const Mesh& mesh, const commands::OutputOptions& output) const override;
   void deliver(const commands::ReportOptions& options, bool overwrite,
                const commands::Report& report) const override;
   bool wants_end() const override;

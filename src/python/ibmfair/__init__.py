@@ -15,7 +15,7 @@ through `warnings` as `MeshWarning`, remarks to the logger "ibmfair".
 """
 
 from . import _core
-from ._commands import compare, denoise, fill, holes, info, smooth
+from ._commands import compare, denoise, fill, holes, info, make, smooth
 from ._energies import edges, energy, laplacian, triangles
 from ._files import Mesh, read, write
 from ._flow import Flow, StepRecord
@@ -26,4 +26,4 @@ __version__ = _core.version
 __all__ = [
     "BadFile", "BadMesh", "BadOption", "CannotWrite", "Error", "FactorizationFailed", "Flow", "Mesh",
     "MeshWarning", "NotReached", "OutOfMemory", "StepRecord", "compare", "denoise", "edges",
-    "energy", "fill", "holes", "info", "laplacian", "read", "smooth", "triangles", "write"]
+    "energy", "fill", "holes", "info", "laplacian", "make", "read", "smooth", "triangles", "write"]

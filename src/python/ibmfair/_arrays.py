@@ -53,7 +53,8 @@ class Faces:
         if array.size == 0:
             return np.empty(0, np.int64), np.zeros(1, np.int64)
         if array.dtype.kind not in "iu":
-            if array.dtype.kind != "f" or not (array == np.floor(array)).all():
+            if array.dtype.kind != "f" or not (np.abs(array) < 2**31).all() \
+                    or not (array == np.floor(array)).all():
                 raise ValueError(f"{name} must hold vertex numbers, which are integers, not "
                                  f"{array.dtype}")
             array = array.astype(np.int64)
@@ -62,8 +63,9 @@ class Faces:
         if array.ndim != 2 or array.shape[1] < 3:
             raise ValueError(f"{name} must have the shape (m, 3), or (m, k) for polygons, not "
                              f"{array.shape}")
-        self._form = "array"
-        self._dtype = array.dtype
+        if not isinstance(F, (list, tuple)):
+            self._form = "array"
+            self._dtype = array.dtype
         count, corners = array.shape
         return array.reshape(-1), np.arange(0, count * corners + 1, corners, dtype=np.int64)
 

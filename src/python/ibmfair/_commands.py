@@ -71,7 +71,7 @@ def smooth(V, F=None, *, progress=None, **options):
     return _smooth("smooth", V, F, options, progress)
 
 
-@documented("smooth")
+@documented("smooth", without=("denoise",))
 def denoise(V, F=None, *, progress=None, **options):
     """Removes noise of any strength and keeps sharp edges: `smooth` with ``denoise=True``.
 
@@ -188,6 +188,26 @@ def info(V, F=None, **options):
         The report of `ibmfair info`.
     """
     return run("info", "info", [Input(V, F)], options, arguments=["--json"])["info"]
+
+
+@documented("make")
+def make(shape, **options):
+    """Makes a test shape whose exact values are known.
+
+    Parameters
+    ----------
+    shape : str
+        The name of the shape, as 'icosphere', 'torus', 'cube'; `ibmfair help make` lists them.
+    {options}
+
+    Returns
+    -------
+    V : ndarray of shape (n, 3)
+    F : ndarray of shape (m, 3)
+    """
+    result = run("make", "make", [], options, arguments=[str(shape), ""])
+    first, corner = result["F"]
+    return result["V"], corner.reshape(len(first) - 1, -1)
 
 
 @documented("compare")

@@ -37,10 +37,12 @@ class Mesh:
 
     @property
     def path(self):
+        """The path of the file as it was given."""
         return self._file.name
 
     @property
     def V(self):
+        """ndarray of shape (n, 3): the positions."""
         return self._V
 
     @V.setter

@@ -4,14 +4,10 @@ import dataclasses
 import warnings
 
 from . import _core, errors
+from ._arrays import vertices
+from ._keywords import OF_STEPS
 from ._options import check_names, in_python, keywords
 from ._run import Input, words_of
-
-# The options of `smooth` that concern single steps of the published scheme.
-OPTIONS = ("cutoff", "steps", "time_step", "laplacian", "h0", "anisotropy", "mass", "no_mass",
-           "metric", "newton_iterations", "keep_sharp", "weights", "keep_volume", "keep_area",
-           "boundary", "fix", "mask", "max_move", "solver", "solver_tolerance", "memory", "threads",
-           "weld")
 
 
 @dataclasses.dataclass(frozen=True)
@@ -74,14 +70,14 @@ class Flow:
     """
 
     def __init__(self, V, F=None, *, fixed=None, **options):
-        known = {name: option for name, option in keywords("smooth").items() if name in OPTIONS}
+        known = {name: option for name, option in keywords("smooth").items() if name in OF_STEPS}
         check_names("Flow", options, known)
         if fixed is not None:
             if options.get("fix") is not None:
                 raise TypeError("fixed and fix mean the same; give one of them")
             options["fix"] = fixed
         mesh = Input(V, F)
-        words = ["smooth", mesh.name, "", "--plain"] + words_of("smooth", mesh, options, known)
+        words = ["smooth", mesh.name, "", "--plain"] + words_of(mesh, options, known)
         try:
             self._flow = _core.Flow(words, mesh.packed())
         except errors.Error as error:
@@ -97,8 +93,6 @@ class Flow:
 
     @V.setter
     def V(self, positions):
-        from ._arrays import vertices
-
         self._flow.move_to(vertices(positions))
 
     @property
@@ -145,4 +139,4 @@ class Flow:
             yield self.step()
 
 
-Flow.__doc__ = Flow.__doc__.replace("{names}", ", ".join(f"`{name}`" for name in OPTIONS))
+Flow.__doc__ = Flow.__doc__.replace("{names}", ", ".join(f"`{name}`" for name in OF_STEPS))

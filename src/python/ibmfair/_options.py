@@ -11,35 +11,19 @@ import textwrap
 
 import numpy as np
 
-from . import _core
-
-# Options that concern files of meshes, the terminal or other processes, and have no meaning for a
-# function on arrays.
-NOT_KEYWORDS = frozenset({
-    "format", "input-format", "precision", "checkpoint", "engine", "json", "quiet", "verbose",
-    "dump-config", "help", "json-usage"})
-MANY_FILES = "Many files"
-
-# Options whose value may be an array with one number for each vertex.
-PER_VERTEX = frozenset({"weights", "h0", "mask", "region"})
-
+from . import _core, _keywords
 
 @functools.lru_cache(maxsize=None)
 def table():
-    """The options of each command: {command: {option without dashes: its row in the usage}}."""
+    """{command: {keyword: row of the program's list of options}}."""
     usage = json.loads(_core.usage())
-    return {command["name"]: {option["name"].lstrip("-"): option for option in command["options"]}
+    return {command["name"]: _keywords.keywords(command["options"])
             for command in usage["commands"]}
-
-
-def is_keyword(option):
-    return (option["name"].lstrip("-") not in NOT_KEYWORDS and option["group"] != MANY_FILES)
 
 
 def keywords(command):
     """{keyword: row} of the options that the function for this command takes."""
-    return {name.replace("-", "_"): option for name, option in table()[command].items()
-            if is_keyword(option)}
+    return table()[command]
 
 
 def in_python(text):
@@ -66,42 +50,50 @@ def word(option, value):
         return [name]
     if isinstance(value, (str, os.PathLike)):
         return [f"{name}={os.fspath(value)}"]
+    if isinstance(value, (list, tuple)) and value and isinstance(value[0], (str, os.PathLike)):
+        return [f"{name}={os.fspath(one)}" for one in value]
     array = np.asarray(value)
     if array.dtype.kind not in "iuf":
         raise ValueError(f"{name.lstrip('-').replace('-', '_')}: cannot use {value!r}")
     return [f"{name}={','.join(repr(number) for number in array.reshape(-1).tolist())}"]
 
 
+def _kind(option):
+    """The type of a keyword in its documentation."""
+    name = option["name"].lstrip("-")
+    if name in _keywords.PER_VERTEX:
+        return "array_like of shape (n,) or str"
+    if name == "fix":
+        return "array_like of flags (n,) or of vertex numbers"
+    if option["choices"]:
+        return "{" + ", ".join(repr(choice) for choice in option["choices"]) + "}"
+    if option["type"] == "length" or "mesh units (" in (option["unit"] or ""):
+        return "bool, float or str" if option["optional_value"] else "float or str"
+    return {"flag": "bool", "integer": "int", "number": "float"}.get(option["type"], "str")
+
+
 def _entry(keyword, option):
     """An entry of a numpydoc section."""
-    kind = {"flag": "bool", "integer": "int", "number": "float"}.get(option["type"], "str")
-    if option["name"].lstrip("-") in PER_VERTEX:
-        kind = "array_like of shape (n,) or str"
-    elif option["name"] == "--fix":
-        kind = "array_like of flags (n,) or of vertex numbers, or str"
-    elif option["type"] == "length" or "mesh units" in (option["unit"] or ""):
-        kind = "float or str"
-    if option["choices"]:
-        kind = "{" + ", ".join(repr(choice) for choice in option["choices"]) + "}"
-    text = in_python(option["help"])
-    details = []
-    if option["unit"]:
-        details.append(f"unit: {option['unit']}")
     default = option["default"] if option["default"] is not None else option["default_text"]
+    details = [f"unit: {option['unit']}"] if option["unit"] else []
     if default and option["type"] != "flag":
-        details.append(f"default: {in_python(default)}")
-    if details:
-        text += f" ({'; '.join(details)})"
-    body = textwrap.fill(text[0].upper() + text[1:] + ".", 88, break_on_hyphens=False)
-    return f"{keyword} : {kind}, optional\n{textwrap.indent(body, '    ')}"
+        details.append(f"default: {default}")
+    if keyword in _keywords.ON_ARRAYS:
+        text = _keywords.ON_ARRAYS[keyword]
+    else:
+        text = option["help"][0].upper() + option["help"][1:]
+        text = in_python(text + (f" ({'; '.join(details)})" if details else "") + ".")
+    body = textwrap.fill(text, 88, break_on_hyphens=False)
+    return f"{keyword} : {_kind(option)}, optional\n{textwrap.indent(body, '    ')}"
 
 
-def documented(command):
+def documented(command, without=()):
     """Completes a function's docstring and signature by the options of the command. The line
-    `{options}` in the docstring stands for their entries."""
+    `{options}` in the docstring stands for their entries. `without`: keywords that the function sets
+    itself."""
 
     def complete(function):
-        known = keywords(command)
+        known = {name: option for name, option in keywords(command).items() if name not in without}
         entries = "\n".join(_entry(name, option) for name, option in known.items())
         function.__doc__ = inspect.cleandoc(function.__doc__).replace("{options}", entries)
         signature = inspect.signature(function)

@@ -9,7 +9,8 @@ import numpy as np
 from . import _core, errors
 from ._arrays import Faces, per_vertex, vertex_set, vertices
 from ._files import Mesh
-from ._options import PER_VERTEX, check_names, in_python, keywords, word
+from ._keywords import PER_VERTEX
+from ._options import check_names, in_python, keywords, word
 
 log = logging.getLogger("ibmfair")
 
@@ -64,10 +65,12 @@ def fixed_as_mask(mesh, options):
     return {**options, "fix": None, "mask": moves & ~vertex_set(fix, count, "fix")}
 
 
-def words_of(command, mesh, options, known):
+def words_of(mesh, options, known):
     """The words of the command line for these keywords."""
     words = []
-    for keyword, value in fixed_as_mask(mesh, options).items():
+    if "fix" in options:
+        options = fixed_as_mask(mesh, options)
+    for keyword, value in options.items():
         option = known[keyword]
         takes_array = option["name"].lstrip("-") in PER_VERTEX
         if takes_array and value is not None and not isinstance(value, str) and np.ndim(value) > 0:
@@ -87,7 +90,7 @@ def run(function, command, meshes, options, progress=None, arguments=None):
     known = keywords(command)
     check_names(function, options, known)
     words = [command] + [mesh.name for mesh in meshes] + (arguments or [])
-    words += words_of(command, meshes[0], options, known)
+    words += words_of(meshes[0] if meshes else None, options, known)
     try:
         result = _core.run(words, [mesh.packed() for mesh in meshes], progress)
     except errors.Error as error:
