@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # Installs the packages that `cpack` made into empty Debian systems and runs the demo there: the .deb
-# with what it says it depends on, that of the engine for many machines beside it, the tarball with the
-# libraries of those packages alone, and a project of another's with the library's package.
+# with what it says it depends on, those of the engine for many machines and for Python beside it, the
+# tarball with the libraries of those packages alone, and a project of another's with the library's
+# package.
 #
 #   clean_root.sh BUILD WORK
 #
@@ -61,6 +62,18 @@ if [[ $engine ]]; then
   inside OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 /usr/bin/ibmfair smooth \
     /usr/share/ibmfair/femur.off /tmp/shared.ply --engine petsc --steps 2 --quiet
   [[ -s $work/root/tmp/shared.ply ]]
+fi
+
+python=$(ls "$work"/packages/python3-ibmfair_*.deb 2>/dev/null || true)
+if [[ $python ]]; then
+  echo "the package for Python"
+  cp "$python" "$work/root/root/python.deb"
+  apt install /root/python.deb
+  cp "$here/../../tools/python_tour.py" "$work/root/root"
+  inside python3 -c "import ibmfair; print('ibmfair', ibmfair.__version__, 'in', ibmfair.__file__)"
+  inside python3 /root/python_tour.py /tmp/tour >"$work/tour.txt"
+  grep --quiet "all above 0: True" "$work/tour.txt"
+  grep --quiet "no scipy" "$work/tour.txt"
 fi
 
 echo "the tarball, moved"

@@ -1,6 +1,6 @@
 # Installs the project from BUILD below WORK, builds a project that knows nothing but the installed
 # files, and runs it and the installed program.
-#   cmake -D BUILD=... -D WORK=... -D CXX=... -D CXX_FLAGS=... -P run.cmake
+#   cmake -D BUILD=... -D WORK=... -D CXX=... -D CXX_FLAGS=... [-D PYTHON=...] -P run.cmake
 function(run)
   execute_process(COMMAND ${ARGV} RESULT_VARIABLE result OUTPUT_VARIABLE output
                   ERROR_VARIABLE output)
@@ -62,4 +62,20 @@ run(${WORK}/readme-build/mine ${CMAKE_CURRENT_LIST_DIR}/../../data/femur.off ${W
 run(${WORK}/installed/bin/ibmfair compare ${CMAKE_CURRENT_LIST_DIR}/../../data/femur.off ${WORK}/fair.off)
 if(NOT output MATCHES "RMS")
   message(FATAL_ERROR "a comparison expected, not\n${output}")
+endif()
+
+# The Python package, where the Python that it was built for looks below the prefix.
+if(PYTHON)
+  file(GLOB package ${WORK}/installed/lib/python3*/*-packages/ibmfair/__init__.py)
+  if(NOT package)
+    message(FATAL_ERROR "the Python package is not installed")
+  endif()
+  string(REGEX REPLACE "/ibmfair/__init__.py$" "" site ${package})
+  file(WRITE ${WORK}/first.py "import ibmfair
+print(len(ibmfair.make('icosphere')[0]), ibmfair.__file__)
+")
+  run(${CMAKE_COMMAND} -E env PYTHONPATH=${site} ${PYTHON} ${WORK}/first.py)
+  if(NOT output MATCHES "^12 ${site}/ibmfair")
+    message(FATAL_ERROR "an icosahedron from ${site} expected, not\n${output}")
+  endif()
 endif()

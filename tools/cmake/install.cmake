@@ -2,7 +2,7 @@
 # completions for shells, its helper, the schema of its reports, a mesh to try it on. Component
 # `petsc`: its engine for one mesh on many machines. Component `development`: the library with its
 # headers, and the package by which other projects find it: find_package(ibmfair), target
-# ibmfair::ibmfair.
+# ibmfair::ibmfair. Component `python` (tools/cmake/python.cmake): the Python package.
 include(CMakePackageConfigHelpers)
 
 set(package_directory ${CMAKE_INSTALL_LIBDIR}/cmake/ibmfair)

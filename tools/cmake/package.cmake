@@ -14,6 +14,9 @@ set(CPACK_COMPONENTS_ALL program development)
 if(IBMFAIR_PETSC)  # apart: it needs MPI
   list(APPEND CPACK_COMPONENTS_ALL petsc)
 endif()
+if(IBMFAIR_PYTHON)  # apart: it needs Python
+  list(APPEND CPACK_COMPONENTS_ALL python)
+endif()
 set(CPACK_DEB_COMPONENT_INSTALL ON)
 set(CPACK_ARCHIVE_COMPONENT_INSTALL OFF)
 
@@ -33,6 +36,20 @@ set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS
 set(CPACK_DEBIAN_PETSC_PACKAGE_NAME ibmfair-petsc)
 set(CPACK_DEBIAN_PETSC_PACKAGE_SECTION graphics)
 set(CPACK_DEBIAN_PETSC_PACKAGE_DEPENDS "ibmfair (= ${PROJECT_VERSION}), openmpi-bin")
+if(IBMFAIR_PYTHON)
+  math(EXPR next_python_minor "${Python_VERSION_MINOR} + 1")
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-ibmfair)
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS
+      "python3 (>= ${python_version}~), python3 (<< ${Python_VERSION_MAJOR}.${next_python_minor}), python3-numpy")
+  if(IBMFAIR_CHOLMOD)
+    string(APPEND CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS ", ${cholmod_package}")
+  endif()
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_RECOMMENDS "ibmfair")  # its helper reads further formats
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_SUGGESTS "python3-scipy")
+endif()
+set(CPACK_COMPONENT_PYTHON_DESCRIPTION
+    "The functions of ibmfair for Python, on arrays of vertices and faces.")
 set(CPACK_COMPONENT_PETSC_DESCRIPTION
     "The engine of ibmfair that shares one mesh among the processes of mpirun, on one
 machine or many.")
@@ -48,6 +65,10 @@ install(FILES ${PROJECT_SOURCE_DIR}/tools/packaging/copyright
         DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/ibmfair COMPONENT program)
 install(FILES ${PROJECT_SOURCE_DIR}/tools/packaging/copyright
         DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/libibmfair-dev COMPONENT development)
+if(IBMFAIR_PYTHON)
+  install(FILES ${PROJECT_SOURCE_DIR}/tools/packaging/copyright
+          DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/python3-ibmfair COMPONENT python)
+endif()
 if(IBMFAIR_PETSC)
   install(FILES ${PROJECT_SOURCE_DIR}/tools/packaging/copyright
           DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/ibmfair-petsc COMPONENT petsc)
