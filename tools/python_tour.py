@@ -49,7 +49,8 @@ print(f"moved: {(upper != V).any(axis=1).sum()} vertices, all above 0: {(V[(uppe
 opened = F[np.linalg.norm(clean[F].mean(axis=1) - [1, 0, 0.4], axis=1) > 0.3]
 for hole in ibmfair.holes(clean, opened):
     print(f"hole {hole['id']}: {hole['edges']} edges, perimeter {hole['perimeter']:.3g}")
-filled, faces, info = ibmfair.fill(clean, opened, holes=[0])
+picture = os.path.join(folder, "filled.png")
+filled, faces, info = ibmfair.fill(clean, opened, holes=[0], picture=picture, overwrite=True)
 new = filled[len(clean):]
 distance = np.hypot(np.hypot(new[:, 0], new[:, 1]) - 1, new[:, 2]) - 0.4
 print(f"patch: {len(new)} vertices, at most {np.abs(distance).max():.1e} from the torus")

@@ -1,24 +1,42 @@
-"""The tour runs as it stands, and what it prints is what it promises."""
+"""The tour and the example of the README run as they stand, and give what they promise."""
 
-import os
-import pathlib
 import re
 import subprocess
 import sys
 
+import numpy as np
+
+import ibmfair
 from conftest import ROOT
 
 
-def test_the_tour_runs(tmp_path):
-    run = subprocess.run([sys.executable, ROOT / "tools" / "python_tour.py", tmp_path],
-                         capture_output=True, text=True,
-                         env={**os.environ, "PYTHONPATH": str(pathlib.Path(os.environ["PYTHONPATH"].split(":")[0]))})
+def run_script(script, folder):
+    run = subprocess.run([sys.executable, *script], capture_output=True, text=True, cwd=folder)
     assert run.returncode == 0 and run.stderr == "", run.stderr
-    before, after = (float(number) for number in re.findall(r"(\S+) from the true torus", run.stdout))
+    return run.stdout
+
+
+def test_the_tour_runs(tmp_path):
+    text = run_script([ROOT / "tools" / "python_tour.py", tmp_path / "tour"], tmp_path)
+    before, after = (float(number) for number in re.findall(r"(\S+) from the true torus", text))
     assert after < before / 5
-    patch = re.search(r"patch: (\d+) vertices, at most (\S+) from", run.stdout)
+    patch = re.search(r"patch: (\d+) vertices, at most (\S+) from", text)
     assert int(patch[1]) > 5 and float(patch[2]) < 0.05
-    assert re.search(r"moved: [1-9]\d* vertices, all above 0: True", run.stdout)
-    energies = [float(number) for number in re.findall(r"step +\d+: energy +(\S+),", run.stdout)]
+    assert re.search(r"moved: [1-9]\d* vertices, all above 0: True", text)
+    energies = [float(number) for number in re.findall(r"step +\d+: energy +(\S+),", text)]
     assert energies == sorted(energies, reverse=True) and len(energies) == 5
-    assert (tmp_path / "denoised.png").read_bytes()[1:4] == b"PNG" and (tmp_path / "clean.ply").exists()
+    assert (tmp_path / "tour" / "denoised.png").read_bytes()[1:4] == b"PNG"
+    assert (tmp_path / "tour" / "clean.ply").exists()
+
+
+def test_the_example_of_the_readme_runs(tmp_path):
+    V, F = ibmfair.make("icosphere", subdivide=4, noise=0.1)
+    ibmfair.write(tmp_path / "scan.ply", V, F[V[F].mean(axis=1)[:, 2] < 0.8])
+    example = re.search(r"```python\n(.*?)```", (ROOT / "README.md").read_text(), re.S)[1]
+    (tmp_path / "example.py").write_text(example)
+    text = run_script(["example.py"], tmp_path)
+    energies = [float(line.split()[1]) for line in text.splitlines()]
+    assert len(energies) == 3 and energies == sorted(energies, reverse=True)
+    clean = ibmfair.read(tmp_path / "clean.ply")
+    radius = np.linalg.norm(clean.V, axis=1)
+    assert radius.std() < np.linalg.norm(V, axis=1).std() / 2
