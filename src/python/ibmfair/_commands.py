@@ -35,10 +35,7 @@ def smooth(V, F=None, *, progress=None, **options):
 
     Parameters
     ----------
-    V : array_like of shape (n, 3), or Mesh
-        Positions.
-    F : array_like of shape (m, 3), list of faces, or packed faces
-        Faces, vertex numbers counted from 0; None if `V` is a Mesh.
+    {mesh}
     progress : callable, optional
         Called with the stage (str) and its share that is done (float in 0 to 1, or None), at most
         twenty times a second. An exception that it raises ends the run after the step.
@@ -77,10 +74,7 @@ def denoise(V, F=None, *, progress=None, **options):
 
     Parameters
     ----------
-    V : array_like of shape (n, 3), or Mesh
-        Positions.
-    F : array_like of shape (m, 3), list of faces, or packed faces
-        Faces, vertex numbers counted from 0; None if `V` is a Mesh.
+    {mesh}
     progress : callable, optional
         As for `smooth`.
     {options}
@@ -105,10 +99,7 @@ def fill(V, F=None, *, holes=None, progress=None, **options):
 
     Parameters
     ----------
-    V : array_like of shape (n, 3), or Mesh
-        Positions.
-    F : array_like of shape (m, 3), list of faces, or packed faces
-        Faces, vertex numbers counted from 0; None if `V` is a Mesh.
+    {mesh}
     holes : sequence of int, optional
         The holes to fill, by the numbers that `ibmfair.holes` gives; the same as `only`.
     progress : callable, optional
@@ -155,10 +146,7 @@ def holes(V, F=None, **options):
 
     Parameters
     ----------
-    V : array_like of shape (n, 3), or Mesh
-        Positions.
-    F : array_like of shape (m, 3), list of faces, or packed faces
-        Faces, vertex numbers counted from 0; None if `V` is a Mesh.
+    {mesh}
     {options}
 
     Returns
@@ -176,10 +164,7 @@ def info(V, F=None, **options):
 
     Parameters
     ----------
-    V : array_like of shape (n, 3), or Mesh
-        Positions.
-    F : array_like of shape (m, 3), list of faces, or packed faces
-        Faces, vertex numbers counted from 0; None if `V` is a Mesh.
+    {mesh}
     {options}
 
     Returns

@@ -2,16 +2,9 @@
 
 import numpy as np
 
-from . import _core, errors
+from . import _core
 from ._arrays import Faces, per_vertex, vertices
-from ._options import in_python
-
-
-def _call(function, *arguments):
-    try:
-        return function(*arguments)
-    except errors.Error as error:
-        raise type(error)(in_python(str(error))) from None
+from ._options import python_names
 
 
 def energy(V, F, laplacian="crouzeix-raviart", *, mass=None, h0=None, gradient=False):
@@ -54,8 +47,8 @@ def energy(V, F, laplacian="crouzeix-raviart", *, mass=None, h0=None, gradient=F
     curvature = np.empty(0)
     if h0 is not None:
         curvature = per_vertex(np.broadcast_to(h0, len(V)) if np.ndim(h0) == 0 else h0, len(V), "h0")
-    E, G = _call(_core.energy, V, faces.first, faces.corner, laplacian, mass or "", curvature,
-                 gradient)
+    with python_names():
+        E, G = _core.energy(V, faces.first, faces.corner, laplacian, mass or "", curvature, gradient)
     return (E, G) if gradient else E
 
 
@@ -89,7 +82,8 @@ def laplacian(V, F, name="lagrange", *, mass=None):
 
     V = vertices(V)
     faces = Faces(F, len(V))
-    size, L, M = _call(_core.laplacian, V, faces.first, faces.corner, name, mass or "")
+    with python_names():
+        size, L, M = _core.laplacian(V, faces.first, faces.corner, name, mass or "")
 
     def symmetric(row, column, value):
         lower = sparse.coo_matrix((value, (row, column)), shape=(size, size)).tocsr()
@@ -102,7 +96,7 @@ def edges(V, F):
     """The edges of the triangulated mesh as vertex numbers (k, 2), the smaller one first, sorted."""
     V = vertices(V)
     faces = Faces(F, len(V))
-    return _call(_core.edges, V, faces.first, faces.corner)
+    return _core.edges(V, faces.first, faces.corner)
 
 
 def triangles(V, F):
@@ -110,4 +104,4 @@ def triangles(V, F):
     diagonals that give good angles."""
     V = vertices(V)
     faces = Faces(F, len(V))
-    return _call(_core.triangles, V, faces.first, faces.corner)
+    return _core.triangles(V, faces.first, faces.corner)

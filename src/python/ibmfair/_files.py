@@ -7,7 +7,7 @@ import numpy as np
 
 from . import _core, errors
 from ._arrays import Faces, vertices
-from ._options import in_python
+from ._options import in_python, python_names
 
 
 class Mesh:
@@ -105,10 +105,8 @@ def _written(write, mesh, path, format, precision, overwrite):
     if precision not in ("keep", "float", "double"):
         raise errors.BadOption(f"precision: '{precision}' is not known; write one of keep, float, "
                                "double")
-    try:
+    with python_names():
         return write(*mesh, os.fspath(path), format or "", precision, overwrite)
-    except errors.Error as error:
-        raise type(error)(in_python(str(error))) from None
 
 
 def read(path, *, format=None, weld=False):
@@ -132,10 +130,8 @@ def read(path, *, format=None, weld=False):
     BadFile
         If the file cannot be read or is malformed; the message names the place.
     """
-    try:
+    with python_names():
         file = _core.read(os.fspath(path), format or "", weld)
-    except errors.Error as error:
-        raise type(error)(in_python(str(error))) from None
     for warning in file.warnings:
         warnings.warn(in_python(warning), errors.MeshWarning, stacklevel=2)
     return Mesh(file)

@@ -6,7 +6,7 @@ import warnings
 from . import _core, errors
 from ._arrays import vertices
 from ._keywords import OF_STEPS
-from ._options import check_names, in_python, keywords
+from ._options import check_names, in_python, keywords, python_names
 from ._run import Input, words_of
 
 
@@ -78,10 +78,8 @@ class Flow:
             options["fix"] = fixed
         mesh = Input(V, F)
         words = ["smooth", mesh.name, "", "--plain"] + words_of(mesh, options, known)
-        try:
+        with python_names():
             self._flow = _core.Flow(words, mesh.packed())
-        except errors.Error as error:
-            raise type(error)(in_python(str(error))) from None
         for warning in self._flow.warnings:
             warnings.warn(in_python(warning), errors.MeshWarning, stacklevel=2)
 

@@ -1,6 +1,7 @@
 """The options of the command line as keywords: names, checks and documentation come from the table
 that the program's help and man pages come from (`ibmfair --json-usage`)."""
 
+import contextlib
 import difflib
 import functools
 import inspect
@@ -11,7 +12,7 @@ import textwrap
 
 import numpy as np
 
-from . import _core, _keywords
+from . import _core, _keywords, errors
 
 @functools.lru_cache(maxsize=None)
 def table():
@@ -29,6 +30,15 @@ def keywords(command):
 def in_python(text):
     """A message of the library with the names of options as keywords."""
     return re.sub(r"--([a-z][a-z0-9-]*)", lambda match: match[1].replace("-", "_"), text)
+
+
+@contextlib.contextmanager
+def python_names():
+    """Raises the library's exceptions with the names of options as keywords."""
+    try:
+        yield
+    except errors.Error as error:
+        raise type(error)(in_python(str(error))) from None
 
 
 def check_names(function, given, known):
@@ -87,15 +97,21 @@ def _entry(keyword, option):
     return f"{keyword} : {_kind(option)}, optional\n{textwrap.indent(body, '    ')}"
 
 
+MESH = """V : array_like of shape (n, 3), or Mesh
+    Positions.
+F : array_like of shape (m, 3), list of faces, or packed faces
+    Faces, vertex numbers counted from 0; None if `V` is a Mesh."""
+
+
 def documented(command, without=()):
     """Completes a function's docstring and signature by the options of the command. The line
-    `{options}` in the docstring stands for their entries. `without`: keywords that the function sets
+    `{options}` in the docstring stands for their entries, and `{mesh}` for those of V and F. `without`: keywords that the function sets
     itself."""
 
     def complete(function):
         known = {name: option for name, option in keywords(command).items() if name not in without}
         entries = "\n".join(_entry(name, option) for name, option in known.items())
-        function.__doc__ = inspect.cleandoc(function.__doc__).replace("{options}", entries)
+        function.__doc__ = inspect.cleandoc(function.__doc__).replace("{options}", entries).replace("{mesh}", MESH)
         signature = inspect.signature(function)
         own = [parameter for parameter in signature.parameters.values()
                if parameter.kind is not inspect.Parameter.VAR_KEYWORD]

@@ -10,7 +10,7 @@ from . import _core, errors
 from ._arrays import Faces, per_vertex, vertex_set, vertices
 from ._files import Mesh
 from ._keywords import PER_VERTEX
-from ._options import check_names, in_python, keywords, word
+from ._options import check_names, in_python, keywords, python_names, word
 
 log = logging.getLogger("ibmfair")
 
@@ -79,11 +79,6 @@ def words_of(mesh, options, known):
     return words
 
 
-def raise_in_python(error):
-    """Raises the error with the names of options as keywords."""
-    raise type(error)(in_python(str(error))) from None
-
-
 def run(function, command, meshes, options, progress=None, arguments=None):
     """Runs the command; returns what the extension module returns, with `info` in place of the
     figures. Warnings go to `warnings`, notes to the logger "ibmfair"."""
@@ -91,10 +86,8 @@ def run(function, command, meshes, options, progress=None, arguments=None):
     check_names(function, options, known)
     words = [command] + [mesh.name for mesh in meshes] + (arguments or [])
     words += words_of(meshes[0] if meshes else None, options, known)
-    try:
+    with python_names():
         result = _core.run(words, [mesh.packed() for mesh in meshes], progress)
-    except errors.Error as error:
-        raise_in_python(error)
     result["info"] = json.loads(result.pop("figures") or "{}")
     for note in result["notes"]:
         log.info(in_python(note))
