@@ -16,6 +16,7 @@ import subprocess
 import sys
 import tempfile
 import unittest
+import unittest.mock
 
 SKIPPED = 77
 ADDON = pathlib.Path(__file__).parents[2] / "tools" / "blender" / "ibmfair_blender.py"
@@ -465,6 +466,8 @@ class SmoothTest(AddonTest):
         for mode in ("OBJECT", "EDIT"):
             with in_mode(obj, mode):
                 self.assert_refused(obj, smooth, "need a closed mesh", keep_volume=True)
+        with unittest.mock.patch.object(ibmfair, "smooth", side_effect=MemoryError("no memory")):
+            self.assert_refused(obj, smooth, "no memory")
         obj.data.vertices[5].co.x = float("nan")
         with self.assertRaisesRegex(RuntimeError, "not finite"):
             smooth()
@@ -721,16 +724,45 @@ class FillTest(AddonTest):
             with in_mode(obj, mode):
                 self.assert_refused(obj, fill, "The mesh has no holes")
 
-    def test_a_face_is_never_covered(self):
-        """ibmfair gives the reason why the border of a single triangle cannot be filled."""
-        obj = icosphere()
-        delete_faces(obj, lambda x, y, z: True)
-        obj.data.clear_geometry()
-        obj.data.from_pydata([(0, 0, 0), (1, 0, 0), (0, 1, 0)], [], [(0, 1, 2)])
+    def test_border_of_a_single_triangle(self):
+        mesh = bpy.data.meshes.new("triangle")
+        mesh.from_pydata([(0, 0, 0), (1, 0, 0), (0, 1, 0)], [], [(0, 1, 2)])
+        obj = bpy.data.objects.new("triangle", mesh)
+        bpy.context.collection.objects.link(obj)
+        bpy.context.view_layer.objects.active = obj
         before = everything(obj)
         with self.assert_reported("Warning: A hole of 3 edges stays open: .* single triangle"):
             self.assertEqual(fill(outer_borders=True), {"CANCELLED"})
         self.assertEqual(everything(obj), before)
+
+    def test_no_face_is_added_twice(self):
+        """What Blender could not hold is refused before anything changes."""
+        obj = self.holed_sphere()
+        V, F, info = ibmfair.fill(coordinates(obj.data.vertices), faces(obj.data))
+        for more in ([F[0][::-1]], [F[-1][::-1]]):
+            result = V, [*map(list, F), *map(list, more)], info
+            for mode in ("OBJECT", "EDIT"):
+                with (unittest.mock.patch.object(ibmfair, "fill", return_value=result),
+                      in_mode(obj, mode)):
+                    self.assert_refused(obj, fill, "would cover a face that exists")
+
+    def test_creases_and_bevels_end_at_the_rim(self):
+        for mode in ("OBJECT", "EDIT"):
+            obj = self.holed_sphere()
+            count = len(obj.data.vertices)
+            with in_mode(obj, "EDIT"):
+                bm = bmesh.from_edit_mesh(obj.data)
+                for layer in (bm.verts.layers.bevel_weight.new(), bm.verts.layers.crease.new()):
+                    for vertex in bm.verts:
+                        vertex[layer] = 1.0
+                bmesh.update_edit_mesh(obj.data)
+            with in_mode(obj, mode):
+                fill()
+            with in_mode(obj, "EDIT"):
+                bm = bmesh.from_edit_mesh(obj.data)
+                for layers in (bm.verts.layers.bevel_weight, bm.verts.layers.crease):
+                    values = [vertex[layers.verify()] for vertex in bm.verts]
+                    self.assertEqual(values, [1.0] * count + [0.0] * (len(values) - count))
 
     def test_many_holes(self):
         obj = icosphere(subdivisions=6)
