@@ -32,8 +32,8 @@ else:
 
 def start_blender():
     """Runs the tests in Blender, with settings of its own; returns the exit code."""
-    blender = os.environ.get("BLENDER") or shutil.which("blender")
-    if not blender or not shutil.which(blender):
+    blender = shutil.which(os.environ.get("BLENDER") or "blender")
+    if not blender:
         print("skipped: Blender is not installed")
         return SKIPPED
     package = pathlib.Path(os.environ.get("IBMFAIR_PYTHON", ADDON.parents[2] / "build" / "python"))
@@ -42,6 +42,8 @@ def start_blender():
         return SKIPPED
     with tempfile.TemporaryDirectory() as folder:
         settings = {f"BLENDER_USER_{kind}": folder for kind in ("CONFIG", "SCRIPTS", "DATAFILES")}
+        # A Blender that has no Python of its own takes the modules of the first one in the path.
+        settings["PATH"] = os.path.dirname(blender) + os.pathsep + os.environ["PATH"]
         return subprocess.run(
             [blender, "--background", "--factory-startup", "--python-exit-code", "1", "--python",
              __file__, "--", *sys.argv[1:]],
