@@ -544,7 +544,6 @@ class FairOperator:
     """What the operators share: where they can run, and how they report."""
 
     bl_options = {"REGISTER", "UNDO"}
-    warned = False
 
     @classmethod
     def poll(cls, context):
@@ -563,6 +562,7 @@ class FairOperator:
         return False
 
     def execute(self, context):
+        self.warned = False
         obj = context.active_object
         if obj.mode == "EDIT":
             obj.update_from_editmode()
@@ -593,7 +593,8 @@ class FairOperator:
             except (package.Error, ValueError, MemoryError) as error:
                 raise Failed(str(error)) from error
         for warning in caught:
-            self.warn(str(warning.message))
+            if issubclass(warning.category, package.MeshWarning):
+                self.warn(str(warning.message))
         return result
 
     def draw(self, _context):
