@@ -487,6 +487,13 @@ class SmoothTest(AddonTest):
             self.assertEqual(smooth(), {"CANCELLED"})
         self.assertEqual(everything(obj), before)
 
+    def test_mesh_without_noise(self):
+        obj = icosphere()
+        before = everything(obj)
+        with self.assert_reported("Info: No noise was found"):
+            self.assertEqual(smooth(denoise=True), {"CANCELLED"})
+        self.assertEqual(everything(obj), before)
+
 
 class FillTest(AddonTest):
     def holed_sphere(self, noise=0.0):
@@ -565,6 +572,9 @@ class FillTest(AddonTest):
         with in_mode(obj, "EDIT"):
             fill()
         self.assertEqual(boundary_vertices(obj.data), set(upper))
+        select(obj, (), upper[:1])
+        with in_mode(obj, "EDIT"):
+            self.assert_refused(obj, fill, "hidden vertices")
 
     def test_outer_borders_are_filled_only_if_asked(self):
         obj = grid()
@@ -645,7 +655,8 @@ class FillTest(AddonTest):
             mesh.color_attributes.new("corner", "BYTE_COLOR", "CORNER")
             for index, (x, y, _) in enumerate(coordinates(mesh.vertices).tolist()):
                 group.add([index], 0.5 + x / 4, "REPLACE")
-                mesh.color_attributes["colour"].data[index].color = (0.5 + x / 4, 0.5 + y / 4, 0.5, 1)
+                colour = mesh.color_attributes["colour"].data[index]
+                colour.color = (0.5 + x / 4, 0.5 + y / 4, 0.5, 1)
             for datum in mesh.color_attributes["corner"].data:
                 datum.color = (1, 0, 0, 1)
             obj.shape_key_add(name="Basis")

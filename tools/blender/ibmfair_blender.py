@@ -672,6 +672,8 @@ class MESH_OT_ibmfair_smooth(FairOperator, bpy.types.Operator):
         new = V.astype(np.float32)
         moved = np.linalg.norm(new - old, axis=1)
         if not moved.any():
+            if not self.warned:
+                self.report({"INFO"}, "No noise was found" if self.denoise else "No vertex moved")
             return None
         move_vertices(obj, old, new)
         return f"Smoothed: {np.count_nonzero(moved)} vertices moved, by {moved.max():.3g} at most"
@@ -758,9 +760,12 @@ class MESH_OT_ibmfair_fill(FairOperator, bpy.types.Operator):
         if not ids:
             if not holes:
                 raise Failed("The mesh has no holes")
-            raise Failed("No hole has a rim whose vertices are all selected" if by_selection else
-                         "All boundaries are outer borders of open sheets, or have hidden "
-                         "vertices; turn on Outer Borders to fill the former")
+            if by_selection:
+                raise Failed("No hole has a rim whose vertices are all selected")
+            if all(hole["outer_border"] for hole in holes):
+                raise Failed("All boundaries are outer borders of open sheets; turn on Outer "
+                             "Borders to fill them")
+            raise Failed("All holes are outer borders or have hidden vertices at their rims")
         return ids
 
     def change(self, obj, package, progress):
