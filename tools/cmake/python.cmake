@@ -1,5 +1,9 @@
 # The Python package `ibmfair`: the extension module ibmfair._core with the Python files beside it, in
 # <build>/python/ibmfair, so that PYTHONPATH=<build>/python finds it without an installation.
+# An interpreter without sanitizers cannot load a module with them.
+if(IBMFAIR_SANITIZE AND NOT DEFINED IBMFAIR_PYTHON)
+  set(IBMFAIR_PYTHON OFF)
+endif()
 if(NOT DEFINED IBMFAIR_PYTHON OR IBMFAIR_PYTHON)
   # The system's Python, unless another one is in use or asked for: a first `python3` on the PATH
   # may lack numpy.
