@@ -197,16 +197,17 @@ std::string explain(const char* error, const CLI::App& app) {
     return "no command given";
   }
   const CLI::App& command = *chosen.front();
-  for (const std::string& word : command.remaining()) {
+  std::vector<std::string> left = command.remaining();
+  std::erase(left, "--");
+  for (const std::string& word : left) {
     const std::string name = word.substr(0, word.find('='));
     if (name.size() > 1 && name.starts_with('-')) {
       return fmt::format("{}: unknown option '{}'{}", command.get_name(), name,
                          suggestion(name, option_names(command)));
     }
   }
-  if (!command.remaining().empty()) {
-    return fmt::format("{}: '{}' is one argument too many", command.get_name(),
-                       command.remaining().front());
+  if (!left.empty()) {
+    return fmt::format("{}: '{}' is one argument too many", command.get_name(), left.front());
   }
   return fmt::format("{}: {}", command.get_name(), in_plain_words(error));
 }

@@ -303,8 +303,8 @@ std::string warning_on_end(const SmoothArguments& arguments, const SmoothResult&
                        result.flow.twicings, result.plan.flow.twicing)
                  : "";
     case FlowStatus::interrupted:
-      return fmt::format("interrupted; {} holds the mesh as it is now: {}", output,
-                         how_to_continue(result));
+      return fmt::format("interrupted; {} the mesh as it is now: {}",
+                         output.empty() ? "this is" : output + " holds", how_to_continue(result));
     case FlowStatus::stalled:
       return is_nearly_done(result)
                  ? ""

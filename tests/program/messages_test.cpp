@@ -83,6 +83,11 @@ TEST_F(Messages, NameTheWordsThatAnOptionTakes) {
   });
 }
 
+TEST_F(Messages, NameTheMistakeBeforeTheEndOfTheOptions) {
+  expect({{{"smooth", "--laplacian", "bi", "--", "ball.off", "out.off"}, {"'bi' is not known"}},
+          {{"smooth", "--stesp", "2", "--", "ball.off", "out.off"}, {"'--stesp'", "'--steps'"}}});
+}
+
 TEST_F(Messages, TakeANumberBehindAnOptionalLengthForTheLength) {
   for (const std::string option : {"--weld", "--stitch"}) {
     for (const std::string length : {"0", "-1", "0e", "-2%"}) {
