@@ -1,13 +1,9 @@
-// A mesh from memory is read as a file would be: every number, polygon and property is there.
+// A mesh from memory is read as a file would be, and files take values and positions from memory.
 #include "ibmfair/io/mesh_in_memory.h"
-
-#include <cmath>
-#include <limits>
 
 #include <gtest/gtest.h>
 
 #include "ibmfair/base/errors.h"
-#include "ibmfair/io/formats.h"
 
 namespace ibmfair::test {
 namespace {
@@ -21,38 +17,54 @@ Mesh house() {
   return mesh;
 }
 
-TEST(MeshInMemory, KeepsNumbersPolygonsAndProperties) {
+MeshFile file_of(const Mesh& mesh) {
+  return mesh_in_memory("the mesh", {{mesh.X.data(), static_cast<std::size_t>(mesh.X.size())},
+                                     mesh.faces.first,
+                                     mesh.faces.corner});
+}
+
+TEST(MeshInMemory, KeepsNumbersAndPolygons) {
   const Mesh mesh = house();
-  const std::vector<double> a{0, 1, 0, 2, 0}, b{0.1, -1, 1e-300, 7, 3};
-  const std::vector<VertexProperty> properties{{"@a", a}, {"b", b}};
-  for (const bool with : {false, true}) {
-    const MeshFile file = mesh_in_memory("the mesh", MeshView(mesh),
-                                         with ? properties : std::vector<VertexProperty>());
-    EXPECT_EQ(file.name(), "the mesh");
-    EXPECT_TRUE(file.mesh().X == mesh.X);
-    EXPECT_EQ(file.mesh().faces.first, mesh.faces.first);
-    EXPECT_EQ(file.mesh().faces.corner, mesh.faces.corner);
-    EXPECT_EQ(file.vertex_values("b").has_value(), with);
-    if (with) {
-      EXPECT_EQ(*file.vertex_values("b"), b);
-      EXPECT_EQ(file.vertex_mask("@a"), (std::vector<std::uint8_t>{0, 1, 0, 1, 0}));
-    }
-  }
+  const MeshFile file = file_of(mesh);
+  EXPECT_EQ(file.name(), "the mesh");
+  EXPECT_TRUE(file.mesh().X == mesh.X);
+  EXPECT_EQ(file.mesh().faces.first, mesh.faces.first);
+  EXPECT_EQ(file.mesh().faces.corner, mesh.faces.corner);
 }
 
 TEST(MeshInMemory, RefusesCornersThatAreNoVertices) {
   Mesh mesh = house();
   mesh.faces.corner.back() = 5;
-  EXPECT_THROW(mesh_in_memory("the mesh", MeshView(mesh)), BadFile);
+  EXPECT_THROW(file_of(mesh), BadFile);
+}
+
+TEST(MeshInMemory, FilesTakeValuesFromMemory) {
+  const std::vector<double> a{0, 1, 0, 2, 0}, b{0.1, -1, 1e-300, 7, 3};
+  const MeshFile plain = file_of(house()), file = plain.with_values("a", a).with_values("x", b);
+  EXPECT_FALSE(plain.vertex_values("a"));
+  EXPECT_EQ(*file.vertex_values("a"), a);
+  EXPECT_EQ(file.vertex_mask("a"), (std::vector<std::uint8_t>{0, 1, 0, 1, 0}));
+  EXPECT_EQ(*file.vertex_values("x"), b);  // before the coordinate in the bytes
+  EXPECT_EQ(*file.with_values("a", b).vertex_values("a"), b);
+}
+
+TEST(MeshInMemory, FilesTakePositionsFromMemory) {
+  const MeshFile file = file_of(house());
+  const Points X = 2 * file.mesh().X.cwiseMin(1.0).cwiseMax(-1.0);
+  const MeshFile moved = file.with_positions(X);
+  EXPECT_TRUE(moved.mesh().X == X);
+  EXPECT_TRUE(file.mesh().X == house().X);
 }
 
 TEST(MeshInMemory, MergedVerticesAreToldByTheFile) {
-  Mesh mesh = house();
-  mesh.X.row(4) = mesh.X.row(0);
-  const MeshFile file = mesh_in_memory("the mesh", MeshView(mesh));
-  EXPECT_TRUE(file.merged_vertices().empty());
-  const CloseWeld weld(file, 0);
-  EXPECT_EQ(weld.file.merged_vertices(), (std::vector<Index>{0, 1, 2, 3, 0}));
+  Points X = house().X;
+  X.row(4) = X.row(0);
+  const MeshFile file =
+      file_of(house()).with_positions(X).with_values("a", {1, 2, 3, 4, 5}).merged_exactly();
+  EXPECT_TRUE(file_of(house()).merged_vertices().empty());
+  EXPECT_EQ(file.merged_vertices(), (std::vector<Index>{0, 1, 2, 3, 0}));
+  EXPECT_EQ(*file.vertex_values("a"), (std::vector<double>{1, 2, 3, 4}));
+  EXPECT_FALSE(file_of(house()).merged_exactly().welded());
 }
 
 }  // namespace

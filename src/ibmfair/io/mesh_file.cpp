@@ -21,6 +21,37 @@ struct MeshFile::Contents {
   ParsedMesh parsed;
   std::optional<Weld> weld;       // set if vertices were merged
   std::optional<KeptFaces> kept;  // set if faces or corners were left out
+  std::vector<std::pair<std::string, std::vector<double>>> values;  // not in the bytes
+
+  const std::vector<double>* values_called(const std::string& name) const {
+    for (const auto& [known, numbers] : values) {
+      if (known == name) return &numbers;
+    }
+    return nullptr;
+  }
+
+  /// The mask of the vertices of the file.
+  std::vector<std::uint8_t> file_mask(const std::string& name) const {
+    if (const std::vector<double>* numbers = values_called(name)) {
+      std::vector<std::uint8_t> mask;
+      for (const double number : *numbers)
+        mask.push_back(number != 0 ? 1 : 0);
+      return mask;
+    }
+    if (format->vertex_mask == nullptr) {
+      throw BadOption(fmt::format(
+          "{}: {} files have no groups or vertex properties to select '{}' by; OBJ and PLY files "
+          "have them",
+          bytes->name(), format->title, name));
+    }
+    return format->vertex_mask(*bytes, weld ? unwelded() : parsed.mesh, name);
+  }
+
+  std::optional<std::vector<double>> file_values(const std::string& name) const {
+    if (const std::vector<double>* numbers = values_called(name)) return *numbers;
+    if (format->vertex_values == nullptr) return std::nullopt;
+    return format->vertex_values(*bytes, name);
+  }
 
   /// The mesh with the vertex numbers of the file, which attributes and masks use.
   Mesh unwelded() const { return format->read(*bytes, extension).mesh; }
@@ -174,14 +205,8 @@ const SourceBytes& MeshFile::bytes() const {
 }
 
 std::vector<std::uint8_t> MeshFile::vertex_mask(const std::string& name) const {
-  if (format().vertex_mask == nullptr) {
-    throw BadOption(fmt::format(
-        "{}: {} files have no groups or vertex properties to select '{}' by; OBJ and PLY "
-        "files have them",
-        this->name(), format().title, name));
-  }
-  if (!welded()) return format().vertex_mask(bytes(), mesh(), name);
-  const std::vector<std::uint8_t> own = format().vertex_mask(bytes(), contents_->unwelded(), name);
+  std::vector<std::uint8_t> own = contents_->file_mask(name);
+  if (!welded()) return own;
   std::vector<std::uint8_t> mask(static_cast<std::size_t>(mesh().X.rows()), 0);
   for (std::size_t v = 0; v < own.size(); ++v) {
     if (own[v] != 0) mask[contents_->weld->vertex[v]] = 1;
@@ -190,14 +215,38 @@ std::vector<std::uint8_t> MeshFile::vertex_mask(const std::string& name) const {
 }
 
 std::optional<std::vector<double>> MeshFile::vertex_values(const std::string& name) const {
-  if (format().vertex_values == nullptr) return std::nullopt;
-  auto own = format().vertex_values(bytes(), name);
+  auto own = contents_->file_values(name);
   if (!own || !welded()) return own;
   std::vector<double> values(static_cast<std::size_t>(mesh().X.rows()));
   for (std::size_t v = own->size(); v-- > 0;) {
     values[contents_->weld->vertex[v]] = (*own)[v];
   }
   return values;
+}
+
+MeshFile MeshFile::with_positions(Points X) const {
+  auto contents = std::make_shared<Contents>(*contents_);
+  contents->parsed.mesh.X = std::move(X);
+  MeshFile file;
+  file.contents_ = std::move(contents);
+  return file;
+}
+
+MeshFile MeshFile::with_values(std::string name, std::vector<double> values) const {
+  auto contents = std::make_shared<Contents>(*contents_);
+  contents->values.emplace(contents->values.begin(), std::move(name), std::move(values));
+  MeshFile file;
+  file.contents_ = std::move(contents);
+  return file;
+}
+
+MeshFile MeshFile::merged_exactly() const {
+  if (welded()) return *this;
+  auto contents = std::make_shared<Contents>(*contents_);
+  weld_vertices(contents->parsed, contents->weld);
+  MeshFile file;
+  file.contents_ = std::move(contents);
+  return file;
 }
 
 MeshAttributes MeshFile::attributes() const {

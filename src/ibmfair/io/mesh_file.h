@@ -79,6 +79,16 @@ class MeshFile {
   /// The bytes of the file.
   const SourceBytes& bytes() const;
 
+  /// A copy with other positions (#V x 3), which need not be those in the bytes.
+  MeshFile with_positions(Points X) const;
+
+  /// A copy that also has the vertex property `name` (#V of the file). It comes before one of this
+  /// name in the bytes.
+  MeshFile with_values(std::string name, std::vector<double> values) const;
+
+  /// A copy in which vertices at exactly the same position are merged, as by ReadOptions::weld.
+  MeshFile merged_exactly() const;
+
  private:
   friend MeshFile read_mesh(std::shared_ptr<const SourceBytes> bytes, const ReadOptions& options);
   friend struct CloseWeld;

@@ -25,30 +25,12 @@ class Writer {
   char* place_;
 };
 
-std::string header(std::size_t vertices, std::size_t faces,
-                   std::span<const VertexProperty> properties) {
-  std::string text = fmt::format(
+std::string header(std::size_t vertices, std::size_t faces) {
+  return fmt::format(
       "ply\nformat binary_{}_endian 1.0\nelement vertex {}\n"
-      "property double x\nproperty double y\nproperty double z\n",
-      std::endian::native == std::endian::little ? "little" : "big", vertices);
-  for (const VertexProperty& property : properties) {
-    text += fmt::format("property double {}\n", property.name);
-  }
-  return text +
-         fmt::format("element face {}\nproperty list int int vertex_indices\nend_header\n", faces);
-}
-
-void put_vertices(const MeshView& mesh, std::span<const VertexProperty> properties, Writer& out) {
-  if (properties.empty()) {
-    out.put(mesh.X.data(), mesh.X.size());
-    return;
-  }
-  for (std::size_t v = 0; 3 * v < mesh.X.size(); ++v) {
-    out.put(&mesh.X[3 * v], 3);
-    for (const VertexProperty& property : properties) {
-      out.put(&property.values[v], 1);
-    }
-  }
+      "property double x\nproperty double y\nproperty double z\n"
+      "element face {}\nproperty list int int vertex_indices\nend_header\n",
+      std::endian::native == std::endian::little ? "little" : "big", vertices, faces);
 }
 
 void put_faces(const MeshView& mesh, Writer& out) {
@@ -61,25 +43,15 @@ void put_faces(const MeshView& mesh, Writer& out) {
 
 }  // namespace
 
-MeshView::MeshView(std::span<const double> positions, std::span<const std::int64_t> first_corners,
-                   std::span<const Index> corners)
-    : X(positions), first(first_corners), corner(corners) {}
-
-MeshView::MeshView(const Mesh& mesh)
-    : X(mesh.X.data(), static_cast<std::size_t>(mesh.X.size())),
-      first(mesh.faces.first),
-      corner(mesh.faces.corner) {}
-
-MeshFile mesh_in_memory(const std::string& name, const MeshView& mesh,
-                        std::span<const VertexProperty> properties) {
+MeshFile mesh_in_memory(const std::string& name, const MeshView& mesh) {
   const std::size_t vertices = mesh.X.size() / 3, faces = mesh.first.size() - 1;
-  const std::string text = header(vertices, faces, properties);
-  const std::size_t size = text.size() + vertices * (3 + properties.size()) * sizeof(double) +
+  const std::string text = header(vertices, faces);
+  const std::size_t size = text.size() + mesh.X.size() * sizeof(double) +
                            (faces + mesh.corner.size()) * sizeof(std::int32_t);
   auto bytes = SourceBytes::from_memory(name, size, [&](char* place) {
     Writer out(place);
     out.put(text.data(), text.size());
-    put_vertices(mesh, properties, out);
+    out.put(mesh.X.data(), mesh.X.size());
     put_faces(mesh, out);
   });
   return read_mesh(std::move(bytes), {.format = "ply"});

@@ -1,4 +1,4 @@
-// A mesh that comes from memory, with named data at its vertices, in place of a file.
+// A mesh that comes from memory in place of a file.
 #pragma once
 
 #include <cstdint>
@@ -15,20 +15,10 @@ struct MeshView {
   std::span<const double> X;            ///< #V x 3, row by row
   std::span<const std::int64_t> first;  ///< as Polygons::first
   std::span<const Index> corner;        ///< as Polygons::corner
-
-  MeshView(std::span<const double> positions, std::span<const std::int64_t> first_corners,
-           std::span<const Index> corners);
-  explicit MeshView(const Mesh& mesh);
-};
-
-struct VertexProperty {
-  std::string name;                ///< without white space
-  std::span<const double> values;  ///< #V
 };
 
 /// The mesh as a file called `name` in messages: the bytes are those of a binary PLY file in which
-/// coordinates and properties are double, so that every number is kept. Throws as read_mesh does.
-MeshFile mesh_in_memory(const std::string& name, const MeshView& mesh,
-                        std::span<const VertexProperty> properties = {});
+/// coordinates are double, so that every number is kept. Throws as read_mesh does.
+MeshFile mesh_in_memory(const std::string& name, const MeshView& mesh);
 
 }  // namespace ibmfair
