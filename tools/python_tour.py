@@ -84,3 +84,5 @@ mesh = ibmfair.read(path)
 mesh.V = clean
 report = mesh.write(os.path.join(folder, "clean.ply"), overwrite=True)
 print(f"wrote {report['bytes']} bytes, {report['moved_vertices']} vertices moved")
+if scratch is not None:
+    scratch.cleanup()

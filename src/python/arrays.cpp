@@ -18,11 +18,6 @@ py::array_t<T> owning_array(Matrix matrix) {
   return py::array_t<T>({rows.rows(), rows.cols()}, rows.data(), owner);
 }
 
-template <class T>
-std::span<const T> span_of(const Array<T>& array) {
-  return {array.data(), static_cast<std::size_t>(array.size())};
-}
-
 }  // namespace
 
 Points points_of(const Array<double>& V) {
@@ -34,22 +29,6 @@ Polygons polygons_of(const Array<std::int64_t>& first, const Array<std::int32_t>
   faces.first.assign(first.data(), first.data() + first.size());
   faces.corner.assign(corner.data(), corner.data() + corner.size());
   return faces;
-}
-
-NamedMesh named_mesh_of(const py::tuple& given) {
-  const auto name = given[0].cast<std::string>();
-  if (given.size() == 2) {
-    return {name, given[1].cast<MeshFile>()};
-  }
-  const auto V = given[1].cast<Array<double>>();
-  const auto first = given[2].cast<Array<std::int64_t>>();
-  const auto corner = given[3].cast<Array<std::int32_t>>();
-  const MeshView mesh(span_of(V), span_of(first), span_of(corner));
-  std::vector<VertexProperty> properties;  // the dictionary keeps their arrays
-  for (const auto& [key, values] : given[4].cast<py::dict>()) {
-    properties.push_back({key.cast<std::string>(), span_of(values.cast<Array<double>>())});
-  }
-  return {name, mesh_in_memory(name, mesh, properties)};
 }
 
 py::array_t<double> array_of(Points X) {

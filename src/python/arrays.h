@@ -3,14 +3,12 @@
 #pragma once
 
 #include <cstdint>
-#include <string>
+#include <span>
 #include <vector>
 
 #include <pybind11/numpy.h>
 
 #include "ibmfair/base/types.h"
-#include "ibmfair/io/mesh_file.h"
-#include "ibmfair/io/mesh_in_memory.h"
 #include "ibmfair/mesh/mesh.h"
 
 namespace ibmfair::python {
@@ -18,19 +16,16 @@ namespace ibmfair::python {
 template <class T>
 using Array = pybind11::array_t<T, pybind11::array::c_style>;
 
+template <class T>
+std::span<const T> span_of(const Array<T>& array) {
+  return {array.data(), static_cast<std::size_t>(array.size())};
+}
+
 /// Positions, #V x 3.
 Points points_of(const Array<double>& V);
 
 /// Faces: face f has the corners first[f] .. first[f + 1] - 1.
 Polygons polygons_of(const Array<std::int64_t>& first, const Array<std::int32_t>& corner);
-
-/// A mesh with values at its vertices, as Python passes it: (name, V, first, corner, {property:
-/// values}), or (name, a MeshFile) for a mesh that was read from a file.
-struct NamedMesh {
-  std::string name;
-  MeshFile file;
-};
-NamedMesh named_mesh_of(const pybind11::tuple& given);
 
 /// An array that owns the rows. No copy is made.
 pybind11::array_t<double> array_of(Points X);

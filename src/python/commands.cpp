@@ -1,10 +1,13 @@
 // Runs a command of the command line on meshes in memory.
 #include <pybind11/stl.h>
 
+#include "arrays.h"
 #include "bindings.h"
 #include "commands/command_line.h"
 #include "ibmfair/base/stopwatch.h"
+#include "interpreter_lock.h"
 #include "memory_host.h"
+#include "text.h"
 
 namespace py = pybind11;
 
@@ -19,18 +22,18 @@ py::dict result_of(Outcome outcome, const RunListener& listener, int code, doubl
   result["V"] = outcome.X ? py::object(array_of(std::move(*outcome.X))) : py::none();
   result["F"] = outcome.faces ? py::object(faces_of(*outcome.faces)) : py::none();
   result["merged"] = array_of(outcome.merged);
-  result["figures"] = outcome.figures;
-  result["warnings"] = listener.warnings();
-  result["notes"] = listener.notes();
+  result["figures"] = text_of(outcome.figures);
+  result["warnings"] = texts_of(listener.warnings());
+  result["notes"] = texts_of(listener.notes());
   result["error"] = listener.error();
   return result;
 }
 
-py::dict run(std::vector<std::string> words, const std::vector<py::tuple>& meshes,
-             py::object progress) {
+py::dict run(std::vector<std::string> words,
+             const std::vector<std::pair<std::string, MeshFile>>& meshes, py::object progress) {
   std::vector<NamedMesh> named;
-  for (const py::tuple& mesh : meshes) {
-    named.push_back(named_mesh_of(mesh));
+  for (const auto& [name, file] : meshes) {
+    named.push_back({name, file});
   }
   RunListener listener(std::move(progress));
   Outcome outcome;
@@ -38,7 +41,7 @@ py::dict run(std::vector<std::string> words, const std::vector<py::tuple>& meshe
   int code = 0;
   double seconds = 0;  // of the command, without the conversions
   {
-    const py::gil_scoped_release unlocked;
+    const Unlocked unlocked;
     const Stopwatch watch(seconds);
     try {
       commands::CommandLine line(words.front());

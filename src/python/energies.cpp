@@ -7,6 +7,7 @@
 #include "ibmfair/energy/bending_energy.h"
 #include "ibmfair/energy/laplacian_matrices.h"
 #include "ibmfair/mesh/topology.h"
+#include "interpreter_lock.h"
 
 namespace py = pybind11;
 
@@ -34,7 +35,7 @@ py::tuple energy(const Array<double>& V, const Array<std::int64_t>& first,
   double value = 0;
   Points G;
   {
-    const py::gil_scoped_release unlocked;
+    const Unlocked unlocked;
     const Topology topology = topology_of(mesh);
     const auto bending = bending_model(laplacian).create(topology, options_of(mass, curvature));
     value = with_gradient ? bending->energy_and_gradient(mesh.X, G) : bending->energy(mesh.X);
@@ -63,7 +64,7 @@ py::tuple laplacian(const Array<double>& V, const Array<std::int64_t>& first,
   LaplacianMatrices matrices;
   Edges edges;
   {
-    const py::gil_scoped_release unlocked;
+    const Unlocked unlocked;
     const Topology topology = topology_of(mesh);
     const BendingModel& model = bending_model(name);
     const EnergyOptions options = options_of(mass, {});

@@ -3,6 +3,7 @@
 #include <new>
 
 #include "bindings.h"
+#include "text.h"
 
 namespace py = pybind11;
 
@@ -11,7 +12,7 @@ namespace {
 
 void raise(const char* name, const char* text) {
   const py::object type = py::module_::import("ibmfair.errors").attr(name);
-  PyErr_SetString(type.ptr(), text);
+  PyErr_SetObject(type.ptr(), text_of(text).ptr());
 }
 
 }  // namespace

@@ -3,6 +3,9 @@
 #include "arrays.h"
 #include "bindings.h"
 #include "ibmfair/io/formats.h"
+#include "ibmfair/io/mesh_in_memory.h"
+#include "interpreter_lock.h"
+#include "text.h"
 
 namespace py = pybind11;
 
@@ -20,7 +23,7 @@ py::dict report_of(const WriteReport& written) {
   report["patched"] = written.patched;
   report["moved_vertices"] = written.moved_vertices;
   report["bytes"] = written.bytes;
-  report["notes"] = written.notes;
+  report["notes"] = texts_of(written.notes);
   return report;
 }
 
@@ -28,19 +31,32 @@ py::dict report_of(const WriteReport& written) {
 
 void bind_files(py::module_& module) {
   py::class_<MeshFile>(module, "MeshFile")
-      .def_property_readonly("name", &MeshFile::name)
+      .def_property_readonly("name", [](const MeshFile& file) { return text_of(file.name()); })
       .def_property_readonly("format",
                              [](const MeshFile& file) { return std::string(file.format().name); })
-      .def_property_readonly("notes", &MeshFile::notes)
-      .def_property_readonly("warnings", &MeshFile::warnings)
+      .def_property_readonly("notes", [](const MeshFile& file) { return texts_of(file.notes()); })
+      .def_property_readonly("warnings",
+                             [](const MeshFile& file) { return texts_of(file.warnings()); })
       .def("positions", [](const MeshFile& file) { return array_of(Points(file.mesh().X)); })
       .def("faces", [](const MeshFile& file) { return faces_of(file.mesh().faces); })
       .def("vertex_mask", &MeshFile::vertex_mask)
-      .def("vertex_values", &MeshFile::vertex_values);
+      .def("vertex_values", &MeshFile::vertex_values)
+      .def("with_positions",
+           [](const MeshFile& file, const Array<double>& V) {
+             return file.with_positions(points_of(V));
+           })
+      .def("with_values", [](const MeshFile& file, std::string name, const Array<double>& values) {
+        return file.with_values(std::move(name), {values.data(), values.data() + values.size()});
+      });
+  module.def("mesh_file", [](const std::string& name, const Array<double>& V,
+                             const Array<std::int64_t>& first, const Array<std::int32_t>& corner) {
+    const Unlocked unlocked;
+    return mesh_in_memory(name, {span_of(V), span_of(first), span_of(corner)});
+  });
   module.def(
       "read",
       [](const std::string& path, const std::string& format, bool weld) {
-        const py::gil_scoped_release unlocked;
+        const Unlocked unlocked;
         return read_mesh(path, {.format = format, .weld = weld});
       },
       py::arg("path"), py::arg("format"), py::arg("weld"));
@@ -51,7 +67,7 @@ void bind_files(py::module_& module) {
         const Points X = points_of(V);
         WriteReport written;
         {
-          const py::gil_scoped_release unlocked;
+          const Unlocked unlocked;
           written = write_mesh(
               file, X, path,
               {.format = format, .overwrite = overwrite, .precision = precision_of(precision)});
@@ -68,7 +84,7 @@ void bind_files(py::module_& module) {
         const Mesh mesh{points_of(V), polygons_of(first, corner)};
         WriteReport written;
         {
-          const py::gil_scoped_release unlocked;
+          const Unlocked unlocked;
           written = write_mesh(
               mesh, path,
               {.format = format, .overwrite = overwrite, .precision = precision_of(precision)});

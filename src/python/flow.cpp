@@ -1,14 +1,19 @@
 // The flow, one step at a time. Its options are those of `ibmfair smooth --plain`.
 #include <memory>
+#include <mutex>
 #include <utility>
 
 #include <pybind11/stl.h>
 
+#include "arrays.h"
 #include "bindings.h"
 #include "commands/command_line.h"
+#include "commands/defect_warnings.h"
 #include "commands/smooth_input.h"
 #include "ibmfair/flow/stepwise_flow.h"
+#include "interpreter_lock.h"
 #include "memory_host.h"
+#include "text.h"
 
 namespace py = pybind11;
 
@@ -27,11 +32,18 @@ class FlowHost final : public MemoryHost {
 commands::ExitCode prepare(const commands::SmoothArguments& arguments, commands::Host& host) {
   commands::Progress progress(host.console());
   const MeshFile file = read_input(arguments.input, arguments.reading, host);
-  const Topology topology = build_topology(file.mesh().X, triangulate(file.mesh()).F);
+  Points X = file.mesh().X;
+  const Topology topology = build_topology(X, triangulate(file.mesh()).F);
+  warn_of_defects(topology, arguments.strict, host.console());
   auto& here = dynamic_cast<FlowHost&>(host);
   here.plan = plan_smoothing(arguments, smooth_input(arguments, file, topology), progress);
-  here.flow =
-      std::make_unique<StepwiseFlow>(file.mesh().X, topology, here.plan.fixed, here.plan.flow);
+  if (here.plan.rims) {
+    const auto with_curves = fair_rims(X, topology, here.plan.fixed, *here.plan.rims);
+    if (here.plan.flow.sharp_angle == 0) {
+      here.plan.fixed = with_curves;
+    }
+  }
+  here.flow = std::make_unique<StepwiseFlow>(X, topology, here.plan.fixed, here.plan.flow);
   return commands::ExitCode::done;
 }
 
@@ -56,15 +68,22 @@ py::dict record_of(const StepRecord& step) {
 
 class Flow {
  public:
-  Flow(std::vector<std::string> words, const py::tuple& mesh) {
+  Flow(std::vector<std::string> words, const std::string& name, const MeshFile& file) {
     RunListener listener((py::none()));
     Outcome outcome;
-    FlowHost host({named_mesh_of(mesh)}, listener, outcome);
+    FlowHost host({{name, file}}, listener, outcome);
     {
-      const py::gil_scoped_release unlocked;
-      commands::CommandLine line(flow_command);
-      line.parse(std::move(words));
-      line.run(host);
+      const Unlocked unlocked;
+      try {
+        commands::CommandLine line(flow_command);
+        line.parse(std::move(words));
+        line.run(host);
+      } catch (const Cancelled&) {  // the listener has the exception
+      }
+    }
+    if (const py::object error = listener.error(); !error.is_none()) {
+      PyErr_SetObject(py::type::handle_of(error).ptr(), error.ptr());
+      throw py::error_already_set();
     }
     warnings_ = listener.warnings();
     fixed_ = std::move(host.plan.fixed);
@@ -74,22 +93,39 @@ class Flow {
   py::object step() {
     std::optional<StepRecord> record;
     {
-      const py::gil_scoped_release unlocked;
+      const Unlocked unlocked;
+      const std::lock_guard lock(mutex_);
       record = flow_->step();
     }
     return record ? py::object(record_of(*record)) : py::none();
   }
 
-  py::array_t<double> positions() const { return array_of(flow_->positions()); }
-  void move_to(const Array<double>& V) { flow_->move_to(points_of(V)); }
+  py::array_t<double> positions() {
+    Points X;
+    {
+      const Unlocked unlocked;
+      const std::lock_guard lock(mutex_);
+      X = flow_->positions();
+    }
+    return array_of(std::move(X));
+  }
+
+  void move_to(const Array<double>& V) {
+    const Points X = points_of(V);
+    const Unlocked unlocked;
+    const std::lock_guard lock(mutex_);
+    flow_->move_to(X);
+  }
+
   double energy() const { return flow_->report().energy_after; }
   double time_step() const { return flow_->time_step(); }
   const std::string& solver() const { return flow_->report().solver; }
   int factorizations() const { return flow_->report().factorizations; }
   py::array_t<std::uint8_t> fixed() const { return array_of(fixed_); }
-  const std::vector<std::string>& warnings() const { return warnings_; }
+  py::list warnings() const { return texts_of(warnings_); }
 
  private:
+  std::mutex mutex_;  // of the flow, while the interpreter's lock is released
   std::unique_ptr<StepwiseFlow> flow_;
   std::vector<std::uint8_t> fixed_;
   std::vector<std::string> warnings_;
@@ -99,7 +135,7 @@ class Flow {
 
 void bind_flow(py::module_& module) {
   py::class_<Flow>(module, "Flow")
-      .def(py::init<std::vector<std::string>, const py::tuple&>())
+      .def(py::init<std::vector<std::string>, const std::string&, const MeshFile&>())
       .def("step", &Flow::step)
       .def("positions", &Flow::positions)
       .def("move_to", &Flow::move_to)

@@ -8,7 +8,7 @@
 #include "commands/report/report.h"
 #include "commands/report/report_formats.h"
 #include "ibmfair/base/errors.h"
-#include "ibmfair/io/source_bytes.h"
+#include "interpreter_lock.h"
 
 namespace py = pybind11;
 
@@ -64,7 +64,7 @@ void RunListener::ask(const commands::ProgressState* state) {
     return;
   }
   asked_ = now;
-  const py::gil_scoped_acquire lock;
+  const Locked lock;
   try {
     if (PyErr_CheckSignals() != 0) {
       throw py::error_already_set();
@@ -75,6 +75,7 @@ void RunListener::ask(const commands::ProgressState* state) {
   } catch (py::error_already_set& error) {
     ends_ = true;
     error_ = error.value().inc_ref().ptr();
+    PyException_SetTraceback(error_, error.trace() ? error.trace().ptr() : Py_None);
   }
 }
 
@@ -91,12 +92,7 @@ MeshFile MemoryHost::read(const std::string& path, const ReadOptions& options) c
   if (mesh == meshes_.end()) {
     throw BadOption(fmt::format("there is no mesh of the name '{}'", path));
   }
-  if (!options.weld) {
-    return mesh->file;
-  }
-  const SourceBytes& bytes = mesh->file.bytes();
-  return read_mesh(SourceBytes::from_memory(bytes.name(), bytes.view()),
-                   {.format = std::string(mesh->file.format().name), .weld = true});
+  return options.weld ? mesh->file.merged_exactly() : mesh->file;
 }
 
 void MemoryHost::require_writable(const MeshFile& /*source*/,
@@ -122,7 +118,9 @@ WriteReport MemoryHost::keep(const MeshFile& source, const Points& X,
                              const Extension* extension) const {
   const Mesh& mesh = source.mesh();
   outcome_.merged = source.merged_vertices();
-  if (source.welded() || extension != nullptr) {
+  const Polygons& given = meshes_.front().file.mesh().faces;
+  if (extension != nullptr || mesh.faces.first != given.first ||
+      mesh.faces.corner != given.corner) {
     outcome_.faces = mesh.faces;
   }
   if (extension == nullptr) {

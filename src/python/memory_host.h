@@ -11,7 +11,6 @@
 
 #include <pybind11/pybind11.h>
 
-#include "arrays.h"
 #include "commands/host.h"
 #include "commands/progress.h"
 
@@ -59,9 +58,14 @@ class RunListener final : public commands::Listener {
 /// What a command has written and reported.
 struct Outcome {
   std::optional<Points> X;
-  std::optional<Polygons> faces;  ///< set if they differ from those of the input
+  std::optional<Polygons> faces;  ///< set if they differ from those of the first mesh
   std::vector<Index> merged;      ///< MeshFile::merged_vertices of what was written
   std::string figures;            ///< JSON, by data/report.schema.json
+};
+
+struct NamedMesh {
+  std::string name;
+  MeshFile file;
 };
 
 class MemoryHost : public commands::Host {

@@ -14,26 +14,30 @@ ROOT = pathlib.Path(__file__).parent
 sys.path.insert(0, str(ROOT / "ibmfair"))
 import _keywords  # noqa: E402  (needs neither numpy nor the extension module)
 
-LENGTH = "float | str"
-TYPES = {"flag": "bool", "integer": "int", "number": "float", "length": LENGTH,
-         "name or file": "ArrayLike | str", "bytes": "int | str"}
+FLOAT, INT, PATH = "SupportsFloat", "SupportsIndex", "str | PathLike[str]"
+TYPES = {"flag": "bool", "integer": f"{INT} | float", "number": FLOAT, "length": f"{FLOAT} | str",
+         "bytes": f"{INT} | str"}
+# Keywords that take arrays or lists.
+LISTS = {"report": f"{PATH} | Sequence[{PATH}]", "only": "ArrayLike | str", "bridge": "ArrayLike | str",
+         "fix": "ArrayLike | str", "torus": "ArrayLike | str", "center": "ArrayLike | str",
+         "move": "ArrayLike | str", "anisotropy": "ArrayLike | str",
+         **dict.fromkeys(_keywords.PER_VERTEX, "ArrayLike | str")}
 
 
 def annotation(option):
     """The type of a keyword."""
     name = option["name"].lstrip("-")
-    if option["choices"]:
+    if name in LISTS:
+        kind = LISTS[name]
+    elif option["choices"]:
         kind = "Literal[" + ", ".join(f'"{choice}"' for choice in option["choices"]) + "]"
-    elif name in _keywords.PER_VERTEX or name == "fix":
-        kind = "ArrayLike | str"
+        kind += " | int" if all(choice.isdigit() for choice in option["choices"]) else ""
     elif option["optional_value"]:
-        kind = f"bool | {LENGTH}"
-    elif name == "report":
-        kind = "str | PathLike[str] | Sequence[str | PathLike[str]]"
+        kind = f"bool | {FLOAT} | str"
     elif option["file"]:
-        kind = "str | PathLike[str]"
+        kind = PATH
     else:
-        kind = TYPES.get(option["type"], "float | str | Sequence[float]")
+        kind = TYPES.get(option["type"], f"{FLOAT} | str")
     return f"{kind} | None"
 
 

@@ -13,7 +13,7 @@ import ibmfair
 TETRAHEDRON = np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1.0]]), \
     np.array([[0, 2, 1], [0, 1, 3], [1, 2, 3], [0, 3, 2]])
 
-hundreds = settings(max_examples=300, deadline=None,
+hundreds = settings(max_examples=300, deadline=None, database=None,
                     suppress_health_check=[HealthCheck.too_slow, HealthCheck.data_too_large])
 pytestmark = pytest.mark.filterwarnings("ignore::ibmfair.MeshWarning")
 
@@ -112,6 +112,13 @@ def test_messages_name_the_place():
     assert "lagrange" in message(lambda: ibmfair.smooth(V, F, laplacian="lagrang"))
     assert "4 vertices" in message(lambda: ibmfair.smooth(V, F, weights=[1, 1]))
     assert "lagrange" in message(lambda: ibmfair.energy(V, F, "lagrang"))
+    assert "transposed" in message(lambda: ibmfair.smooth(*ibmfair.make("icosphere", subdivide=2)[:1],
+                                                          ibmfair.make("icosphere", subdivide=2)[1].T))
+    assert "packed" in message(lambda: ibmfair.smooth(V, np.column_stack([np.full(9, 3)] + [range(9)] * 3)))
+    assert "masked" in message(lambda: ibmfair.smooth(np.ma.masked_greater(V, 0.5), F))
+    assert "string" in message(lambda: ibmfair.energy(V, F, 3), TypeError)
+    assert "callable" in message(lambda: ibmfair.smooth(V, F, progress=3), TypeError)
+    assert "denoise" in message(lambda: ibmfair.denoise(V, F, denoise=False), TypeError)
     assert "F is missing" in message(lambda: ibmfair.smooth(V), TypeError)
 
 

@@ -113,6 +113,25 @@ def frozen(array):
     return array
 
 
+def test_new_vertices_fit_into_the_type_of_the_faces():
+    V, F = ibmfair.make("icosphere", subdivide=2)
+    F = F[V[F].mean(axis=1)[:, 2] < 0.5]
+    expected = ibmfair.fill(V, F, edge_length="0.05u")[1]
+    assert expected.max() > 255
+    for given in (F.astype(np.uint8), np.column_stack([np.full(len(F), 3), F]).astype(np.uint8).ravel()):
+        faces = ibmfair.fill(V, given, edge_length="0.05u")[1]
+        corners = faces if faces.ndim == 2 else faces.reshape(-1, 4)[:, 1:]
+        assert np.array_equal(corners, expected)
+
+
+def test_stitched_faces_come_back(shapes):
+    path = path_of("reported/tjunction.off", shapes)
+    mesh = ibmfair.read(path)
+    for arguments in [(mesh,), (mesh.V, mesh.F)]:
+        V, F, info = ibmfair.fill(*arguments, stitch=True)
+        assert len(F) == len(mesh.F) + 1 and ibmfair.holes(V, F) == []
+
+
 @pytest.mark.parametrize("form", FORMS)
 def test_any_form_of_arrays_gives_the_same(form, opened):
     V, F = opened
@@ -146,7 +165,9 @@ def test_arrays_choose_the_vertices_that_move(sphere):
     smoothed, _ = ibmfair.smooth(V, F, mask=north)
     moved = (smoothed != V).any(axis=1)
     assert moved[north].mean() > 0.95 and not moved[~north].any()
-    for fix in (np.flatnonzero(~north), ~north):
+    for mask in (north.astype(np.uint8), north.astype(float), np.flatnonzero(north), north.tolist()):
+        assert np.array_equal(ibmfair.smooth(V, F, mask=mask)[0], smoothed)
+    for fix in (np.flatnonzero(~north), ~north, (~north).astype(int)):
         assert np.array_equal(ibmfair.smooth(V, F, fix=fix)[0], smoothed)
     assert not (ibmfair.smooth(V, F, weights=north.astype(float))[0] != V).any(axis=1)[~north].any()
     both, _ = ibmfair.smooth(V, F, mask=north, fix=V[:, 0] > 0)
@@ -158,7 +179,7 @@ def test_arrays_choose_the_vertices_that_move(sphere):
 def test_an_array_of_spontaneous_curvature_is_a_number_everywhere(sphere):
     V, F = sphere
     options = {"laplacian": "lagrange", "steps": 2}
-    number, _ = ibmfair.smooth(V, F, h0=2.0, **options)
+    number, _ = ibmfair.smooth(V, F, h0=np.float32(2), **options)
     assert np.array_equal(number, ibmfair.smooth(V, F, h0=np.full(len(V), 2.0), **options)[0])
     assert not np.array_equal(number, ibmfair.smooth(V, F, **options)[0])
 
@@ -176,6 +197,39 @@ def test_names_of_the_file_choose_vertices(tmp_path):
     assert moved.any() and not moved[~mesh.mask("two")].any()
 
 
+def test_a_mesh_keeps_what_its_file_holds(shapes):
+    mesh = ibmfair.read(path_of("models/spot_6k_alec.obj", shapes))  # has texture coordinates
+    expected, _ = ibmfair.smooth(mesh)
+    everything = np.ones(len(mesh.V))
+    for options in ({"fix": []}, {"mask": everything}, {"mask": np.arange(len(mesh.V))}):
+        assert np.array_equal(ibmfair.smooth(mesh, **options)[0], expected)
+    assert not np.array_equal(ibmfair.smooth(mesh.V, mesh.F)[0], expected)
+    mesh.V = mesh.V * 2
+    assert np.allclose(ibmfair.smooth(mesh)[0], 2 * expected, rtol=0, atol=1e-4)
+    with pytest.raises(AttributeError):
+        mesh.F = mesh.F
+
+
+def test_empty_lists_of_holes_fill_nothing_and_entries_are_numbers(opened):
+    V, F = opened
+    for nothing in ([], (), np.array([], int), set(), (hole for hole in [])):
+        assert np.array_equal(ibmfair.fill(V, F, holes=nothing)[1], F)
+    holes = ibmfair.holes(V, F)
+    expected = ibmfair.fill(V, F, holes=[0])[0]
+    for chosen in (holes, {0}, np.array([0]), 0, "0", np.int64(0), range(1)):
+        assert np.array_equal(ibmfair.fill(V, F, holes=chosen)[0], expected)
+
+
+def test_numbers_of_any_kind(sphere):
+    from fractions import Fraction
+    V, F = sphere
+    expected, _ = ibmfair.smooth(V, F, cutoff=5, steps=3, keep_volume=True)
+    for five, three, true in [(np.float32(5), np.int64(3), np.bool_(True)), (5.0, 3.0, True),
+                              (Fraction(5), np.float64(3), True), ("5e", "3", True)]:
+        assert np.array_equal(
+            ibmfair.smooth(V, F, cutoff=five, steps=three, keep_volume=true)[0], expected)
+
+
 def test_merged_vertices_share_a_position(sphere):
     V, F = sphere
     soup = V[F].reshape(-1, 3)
@@ -191,6 +245,11 @@ def test_warnings_are_python_warnings_and_nothing_is_printed(opened, capfd):
     with pytest.warns(ibmfair.MeshWarning) as caught:
         ibmfair.smooth(V, np.vstack([F, F[:1]]), steps=1)
     assert caught[0].filename == __file__
+    for call in (lambda: ibmfair.fill(V, np.vstack([F, F[:1]])), lambda: ibmfair.denoise(V, np.vstack([F, F[:1]])),
+                 lambda: ibmfair.Flow(V, np.vstack([F, F[:1]]))):
+        with pytest.warns(ibmfair.MeshWarning) as others:
+            call()
+        assert {warning.filename for warning in others} == {__file__}
     assert "--" not in str(caught[0].message)
     with pytest.raises(ibmfair.BadMesh):
         ibmfair.smooth(V, np.vstack([F, F[:1]]), steps=1, strict=True)
@@ -199,7 +258,7 @@ def test_warnings_are_python_warnings_and_nothing_is_printed(opened, capfd):
     assert capfd.readouterr() == ("", "")
 
 
-def test_reports_and_pictures_are_written(opened, tmp_path):
+def test_reports_and_pictures_are_written(opened, tmp_path, monkeypatch, capfd):
     V, F = opened
     reports = [tmp_path / "report.json", tmp_path / "report.csv"]
     ibmfair.smooth(V, F, steps=2, report=reports, picture=tmp_path / "picture.png")
@@ -208,6 +267,14 @@ def test_reports_and_pictures_are_written(opened, tmp_path):
     assert (tmp_path / "picture.png").read_bytes()[1:4] == b"PNG"
     with pytest.raises(ibmfair.CannotWrite):
         ibmfair.smooth(V, F, steps=2, report=reports[0])
+    monkeypatch.chdir(tmp_path)
+    ibmfair.smooth(V, F, steps=2, report="-")
+    assert json.loads((tmp_path / "-").read_text())["status"] == "completed"
+    assert capfd.readouterr() == ("", "")
+    for wrong in ("a\0.json", tmp_path / "no--such" / "a.json"):
+        with pytest.raises(ValueError if isinstance(wrong, str) else ibmfair.CannotWrite) as raised:
+            ibmfair.smooth(V, F, steps=2, report=wrong)
+    assert "no--such" in str(raised.value)
 
 
 def test_progress_is_told_and_may_end_the_run(sphere):
@@ -220,9 +287,15 @@ def test_progress_is_told_and_may_end_the_run(sphere):
     class Enough(Exception):
         pass
 
-    def stop(stage, share):
-        raise Enough(stage)
+    for when in ("", "step"):
+        def stop(stage, share):
+            if stage.startswith(when):
+                raise Enough(stage)
 
-    with pytest.raises(Enough) as raised:
-        ibmfair.smooth(V, F, progress=stop)
-    assert raised.value.V.shape == V.shape
+        with pytest.raises(Enough) as raised:
+            ibmfair.smooth(V, F, steps=300, progress=stop)
+        assert raised.traceback[-1].name == "stop"
+        if when:
+            assert (raised.value.V != V).any() and raised.value.info["status"] == "interrupted"
+        else:
+            assert raised.value.V is None and raised.value.info is None

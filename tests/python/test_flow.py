@@ -1,6 +1,7 @@
 """The flow step by step, energies and matrices: laws of the paper, by finite differences and against
 each other."""
 
+import threading
 import time
 
 import numpy as np
@@ -45,6 +46,28 @@ def test_the_energy_is_that_of_the_matrices(shapes):
         energy = 0.5 * (LX * (LX / M.diagonal()[:, None])).sum()
         assert energy == pytest.approx(ibmfair.energy(mesh.V, mesh.F, name), rel=1e-9)
         assert energy == pytest.approx(8 * np.pi, rel=0.02)  # 1/2 integral (2 / r)^2
+
+
+def test_open_boundaries_are_those_of_the_plain_flow(opened):
+    V, F = opened
+    V = noisy(V, 0.05)
+    for boundary in ("fixed", "position", "free", "fair"):
+        flow = ibmfair.Flow(V, F, cutoff=6, steps=3, boundary=boundary)
+        list(flow.steps(3))
+        expected, _ = ibmfair.smooth(V, F, cutoff=6, steps=3, boundary=boundary, plain=True)
+        assert np.abs(flow.V - expected).max() < 1e-9
+
+
+def test_threads_take_turns_at_a_flow(bumpy):
+    V, F = bumpy
+    alone, shared = (ibmfair.Flow(V, F, laplacian="lagrange", cutoff=6) for _ in range(2))
+    list(alone.steps(40))
+    threads = [threading.Thread(target=lambda: list(shared.steps(10))) for _ in range(4)]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    assert shared.energy == alone.energy
 
 
 @pytest.mark.parametrize("laplacian", ["crouzeix-raviart", "lagrange"])

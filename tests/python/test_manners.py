@@ -112,8 +112,8 @@ INTERRUPTED = """
     try:
         ibmfair.smooth(noisy, mesh.F, progress=press, **eval(sys.argv[3]))
     except KeyboardInterrupt as interrupt:
-        moved = (interrupt.V != noisy).any(axis=1).sum()
-        print("interrupted", moved > 0, interrupt.info.get("status"))
+        reached = interrupt.V is not None and (interrupt.V != noisy).any()
+        print("interrupted", reached, interrupt.info and interrupt.info["status"])
         ibmfair.smooth(noisy, mesh.F, steps=1)
         print("goes on")
 """
@@ -127,6 +127,43 @@ def test_ctrl_c_ends_after_the_step_with_the_state_reached(stage, options, expec
     run = subprocess.run([sys.executable, "-c", textwrap.dedent(INTERRUPTED), tmp_path / "large.ply",
                           stage, options], capture_output=True, text=True, timeout=300)
     assert run.stdout.splitlines() == [expected, "goes on"], run.stderr
+
+
+def test_ctrl_c_while_a_flow_is_prepared():
+    script = """
+        import os, signal, threading, numpy as np, ibmfair
+        V, F = ibmfair.make("icosphere", subdivide=6, noise=0.1)
+        threading.Timer(0.1, os.kill, (os.getpid(), signal.SIGINT)).start()
+        try:
+            ibmfair.Flow(V, F, cutoff="auto")
+        except KeyboardInterrupt:
+            print("interrupted")
+    """
+    run = subprocess.run([sys.executable, "-c", textwrap.dedent(script)], capture_output=True,
+                         text=True, timeout=300)
+    assert run.stdout == "interrupted\n", run.stderr
+
+
+def test_threads_that_are_left_behind_do_not_disturb_the_end():
+    script = """
+        import threading, ibmfair
+        V, F = ibmfair.make("icosphere", subdivide=5, noise=0.1)
+        def work():
+            while True:
+                ibmfair.smooth(V, F)
+        for _ in range(2):
+            threading.Thread(target=work, daemon=True).start()
+        threading.Event().wait(0.3)
+    """
+    run = subprocess.run([sys.executable, "-c", textwrap.dedent(script)], capture_output=True,
+                         text=True, timeout=300)
+    assert (run.returncode, run.stderr) == (0, "")
+
+
+def test_without_docstrings():
+    run = subprocess.run([sys.executable, "-OO", "-c", "import ibmfair; print(len(ibmfair.make('cube')))"],
+                         capture_output=True, text=True)
+    assert run.stdout == "2\n", run.stderr
 
 
 def test_the_default_ctrl_c_is_that_of_python(tmp_path):

@@ -53,6 +53,9 @@ add_custom_command(
   OUTPUT ${PROJECT_BINARY_DIR}/python/copied
   COMMAND ${CMAKE_COMMAND} -E make_directory ${python_package_directory}
   COMMAND ${CMAKE_COMMAND} -E copy_if_different ${python_files} ${python_package_directory}
+  # The helper that reads foreign formats is found beside the module.
+  COMMAND ${CMAKE_COMMAND} -E create_symlink $<TARGET_FILE:ibmfair_assimp>
+          ${python_package_directory}/$<TARGET_FILE_NAME:ibmfair_assimp>
   COMMAND ${CMAKE_COMMAND} -E touch ${PROJECT_BINARY_DIR}/python/copied
   DEPENDS ${python_files} COMMENT "Copying the files of the Python package")
 add_custom_target(ibmfair_python_files ALL DEPENDS ${PROJECT_BINARY_DIR}/python/copied ${stubs})
@@ -77,5 +80,5 @@ install(CODE "
     set(site ${python_site})
   endif()
   file(INSTALL DESTINATION \"\${CMAKE_INSTALL_PREFIX}/lib/\${site}\" TYPE DIRECTORY
-       FILES \"${python_package_directory}\" PATTERN __pycache__ EXCLUDE)"
+       FILES \"${python_package_directory}\" PATTERN __pycache__ EXCLUDE PATTERN ibmfair-* EXCLUDE)"
   COMPONENT python)

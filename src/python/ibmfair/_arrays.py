@@ -2,16 +2,31 @@
 
 import numpy as np
 
+MANY_CORNERS = 32  # of polygons in an array of three or four rows: rather a transposed array
+
+
+def _array(values, name, what):
+    """The values as an array; ValueError with `what` they should be if they cannot become one."""
+    try:
+        array = np.asarray(values)
+    except (TypeError, ValueError, RuntimeError) as error:
+        raise ValueError(f"{name} must be {what}: {error}") from None
+    if np.ma.is_masked(values):
+        raise ValueError(f"{name} has masked entries")
+    return array
+
+
+def _numbers(values, name, what):
+    """The values as a C-contiguous float64 array; a copy only where one is needed."""
+    array = _array(values, name, what)
+    if array.dtype.kind not in "fiub":
+        raise ValueError(f"{name} must be {what}, not {array.dtype}")
+    return np.ascontiguousarray(array, dtype=np.float64)
+
 
 def vertices(V, name="V"):
     """Returns `V` as a C-contiguous float64 array (n, 3); a copy only where one is needed."""
-    try:
-        array = np.asarray(V)
-        if array.dtype.kind not in "fiub":
-            raise TypeError(f"dtype {array.dtype}")
-        array = np.ascontiguousarray(array, dtype=np.float64)
-    except (TypeError, ValueError) as error:
-        raise ValueError(f"{name} must be an array of numbers of shape (n, 3): {error}") from None
+    array = _numbers(V, name, "an array of numbers of shape (n, 3)")
     if array.ndim != 2 or array.shape[1] != 3:
         raise ValueError(f"{name} must have the shape (n, 3), not {array.shape}")
     if len(array) == 0:
@@ -48,7 +63,11 @@ class Faces:
             array = np.asarray(F)
         except ValueError:  # rows of different lengths
             return self._read_rows(F, name)
-        if array.dtype == object:
+        except (TypeError, RuntimeError) as error:
+            raise ValueError(f"{name} must be an array (m, 3) or a list of faces: {error}") from None
+        if np.ma.is_masked(F):
+            raise ValueError(f"{name} has masked entries")
+        if array.dtype == object and array.ndim < 2:
             return self._read_rows(F, name)
         if array.size == 0:
             return np.empty(0, np.int64), np.zeros(1, np.int64)
@@ -63,22 +82,28 @@ class Faces:
         if array.ndim != 2 or array.shape[1] < 3:
             raise ValueError(f"{name} must have the shape (m, 3), or (m, k) for polygons, not "
                              f"{array.shape}")
+        count, corners = array.shape
+        if count in (3, 4) and corners > MANY_CORNERS:
+            raise ValueError(f"{name} has the shape {array.shape}, and must have (m, 3): it seems to "
+                             "be transposed")
+        if corners > 3 and count > corners and (array[:, 0] == corners - 1).all():
+            raise ValueError(f"{name} seems to be packed, with the number of corners in the first "
+                             "column; give it flat, as (number of corners, corners, ...)")
         if not isinstance(F, (list, tuple)):
             self._form = "array"
             self._dtype = array.dtype
-        count, corners = array.shape
         return array.reshape(-1), np.arange(0, count * corners + 1, corners, dtype=np.int64)
 
     def _read_rows(self, F, name):
         try:
             rows = [np.asarray(row) for row in F]
             lengths = np.array([len(row) for row in rows], dtype=np.int64)
-        except TypeError:
+        except (TypeError, ValueError):
             raise ValueError(f"{name} must be an array (m, 3) or a list of faces") from None
         for face, row in enumerate(rows):
             if row.ndim != 1 or len(row) < 3 or row.dtype.kind not in "iu":
-                raise ValueError(f"{name}: face {face} must be three or more vertex numbers, not "
-                                 f"{row.tolist()!r}")
+                raise ValueError(f"{name}: face {face} must be three or more vertex numbers, which "
+                                 f"are integers, not {row.tolist()!r} ({row.dtype})")
         corner = np.concatenate(rows) if rows else np.empty(0, np.int64)
         return corner, np.concatenate(([0], np.cumsum(lengths)))
 
@@ -100,22 +125,22 @@ class Faces:
         return corner, np.concatenate(([0], np.cumsum(packed[counts_at].astype(np.int64))))
 
     def like(self, faces):
-        """Faces of the extension module, (first, corner), in the form that the caller used."""
+        """Faces of the extension module, (first, corner), in the form that the caller used; in a
+        wider type where the caller's has no room for new vertices."""
         first, corner = faces
         counts = np.diff(first)
+        room = np.iinfo(self._dtype).max >= max(corner.max(), counts.max())
+        kind = self._dtype if room else np.dtype(np.int64)
         if self._form == "packed":
-            return np.insert(corner, first[:-1], counts).astype(self._dtype)
+            return np.insert(corner.astype(np.int64), first[:-1], counts).astype(kind)
         if self._form == "array" and (counts == counts[0]).all():
-            return corner.reshape(-1, counts[0]).astype(self._dtype)
+            return corner.reshape(-1, counts[0]).astype(kind)
         return [row.tolist() for row in np.split(corner, first[1:-1])]
 
 
 def per_vertex(values, vertex_count, name):
     """Numbers at the vertices as a float64 array (n,)."""
-    try:
-        array = np.ascontiguousarray(values, dtype=np.float64)
-    except (TypeError, ValueError) as error:
-        raise ValueError(f"{name} must be an array of numbers: {error}") from None
+    array = _numbers(values, name, "an array of numbers")
     if array.shape != (vertex_count,):
         raise ValueError(f"{name} must have one number for each of the {vertex_count} vertices, not "
                          f"the shape {array.shape}")
@@ -126,18 +151,21 @@ def per_vertex(values, vertex_count, name):
 
 def vertex_set(chosen, vertex_count, name):
     """Vertices, given as flags (n,) or as numbers, as a bool array (n,)."""
-    array = np.asarray(chosen)
-    if array.dtype == bool:
-        if array.shape != (vertex_count,):
-            raise ValueError(f"{name} must have one flag for each of the {vertex_count} vertices, not "
-                             f"the shape {array.shape}")
-        return array
+    what = "flags (n,) or vertex numbers"
+    array = _array(chosen, name, what)
     if array.size == 0:
-        return np.zeros(vertex_count, dtype=bool)
-    if array.dtype.kind not in "iu" or array.ndim != 1:
-        raise ValueError(f"{name} must be flags (n,) or vertex numbers, not {array.dtype} of shape "
-                         f"{array.shape}")
-    if array.min() < 0 or array.max() >= vertex_count:
+        array = array.astype(np.int64)
+    if array.ndim != 1 or array.dtype.kind not in "biuf":
+        raise ValueError(f"{name} must be {what}, not {array.dtype} of shape {array.shape}")
+    # A list of so many vertex numbers that are all 0 or 1 would be nonsense.
+    if len(array) == vertex_count and ((array == 0) | (array == 1)).all():
+        return array.astype(bool)
+    if array.dtype == bool:
+        raise ValueError(f"{name} must have one flag for each of the {vertex_count} vertices, not "
+                         f"the shape {array.shape}")
+    if array.dtype.kind == "f":
+        raise ValueError(f"{name} must be {what}; numbers other than 0 and 1 must be integers")
+    if len(array) > 0 and (array.min() < 0 or array.max() >= vertex_count):
         raise ValueError(f"{name}: the vertices are 0 to {vertex_count - 1}")
     flags = np.zeros(vertex_count, dtype=bool)
     flags[array] = True

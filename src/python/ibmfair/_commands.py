@@ -2,7 +2,8 @@
 
 import numpy as np
 
-from ._options import documented
+from ._files import Mesh
+from ._options import check_names, documented, in_python, keywords
 from ._run import Input, interrupt, run
 from .errors import NotReached
 
@@ -15,18 +16,38 @@ def _positions(result, mesh):
     return result["V"][merged] if len(merged) > 0 else result["V"]
 
 
+def _name(value, name):
+    if not isinstance(value, str):
+        raise TypeError(f"{name} must be a string, not {value!r}")
+    return value
+
+
 def _require_mesh(result):
     if result["V"] is None:
-        raise NotReached("; ".join(result["warnings"]) or "no mesh was made")
+        raise NotReached(in_python("; ".join(result["warnings"]) or "no mesh was made"))
 
 
-def _smooth(function, V, F, options, progress):
+def _smooth(function, V, F, options, progress, given=()):
+    """`given`: keywords that the function sets itself, as {name: True}."""
     mesh = Input(V, F)
-    result = run(function, "smooth", [mesh], options, progress, arguments=[""])
+    without = tuple(given)
+    check_names(function, options, {name for name in keywords("smooth") if name not in without})
+    result = run(function, "smooth", [mesh], {**dict(given), **options}, progress, [""])
     positions = _positions(result, mesh)
     if result["error"] is not None:
-        interrupt(result, positions, result["info"])
+        interrupt(result, positions)
     return positions, result["info"]
+
+
+def _with_ids(options):
+    """The options of fill with the holes in `only` as numbers; no hole at all if it is empty."""
+    only = options.get("only")
+    if only is None or isinstance(only, (str, int, np.integer)):
+        return options
+    ids = [hole["id"] if isinstance(hole, dict) else hole for hole in only]
+    if ids:
+        return {**options, "only": ids}
+    return {**options, "only": None, "max_edges": 1}  # no hole has so few
 
 
 @documented("smooth")
@@ -54,7 +75,8 @@ def smooth(V, F=None, *, progress=None, **options):
         For arrays of a wrong shape, and numbers that are not finite.
     BadOption, BadMesh, FactorizationFailed, OutOfMemory
     KeyboardInterrupt
-        After Ctrl-C, at the end of the step; its attributes `V` and `info` hold the state reached.
+        After Ctrl-C, at the end of the step. While the flow runs, its attributes `V` and `info` hold
+        the state reached; both are None if no step was complete.
 
     Warns
     -----
@@ -90,7 +112,7 @@ def denoise(V, F=None, *, progress=None, **options):
     --------
     smooth : what is raised and warned.
     """
-    return _smooth("denoise", V, F, {"denoise": True, **options}, progress)
+    return _smooth("denoise", V, F, options, progress, {"denoise": True})
 
 
 @documented("fill")
@@ -100,8 +122,8 @@ def fill(V, F=None, *, holes=None, progress=None, **options):
     Parameters
     ----------
     {mesh}
-    holes : sequence of int, optional
-        The holes to fill, by the numbers that `ibmfair.holes` gives; the same as `only`.
+    holes : sequence, optional
+        The holes to fill: their numbers, or entries of what `ibmfair.holes` gives; the same as `only`.
     progress : callable, optional
         As for `smooth`.
     {options}
@@ -109,7 +131,8 @@ def fill(V, F=None, *, holes=None, progress=None, **options):
     Returns
     -------
     V2 : ndarray of shape (n + new, 3)
-        The vertices of the input, unmoved, followed by those of the patches.
+        The vertices of the input, followed by those of the patches. The former stay where they are,
+        unless `region` or `rim_smooth` is given.
     F2 : ndarray or list
         The faces of the input followed by the triangles of the patches, in the form of `F`.
     info : dict
@@ -120,7 +143,7 @@ def fill(V, F=None, *, holes=None, progress=None, **options):
     NotReached
         With `strict`, if a hole could not be filled as asked.
     ValueError, BadOption, BadMesh, OutOfMemory, KeyboardInterrupt
-        As for `smooth`; Ctrl-C ends between two holes.
+        As for `smooth`; Ctrl-C ends between two holes, without a result.
 
     Warns
     -----
@@ -132,9 +155,9 @@ def fill(V, F=None, *, holes=None, progress=None, **options):
             raise TypeError("holes and only mean the same; give one of them")
         options["only"] = holes
     mesh = Input(V, F)
-    result = run("fill", "fill", [mesh], options, progress, arguments=[""])
+    result = run("fill", "fill", [mesh], _with_ids(options), progress, [""])
     if result["error"] is not None:
-        interrupt(result, mesh.V.copy(), result["info"])
+        interrupt(result, None)
     _require_mesh(result)
     faces = result["F"] or (mesh.faces.first, mesh.faces.corner)
     return result["V"], mesh.faces.like(faces), result["info"]
@@ -154,7 +177,7 @@ def holes(V, F=None, **options):
     list of dict
         For each hole its `id`, number of `edges`, `perimeter`, `diameter`, `kind`, `vertices`, ...
     """
-    result = run("holes", "holes", [Input(V, F)], options, arguments=["--json"])
+    result = run("holes", "holes", [Input(V, F)], options)
     return result["info"]["holes"]
 
 
@@ -172,7 +195,7 @@ def info(V, F=None, **options):
     dict
         The report of `ibmfair info`.
     """
-    return run("info", "info", [Input(V, F)], options, arguments=["--json"])["info"]
+    return run("info", "info", [Input(V, F)], options)["info"]
 
 
 @documented("make")
@@ -182,7 +205,8 @@ def make(shape, **options):
     Parameters
     ----------
     shape : str
-        The name of the shape, as 'icosphere', 'torus', 'cube'; `ibmfair help make` lists them.
+        The name of the shape, as 'icosphere', 'torus', 'cube'; the error for an unknown name lists
+        all.
     {options}
 
     Returns
@@ -190,23 +214,21 @@ def make(shape, **options):
     V : ndarray of shape (n, 3)
     F : ndarray of shape (m, 3)
     """
-    result = run("make", "make", [], options, arguments=[str(shape), ""])
+    result = run("make", "make", [], options, arguments=[_name(shape, "shape"), ""])
     first, corner = result["F"]
     return result["V"], corner.reshape(len(first) - 1, -1)
 
 
 @documented("compare")
-def compare(V, F, V2=None, F2=None, **options):
+def compare(V, F=None, V2=None, F2=None, **options):
     """Measures the distances between two meshes, or between a mesh and an exact sphere or torus.
 
     Parameters
     ----------
-    V : array_like of shape (n, 3)
-        Positions of the first mesh.
-    F : array_like of shape (m, 3), list of faces, or packed faces
-        Faces of the first mesh.
-    V2, F2 : array_like, optional
-        The second mesh; None for `F2` means the faces of the first.
+    {mesh}
+    V2, F2 : array_like, or Mesh, optional
+        The second mesh; None for `F2` means the faces of the first. Two of type Mesh may also follow
+        each other.
     {options}
 
     Returns
@@ -215,8 +237,11 @@ def compare(V, F, V2=None, F2=None, **options):
         Distances (length) from vertex to vertex and from surface to surface, angles between normals
         (degrees), ratios of area and volume.
     """
-    first = Input(V, F)
-    meshes = [first]
+    if isinstance(F, Mesh) and V2 is None:
+        V2, F = F, None
+    meshes = [Input(V, F)]
     if V2 is not None:
-        meshes.append(Input(V2, F if F2 is None else F2, "other"))
-    return run("compare", "compare", meshes, options, arguments=["--json"])["info"]
+        if F2 is None and not isinstance(V2, Mesh):
+            F2 = V.F if isinstance(V, Mesh) else F
+        meshes.append(Input(V2, F2, "other"))
+    return run("compare", "compare", meshes, options)["info"]

@@ -3,17 +3,29 @@
 import numpy as np
 
 from . import _core
-from ._arrays import Faces, per_vertex, vertices
+from ._arrays import per_vertex
 from ._options import python_names
+from ._run import Input
 
 
-def energy(V, F, laplacian="crouzeix-raviart", *, mass=None, h0=None, gradient=False):
+def _name(value, keyword):
+    if value is not None and not isinstance(value, str):
+        raise TypeError(f"{keyword} must be a string, not {value!r}")
+    return value or ""
+
+
+def _arrays(V, F):
+    mesh = Input(V, F)
+    return mesh.V, mesh.faces.first, mesh.faces.corner
+
+
+def energy(V, F=None, laplacian="crouzeix-raviart", *, mass=None, h0=None, gradient=False):
     """The discrete bending energy E_b = 1/2 tr(X^T L^T M^-1 L X) of a mesh.
 
     Parameters
     ----------
-    V : array_like of shape (n, 3)
-    F : array_like of shape (m, 3), list of faces, or packed faces
+    V : array_like of shape (n, 3), or Mesh
+    F : array_like of shape (m, 3), list of faces, or packed faces; None if `V` is a Mesh
     laplacian : str
         A member of the family: 'crouzeix-raviart', 'lagrange', 'weighted', 'intrinsic-delaunay',
         'umbrella'.
@@ -27,8 +39,8 @@ def energy(V, F, laplacian="crouzeix-raviart", *, mass=None, h0=None, gradient=F
     Returns
     -------
     E : float
-        Not negative; dimensionless with a mass matrix, length^2 without. NaN or infinite if a
-        triangle has no area.
+        Not negative; dimensionless with a mass matrix, length^2 without. Triangles without area
+        carry no energy.
     G : ndarray of shape (n, 3)
         The exact gradient, only with `gradient`; the unit is that of E divided by length.
 
@@ -42,23 +54,24 @@ def energy(V, F, laplacian="crouzeix-raviart", *, mass=None, h0=None, gradient=F
     Wardetzky, Bergou, Harmon, Zorin, Grinspun: Discrete Quadratic Curvature Energies, 2007,
     section 2.3.
     """
-    V = vertices(V)
-    faces = Faces(F, len(V))
+    mesh = _arrays(V, F)
+    count = len(mesh[0])
     curvature = np.empty(0)
     if h0 is not None:
-        curvature = per_vertex(np.broadcast_to(h0, len(V)) if np.ndim(h0) == 0 else h0, len(V), "h0")
+        curvature = per_vertex(np.broadcast_to(h0, count) if np.ndim(h0) == 0 else h0, count, "h0")
     with python_names():
-        E, G = _core.energy(V, faces.first, faces.corner, laplacian, mass or "", curvature, gradient)
+        E, G = _core.energy(*mesh, _name(laplacian, "laplacian"), _name(mass, "mass"), curvature,
+                            bool(gradient))
     return (E, G) if gradient else E
 
 
-def laplacian(V, F, name="lagrange", *, mass=None):
+def laplacian(V, F=None, name="lagrange", *, mass=None):
     """The Laplacian and the mass matrix of a member of the family.
 
     Parameters
     ----------
-    V : array_like of shape (n, 3)
-    F : array_like of shape (m, 3), list of faces, or packed faces
+    V : array_like of shape (n, 3), or Mesh
+    F : array_like of shape (m, 3), list of faces, or packed faces; None if `V` is a Mesh
     name : str
         As for `energy`.
     mass : str, optional
@@ -80,10 +93,8 @@ def laplacian(V, F, name="lagrange", *, mass=None):
     """
     from scipy import sparse
 
-    V = vertices(V)
-    faces = Faces(F, len(V))
     with python_names():
-        size, L, M = _core.laplacian(V, faces.first, faces.corner, name, mass or "")
+        size, L, M = _core.laplacian(*_arrays(V, F), _name(name, "name"), _name(mass, "mass"))
 
     def symmetric(row, column, value):
         lower = sparse.coo_matrix((value, (row, column)), shape=(size, size)).tocsr()
@@ -92,16 +103,33 @@ def laplacian(V, F, name="lagrange", *, mass=None):
     return symmetric(*L), symmetric(*M)
 
 
-def edges(V, F):
-    """The edges of the triangulated mesh as vertex numbers (k, 2), the smaller one first, sorted."""
-    V = vertices(V)
-    faces = Faces(F, len(V))
-    return _core.edges(V, faces.first, faces.corner)
+def edges(V, F=None):
+    """The edges of the triangulated mesh.
+
+    Parameters
+    ----------
+    V : array_like of shape (n, 3), or Mesh
+    F : array_like of shape (m, 3), list of faces, or packed faces; None if `V` is a Mesh
+
+    Returns
+    -------
+    ndarray of int32, shape (k, 2)
+        Vertex numbers, the smaller one first; the rows are sorted.
+    """
+    return _core.edges(*_arrays(V, F))
 
 
-def triangles(V, F):
-    """The triangles (t, 3) that the functions work on: those of `F`, with polygons cut along
-    diagonals that give good angles."""
-    V = vertices(V)
-    faces = Faces(F, len(V))
-    return _core.triangles(V, faces.first, faces.corner)
+def triangles(V, F=None):
+    """The triangles that all functions work on.
+
+    Parameters
+    ----------
+    V : array_like of shape (n, 3), or Mesh
+    F : array_like of shape (m, 3), list of faces, or packed faces; None if `V` is a Mesh
+
+    Returns
+    -------
+    ndarray of int32, shape (t, 3)
+        The triangles of `F`, with polygons cut along diagonals that give good angles.
+    """
+    return _core.triangles(*_arrays(V, F))

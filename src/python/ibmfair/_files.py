@@ -1,13 +1,11 @@
 """Mesh files with everything they hold."""
 
-import os
-import warnings
-
 import numpy as np
 
 from . import _core, errors
 from ._arrays import Faces, vertices
-from ._options import in_python, python_names
+from ._options import path as path_of
+from ._options import python_names, warn
 
 
 class Mesh:
@@ -28,17 +26,22 @@ class Mesh:
         first, corner = file.faces()
         counts = np.diff(first)
         if (counts == counts[0]).all():
-            self.F = corner.reshape(-1, counts[0])
-            self.F.flags.writeable = False
+            self._F = corner.reshape(-1, counts[0])
+            self._F.flags.writeable = False
         else:
-            self.F = [row.tolist() for row in np.split(corner, first[1:-1])]
+            self._F = [row.tolist() for row in np.split(corner, first[1:-1])]
         self._before = file.positions()
-        self.V = self._before.copy()
+        self._V = self._before.copy()
 
     @property
     def path(self):
         """The path of the file as it was given."""
         return self._file.name
+
+    @property
+    def F(self):
+        """The faces: ndarray of shape (m, k), or a list of lists where their sizes differ."""
+        return self._F
 
     @property
     def V(self):
@@ -47,25 +50,51 @@ class Mesh:
 
     @V.setter
     def V(self, positions):
-        positions = vertices(positions)
+        positions = np.array(vertices(positions))
         if len(positions) != len(self._before):
             raise ValueError(f"V must have the {len(self._before)} vertices of the file, not "
                              f"{len(positions)}")
         self._V = positions
 
     def mask(self, name):
-        """Flags (n,) of the vertices of an OBJ group, object or material, or of those whose PLY
-        property of this name is not zero."""
-        return np.array(self._file.vertex_mask(name), dtype=bool)
+        """The vertices that a name in the file selects.
+
+        Parameters
+        ----------
+        name : str
+            An OBJ group, object or material, or a PLY vertex property.
+
+        Returns
+        -------
+        ndarray of bool, shape (n,)
+            The vertices of the faces of the group, or those whose property is not zero.
+
+        Raises
+        ------
+        BadOption
+            With a list of the names in the file, if `name` is none of them.
+        """
+        return np.array(self._file.vertex_mask(str(name)), dtype=bool)
 
     def values(self, name):
-        """The values (n,) of a PLY vertex property, or None if the file has none of this name."""
-        found = self._file.vertex_values(name)
+        """The values of a PLY vertex property.
+
+        Parameters
+        ----------
+        name : str
+
+        Returns
+        -------
+        ndarray of shape (n,), or None
+            None if the file has no property of this name.
+        """
+        found = self._file.vertex_values(str(name))
         return None if found is None else np.array(found)
 
-    def unchanged_file(self):
-        """The file for the extension module, or None if the positions are others by now."""
-        return self._file if np.array_equal(self._V, self._before) else None
+    def file(self):
+        """The file for the extension module, with the positions as they are now."""
+        V = vertices(self._V)
+        return self._file if np.array_equal(V, self._before) else self._file.with_positions(V)
 
     def write(self, path, *, overwrite=False, format=None, precision="keep"):
         """Writes the mesh with its positions `V`. In the format of the file that was read, all bytes
@@ -97,21 +126,29 @@ class Mesh:
         return _written(_core.write, (self._file, vertices(self._V)), path, format, precision,
                         overwrite)
 
+    def __copy__(self):
+        other = Mesh(self._file)
+        other.V = self._V
+        return other
+
+    def __deepcopy__(self, memo):
+        return self.__copy__()
+
     def __repr__(self):
         return f"<ibmfair.Mesh {self.path!r}: {len(self._before)} vertices, {len(self.F)} faces>"
 
 
 def _written(write, mesh, path, format, precision, overwrite):
     if precision not in ("keep", "float", "double"):
-        raise errors.BadOption(f"precision: '{precision}' is not known; write one of keep, float, "
+        raise errors.BadOption(f"precision: {precision!r} is not known; write one of keep, float, "
                                "double")
     with python_names():
-        return write(*mesh, os.fspath(path), format or "", precision, overwrite)
+        return write(*mesh, path_of(path), str(format or ""), precision, bool(overwrite))
 
 
 def read(path, *, format=None, weld=False):
-    """Reads a mesh file: OBJ, PLY, OFF, STL and 3MF exactly, other formats through assimp, where the
-    program ibmfair is installed.
+    """Reads a mesh file. OBJ, PLY, OFF and 3MF are read exactly; STL and other formats are read by a
+    helper of the program ibmfair, in single precision.
 
     Parameters
     ----------
@@ -131,14 +168,37 @@ def read(path, *, format=None, weld=False):
         If the file cannot be read or is malformed; the message names the place.
     """
     with python_names():
-        file = _core.read(os.fspath(path), format or "", weld)
+        file = _core.read(path_of(path), str(format or ""), bool(weld))
     for warning in file.warnings:
-        warnings.warn(in_python(warning), errors.MeshWarning, stacklevel=2)
+        warn(warning)
     return Mesh(file)
 
 
-def write(path, V, F, *, overwrite=False, format=None, precision="keep"):
-    """Writes arrays to a mesh file; see Mesh.write for the parameters."""
+def write(path, V, F=None, *, overwrite=False, format=None, precision="keep"):
+    """Writes arrays to a mesh file.
+
+    Parameters
+    ----------
+    path : str or path-like
+    V : array_like of shape (n, 3), or Mesh
+        Positions.
+    F : array_like of shape (m, 3), list of faces, or packed faces
+        Faces, vertex numbers counted from 0; None if `V` is a Mesh.
+    overwrite, format, precision
+        As for `Mesh.write`.
+
+    Returns
+    -------
+    dict
+        As of `Mesh.write`.
+
+    Raises
+    ------
+    CannotWrite, BadOption
+        As by `Mesh.write`.
+    """
+    if isinstance(V, Mesh) and F is None:
+        return V.write(path, overwrite=overwrite, format=format, precision=precision)
     V = vertices(V)
     faces = Faces(F, len(V))
     return _written(_core.write_arrays, (V, faces.first, faces.corner), path, format, precision,

@@ -1,12 +1,12 @@
 """The Willmore flow, one step at a time."""
 
 import dataclasses
-import warnings
+import textwrap
 
 from . import _core, errors
 from ._arrays import vertices
 from ._keywords import OF_STEPS
-from ._options import check_names, in_python, keywords, python_names
+from ._options import check_names, keywords, python_names, warn
 from ._run import Input, words_of
 
 
@@ -43,7 +43,8 @@ class Flow:
     """The semi-implicit Willmore flow as published, analysed and factored once.
 
     Each step solves J d = -h grad E(X) with the exact nonlinear gradient and the constant Jacobian
-    J = D + h S of the positions at the start. Nothing guards the steps: on noisy meshes or with
+    J = D + h S of the positions at the start. With ``boundary='fair'`` open boundaries are smoothed
+    first. Nothing guards the steps: on noisy meshes or with
     long steps the energy can rise; `smooth` checks every step.
 
     Parameters
@@ -77,16 +78,17 @@ class Flow:
                 raise TypeError("fixed and fix mean the same; give one of them")
             options["fix"] = fixed
         mesh = Input(V, F)
-        words = ["smooth", mesh.name, "", "--plain"] + words_of(mesh, options, known)
+        words = ["smooth", "--plain", *words_of(mesh, options, known), "--", mesh.name, ""]
         with python_names():
-            self._flow = _core.Flow(words, mesh.packed())
+            self._flow = _core.Flow(words, mesh.name, mesh.for_core())
         for warning in self._flow.warnings:
-            warnings.warn(in_python(warning), errors.MeshWarning, stacklevel=2)
+            warn(warning)
 
     @property
     def V(self):
-        """ndarray of shape (n, 3): the state. Assigning other positions restarts there with the same
-        factorization, which fits as long as the lengths of the edges are nearly the same."""
+        """ndarray of shape (n, 3): a copy of the state. Assigning other positions goes on from there
+        with the same factorization, which fits as long as the lengths of the edges are nearly the
+        same; steps and time are counted on."""
         return self._flow.positions()
 
     @V.setter
@@ -137,4 +139,6 @@ class Flow:
             yield self.step()
 
 
-Flow.__doc__ = Flow.__doc__.replace("{names}", ", ".join(f"`{name}`" for name in OF_STEPS))
+if Flow.__doc__ is not None:  # as under python3 -OO
+    Flow.__doc__ = Flow.__doc__.replace("{names}", textwrap.fill(
+        ", ".join(f"`{name}`" for name in OF_STEPS), 88, subsequent_indent=" " * 8))

@@ -11,6 +11,25 @@ MANY_FILES = "Many files"
 # Options whose value may be an array with one number for each vertex.
 PER_VERTEX = frozenset({"weights", "h0", "mask", "region"})
 
+# The types of keywords that take more in Python than a word of the command line.
+KINDS = {
+    **dict.fromkeys(("weights", "mask", "region"), "array_like of shape (n,) or str"),
+    "h0": "float, array_like of shape (n,), or str",
+    "fix": "array_like",
+    "cutoff": "float or str",
+    "only": "int or sequence of int",
+    "bridge": "pair of int, or sequence of pairs",
+    "anisotropy": "sequence of four float",
+    "torus": "pair of float",
+    "center": "sequence of three float",
+    "move": "sequence of three float",
+    "rim_smooth": "int or 'auto'",
+    "report": "str, path-like, or sequence of them",
+    "picture": "str or path-like",
+    "memory": "int or str",
+    "sphere": "float or 'fit'",
+}
+
 # The keywords of `smooth` that concern single steps of the published scheme, for Flow.
 OF_STEPS = ("cutoff", "steps", "time_step", "laplacian", "h0", "anisotropy", "mass", "no_mass",
             "metric", "newton_iterations", "keep_sharp", "weights", "keep_volume", "keep_area",
@@ -18,11 +37,11 @@ OF_STEPS = ("cutoff", "steps", "time_step", "laplacian", "h0", "anisotropy", "ma
 
 # What these keywords mean for arrays, where the help of the program speaks of files.
 ON_ARRAYS = {
-    "fix": "Vertices that do not move: flags, or numbers counted from 0.",
-    "mask": "Flags of the vertices that move; with a Mesh also the name of an OBJ group, object or "
+    "fix": "Vertices that do not move: flags (n,), or numbers counted from 0.",
+    "mask": "The vertices that move: flags (n,) or numbers; with a Mesh also the name of an OBJ group, object or "
             "material, or of a PLY property.",
     "weights": "A factor for the cut-off at each vertex: 0 fixes the vertex, 1 smooths it fully.",
-    "region": "Flags of the vertices to fair again, instead of filling holes; with a Mesh also the "
+    "region": "The vertices to fair again (flags or numbers), instead of filling holes; with a Mesh also the "
               "name of a group or property; '@all' is all but the boundaries.",
     "dry_run": "Only forecast time and memory; the positions stay.",
     "strict": "Raise an exception if the mesh has defects or the result is not what was asked for, "

@@ -2,15 +2,15 @@
 
 import json
 import logging
-import warnings
+import os
 
 import numpy as np
 
-from . import _core, errors
+from . import _core
 from ._arrays import Faces, per_vertex, vertex_set, vertices
 from ._files import Mesh
 from ._keywords import PER_VERTEX
-from ._options import check_names, in_python, keywords, python_names, word
+from ._options import check_names, in_python, keywords, python_names, warn, words
 
 log = logging.getLogger("ibmfair")
 
@@ -24,7 +24,7 @@ class Input:
         if isinstance(V, Mesh):
             if F is not None:
                 raise TypeError("a Mesh has its own faces; give either a Mesh, or V and F")
-            self._file = V.unchanged_file()
+            self._file = V.file()
             V, F = V.V, V.F
         elif F is None:
             raise TypeError("F is missing")
@@ -38,23 +38,26 @@ class Input:
         if keyword in ("mask", "region"):
             values = vertex_set(value, count, keyword).astype(np.float64)
         else:
-            values = per_vertex(value, count, keyword)
-        self._file = None
+            values = per_vertex(np.broadcast_to(value, count) if np.ndim(value) == 0 else value,
+                                count, keyword)
         name = "@" + keyword
         self._properties[name] = values
         return name
 
-    def packed(self):
-        """The mesh in the form that the extension module takes."""
-        if self._file is not None:
-            return (self.name, self._file)
-        return (self.name, self.V, self.faces.first, self.faces.corner, self._properties)
+    def for_core(self):
+        """The mesh for the extension module."""
+        file = self._file
+        if file is None:
+            file = _core.mesh_file(self.name, self.V, self.faces.first, self.faces.corner)
+        for name, values in self._properties.items():
+            file = file.with_values(name, values)
+        return file
 
 
 def fixed_as_mask(mesh, options):
     """Replaces vertices in `fix` by a mask of those that move."""
-    fix = options.get("fix")
-    if fix is None or isinstance(fix, str):
+    fix = options["fix"]
+    if fix is None or fix is False or isinstance(fix, (str, bytes, os.PathLike)):
         return options
     mask = options.get("mask")
     if isinstance(mask, str):
@@ -67,40 +70,46 @@ def fixed_as_mask(mesh, options):
 
 def words_of(mesh, options, known):
     """The words of the command line for these keywords."""
-    words = []
+    found = []
     if "fix" in options:
         options = fixed_as_mask(mesh, options)
     for keyword, value in options.items():
-        option = known[keyword]
-        takes_array = option["name"].lstrip("-") in PER_VERTEX
-        if takes_array and value is not None and not isinstance(value, str) and np.ndim(value) > 0:
+        named = value is None or value is False or isinstance(value, (str, bytes, os.PathLike))
+        if keyword in PER_VERTEX and not named:
             value = mesh.option(keyword, value)
-        words += word(option, value)
-    return words
+        found += words(keyword, known[keyword], value)
+    return found
 
 
-def run(function, command, meshes, options, progress=None, arguments=None):
+def run(function, command, meshes, options, progress=None, arguments=(), without=()):
     """Runs the command; returns what the extension module returns, with `info` in place of the
-    figures. Warnings go to `warnings`, notes to the logger "ibmfair"."""
-    known = keywords(command)
+    figures. `arguments` follow the names of the meshes. Warnings go to `warnings`, notes to the
+    logger "ibmfair"."""
+    known = {name: option for name, option in keywords(command).items() if name not in without}
     check_names(function, options, known)
-    words = [command] + [mesh.name for mesh in meshes] + (arguments or [])
-    words += words_of(meshes[0] if meshes else None, options, known)
+    if progress is not None and not callable(progress):
+        raise TypeError(f"progress must be callable, not {progress!r}")
+    line = [command, *words_of(meshes[0] if meshes else None, options, known)]
+    line += ["--json"] if command in ("holes", "info", "compare") else []
+    line += ["--", *(mesh.name for mesh in meshes), *arguments]
     with python_names():
-        result = _core.run(words, [mesh.packed() for mesh in meshes], progress)
+        result = _core.run(line, [(mesh.name, mesh.for_core()) for mesh in meshes], progress)
     result["info"] = json.loads(result.pop("figures") or "{}")
     for note in result["notes"]:
         log.info(in_python(note))
     if result["error"] is None:
         for warning in result["warnings"]:
-            warnings.warn(in_python(warning), errors.MeshWarning, stacklevel=4)
+            warn(warning)
     return result
 
 
-def interrupt(result, V, info, F=None):
-    """Raises the exception that ended a run early, with the state that was reached."""
+def interrupt(result, V):
+    """Raises the exception that ended a run early, with the state that was reached: None if there
+    was none yet."""
     error = result["error"]
-    error.V, error.info = V, info
-    if F is not None:
-        error.F = F
+    reached = result["V"] is not None
+    try:
+        error.V, error.info = (V, result["info"]) if reached else (None, None)
+    except AttributeError:  # an exception of the caller's that takes none
+        pass
     raise error

@@ -25,7 +25,7 @@ class BadOption(Error, ValueError):
     exit_code = 2
 
 
-class BadFile(Error, ValueError):
+class BadFile(Error, ValueError, OSError):
     """A file cannot be read or is malformed; the message names the place."""
 
     exit_code = 3
