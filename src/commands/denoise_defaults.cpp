@@ -101,7 +101,7 @@ std::string denoising_text() {
       "  {} --keep-sharp ANGLE\n"
       "with the angle that leaves the least error; the angle is {:.0f} degrees if the\n"
       "noise of neighbouring vertices is correlated, as that of depth cameras. Steps\n"
-      "of voxels or of rounded heights are smoothed by the default of smooth. An\n"
+      "of voxels or of rounded heights are smoothed by the default cut-off. An\n"
       "outline that is more jagged than the noise keeps most of its shape.\n",
       words(&DefaultValue::value), words(&DefaultValue::with_creases, &DefaultValue::value),
       tuning.noise.sharp_angle);

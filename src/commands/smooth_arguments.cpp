@@ -11,6 +11,7 @@
 #include "commands/documentation.h"
 #include "commands/engine.h"
 #include "commands/numeric_options.h"
+#include "commands/smooth_defaults.h"
 #include "ibmfair/flow/linear_system/jacobian_solver.h"
 
 namespace ibmfair::commands {
@@ -55,11 +56,16 @@ void add_amount_options(CLI::App& app, SmoothArguments& a) {
         }
       });
   note_units_of_length(app, *cutoff, Length::Unit::edges);
-  note_of(app, *cutoff).default_text = "8e for 16 steps, longer for more steps";
-  CLI::Option* steps = add_integer(app, "--steps", a.flow.steps, 0, most,
+  note_of(app, *cutoff).default_text =
+      fmt::format("{0}e; with --steps N, {0}e for {1} steps, and longer for more",
+                  default_cutoff_edges, reference_defaults.steps);
+  CLI::Option* steps = add_integer(app, "--steps", a.steps, 0, most,
                                    "number of time steps; on noisy input, some shorter steps come "
                                    "first; 0 writes the mesh as it was read");
-  note_of(app, *steps).unit = "steps";
+  note_of(app, *steps) = {.unit = "steps",
+                          .default_text = fmt::format(
+                              "{}; {} beyond a cut-off of {}e or with {}", quick_defaults.steps,
+                              reference_defaults.steps, longest_quick_edges, reference_options)};
   CLI::Option* time_step =
       add_real(app, "--time-step", a.time_step, positive,
                "length of one time step, instead of a --cutoff for all steps together");
@@ -136,10 +142,15 @@ void add_solver_options(CLI::App& app, SmoothArguments& a) {
       ->check(CLI::IsMember(solver_names()))
       ->capture_default_str();
   CLI::Option* tolerance = add_real(
-      app, "--solver-tolerance", a.flow.solver_tolerance, positive,
-      "residual at which conjugate gradients stop: 0.3 halves the time, but leaves ripples near "
-      "the cut-off if there are few steps; below 1e-4, factorizations are in double precision");
-  note_of(app, *tolerance).unit = "relative to the initial residual";
+      app, "--solver-tolerance", a.solver_tolerance, positive,
+      "residual at which conjugate gradients stop: a larger one saves time, but leaves ripples "
+      "near the cut-off if there are few steps; below 1e-4, factorizations are in double "
+      "precision");
+  note_of(app, *tolerance) = {
+      .unit = "relative to the initial residual",
+      .default_text = fmt::format(
+          "{}; {} beyond a cut-off of {}e or with --steps, {}", quick_defaults.solver_tolerance,
+          reference_defaults.solver_tolerance, longest_quick_edges, reference_options)};
   CLI::Option* memory =
       add_bytes(app, "--memory", a.flow.memory_limit,
                 "memory that the program may use, for example 800M or 4G: --solver auto chooses a "

@@ -29,7 +29,9 @@ struct SmoothArguments {
   bool finds_creases = false;     // with --denoise: find creases, and keep them
   bool chooses_boundary = false;  // with --denoise: fix open boundaries if the noise is steps
   bool chooses_steps = false;  // with --denoise: take the number of time steps that suits the noise
-  FlowOptions flow;
+  FlowOptions flow;            // `steps` and `solver_tolerance` are resolved later:
+  std::optional<int> steps;    // see commands/smooth_defaults.h
+  std::optional<double> solver_tolerance;  // relative to the initial residual
   std::optional<double> time_step;
   std::optional<Length> cutoff;
   bool cutoff_auto = false;  // chosen from the noise of the mesh

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "commands/denoise_defaults.h"
+#include "commands/smooth_defaults.h"
 #include "ibmfair/base/angle.h"
 #include "ibmfair/base/errors.h"
 #include "ibmfair/base/stopwatch.h"
@@ -22,11 +23,6 @@
 
 namespace ibmfair::commands {
 namespace {
-
-/// Without --cutoff and --time-step, the time step is such that `default_steps` steps reach the
-/// default cut-off; more steps smooth more.
-constexpr int default_steps = 16;
-constexpr double default_cutoff_edges = 8;
 
 BoundaryCondition boundary_condition(const std::string& name) {
   return name == "fixed"      ? BoundaryCondition::fixed
@@ -77,6 +73,7 @@ class Planner {
   void set_flow_options() {
     FlowOptions& flow = plan_.flow;
     flow = arguments_.flow;
+    set_time_steps(flow);
     flow.mass = arguments_.mass.mass();
     flow.mass_matrix = arguments_.mass.name;
     flow.metric = arguments_.metric == "mass" ? Metric::mass : Metric::identity;
@@ -96,6 +93,17 @@ class Planner {
       flow.solver = "auto";
       flow.make_solver = input_.make_solver;
     }
+  }
+
+  void set_time_steps(FlowOptions& flow) const {
+    const SmoothArguments& a = arguments_;
+    const bool named = a.steps || a.time_step || a.cutoff_auto || a.plain;
+    const bool badly_scaled = a.keep_sharp || !a.weights.empty() || !a.mass.mass();
+    const bool far = a.cutoff && length(*a.cutoff) > longest_quick_edges * plan_.mean_edge_length;
+    const bool quick = !named && !badly_scaled && !far && flow.twicing == 0;
+    const StepDefaults& defaults = quick ? quick_defaults : reference_defaults;
+    flow.steps = a.steps.value_or(defaults.steps);
+    flow.solver_tolerance = a.solver_tolerance.value_or(defaults.solver_tolerance);
   }
 
   /// Without --tangential, vertices slide within the surface, except on a textured mesh, where the
@@ -197,7 +205,9 @@ class Planner {
     const double cutoff = plan_.choice
                               ? plan_.choice->cutoff
                               : length(arguments_.cutoff.value_or(Length{default_cutoff_edges}));
-    const double shares = plan_.choice || arguments_.cutoff ? steps : default_steps;
+    // More --steps without a --cutoff smooth more.
+    const bool grows = arguments_.steps && !plan_.choice && !arguments_.cutoff;
+    const double shares = grows ? reference_defaults.steps : steps;
     const double total = in_flow_units(time_for_cutoff(cutoff)) / shares * steps;
     if (plan_.mean_edge_length == 0) {
       throw BadMesh("all edges have the length 0, so that there is nothing to smooth");
@@ -267,7 +277,7 @@ class Planner {
     plan_.flow.total_time = 0;
   }
 
-  /// Smooths by the default of `smooth`. The errors of coordinates on levels are too regular to
+  /// Smooths by the default cut-off. The errors of coordinates on levels are too regular to
   /// estimate what a cut-off leaves, and hinges at steps would be taken for creases.
   void smooth_steps(double step) {
     plan_.choice.emplace();
@@ -275,7 +285,7 @@ class Planner {
     plan_.choice->noise = step / std::sqrt(12.0);  // of numbers rounded to multiples of the step
     plan_.choice->cutoff = default_cutoff_edges * plan_.mean_edge_length;
     if (arguments_.chooses_steps) {
-      plan_.flow.steps = default_steps;
+      plan_.flow.steps = reference_defaults.steps;
     }
     if (arguments_.chooses_boundary) {
       plan_.fixed = fixed_where(BoundaryCondition::fixed);

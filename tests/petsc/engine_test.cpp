@@ -51,6 +51,20 @@ TEST_F(Ranks, EveryNumberGivesTheMeshOfOneProcess) {
   }
 }
 
+TEST_F(Ranks, DefaultsAreThoseOfOneProcess) {
+  const Words smooth{"smooth",  file_of(noisy_torus()), files_ / "out.ply", "--json",
+                     "--quiet", "--overwrite"};
+  for (const Words& options : {Words{}, Words{"--cutoff", "4"}, Words{"--plain"}}) {
+    const nlohmann::json one = nlohmann::json::parse(run_program(smooth + options).out)["options"];
+    const RunResult run = run_on_ranks(2, smooth + Words{"--engine", "petsc"} + options);
+    const nlohmann::json several = nlohmann::json::parse(run.out)["options"];
+    EXPECT_EQ(one["steps"], several["steps"]);
+    EXPECT_EQ(one["solver_tolerance"], several["solver_tolerance"]);
+    const double cutoff = one["cutoff"];
+    EXPECT_NEAR(several["cutoff"].get<double>(), cutoff, 1e-12 * cutoff);
+  }
+}
+
 TEST_F(Ranks, AllMeshesOfTheTestsEndAsOnOneProcess) {
   for (const NamedMesh& mesh : all_meshes()) {
     if (mesh.name == "Moebius strip" || mesh.name == "Klein bottle") {

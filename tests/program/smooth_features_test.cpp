@@ -225,7 +225,7 @@ TEST_F(SmoothFeatures, CutoffAutoIsTheCutoffThatItNames) {
   EXPECT_NEAR(choice["noise"].get<double>(), 0.2 * edge, 0.04 * edge);
   EXPECT_GE(choice["trials"].size(), 3);
   const std::string cutoff = fmt::format("{}u", choice["cutoff"].get<double>());
-  const Smoothed named = smooth(input, {"--cutoff", cutoff});
+  const Smoothed named = smooth(input, {"--cutoff", cutoff, "--steps", "16"});
   EXPECT_EQ(named.X, chosen.X);
   EXPECT_FALSE(named.report.contains("cutoff_choice"));
   EXPECT_EQ(smooth(input, {"--cutoff", "auto", "--dry-run"}).report["cutoff_choice"], choice);
@@ -356,7 +356,7 @@ TEST_F(SmoothFeatures, DenoiseDoesTheSameInABatch) {
             read_mesh(files_ / "one.ply").mesh().X);
 }
 
-TEST_F(SmoothFeatures, DenoiseSmoothsStepsLikeSmoothWithoutOptionsAndSaysSo) {
+TEST_F(SmoothFeatures, DenoiseSmoothsStepsLikeSixteenStepsAndSaysSo) {
   Mesh mesh = make_shape("icosphere", {.subdivide = 4});
   const double step = 0.025;  // 0.35 edges
   mesh.X = (mesh.X / step).array().round() * step;
@@ -370,7 +370,7 @@ TEST_F(SmoothFeatures, DenoiseSmoothsStepsLikeSmoothWithoutOptionsAndSaysSo) {
   }
   const std::string input = files_ / "steps.obj";
   write_bytes(input, text);
-  const Smoothed plain = smooth(input, {"--keep-volume"});
+  const Smoothed plain = smooth(input, {"--keep-volume", "--steps", "16"});
   const Smoothed denoised = smooth(input, {"--denoise"});
   ASSERT_EQ(denoised.exit_code, 0) << denoised.err;
   EXPECT_EQ(denoised.report["cutoff_choice"]["kind"], "steps");

@@ -206,8 +206,12 @@ TEST(Smooth, WarnsOfEveryClosedMeshWhoseVolumeChangesByMoreThanOnePerCent) {
       made({"icosahedron", "--subdivide", "2"}),
       open_sheet,
       thin_plate()};
-  const std::vector<Words> options{
-      {}, {"--cutoff", "2"}, {"--cutoff", "8", "--twicing", "1"}, {"--keep-volume"}, {"--denoise"}};
+  const std::vector<Words> options{{},
+                                   {"--steps", "16"},
+                                   {"--cutoff", "2"},
+                                   {"--cutoff", "8", "--twicing", "1"},
+                                   {"--keep-volume"},
+                                   {"--denoise"}};
   int warned = 0;
   for (const std::string& mesh : meshes) {
     const bool closed = mesh != open_sheet;

@@ -195,19 +195,24 @@ TEST_P(SmoothOnRealMeshes, KeepsItsPromisesOnTheSharedMeshes) {
 
 INSTANTIATE_TEST_SUITE_P(Cutoffs, SmoothOnRealMeshes, testing::Values("4", "8", "20"));
 
-void expect_few_factorizations(const std::string& path, int factorizations, std::size_t steps) {
+void expect_few_factorizations(const std::string& path, int factorizations, std::size_t steps,
+                               const std::vector<std::string>& more = {"--steps", "16"}) {
   SCOPED_TRACE(path);
   const TemporaryDirectory directory;
   const std::string out = directory / ("out" + path.substr(path.rfind('.')));
-  const json report = smooth(path, out, {"--cutoff", "4", "--solver", "multifrontal"});
+  std::vector<std::string> options{"--cutoff", "4", "--solver", "multifrontal"};
+  options.insert(options.end(), more.begin(), more.end());
+  const json report = smooth(path, out, options);
   EXPECT_LE(report["flow"]["factorizations"], factorizations);
   EXPECT_LE(report["steps"].size(), steps);
 }
 
-/// One factorization is enough for a smooth mesh; where there are needles and folds, as on the
-/// femur, the first steps are short.
+/// One factorization is enough for a smooth mesh and 16 steps. With fewer, longer steps, the first
+/// one is shorter; where there are needles and folds, as on the femur, the first ones are.
 TEST(Smooth, TakesFewFactorizations) {
   expect_few_factorizations(project_file("data/bunny.obj"), 1, 16);
+  expect_few_factorizations(project_file("data/bunny.obj"), 2, 9, {});
+  expect_few_factorizations(project_file("data/femur.off"), 7, 18, {});
   expect_few_factorizations(project_file("data/femur.off"), 7, 18);
 }
 
