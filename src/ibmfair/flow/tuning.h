@@ -208,9 +208,8 @@ struct RenumberingTuning {
 /// Risks are in variances of the noise. Chosen on noisy tori, spheres, scans and parts, where the
 /// chosen cut-off is close to the best one; tools/denoise_table prints the errors of `--denoise`.
 struct CutoffTuning {
-  double shortest = 2;                     ///< mean edge lengths; the first cut-off
-  double clear_rise = 0.03;                ///< risk; trials end that far above the least risk
-  double clear_rise_with_creases = 0.015;  ///< risk; the same choices on 16 noisy meshes
+  double shortest = 2;        ///< mean edge lengths; the first cut-off
+  double clear_rise = 0.03;   ///< risk; trials end that far above the least risk
   double small_gain = 0.002;  ///< risk; trials end if a doubled cut-off changes it less
   double many_more = 1.5;     ///< ratio to `sample`; meshes with more free vertices are sampled
   Index sample = 50'000;      ///< count; vertices of the sample
@@ -226,6 +225,9 @@ struct CutoffTuning {
   int leg_steps = 4;
   double law_edges = 8;    ///< mean edge lengths; from here on, the trace may follow Weyl's law
   double near_law = 0.15;  ///< ratio; the largest deviation of a trace that follows Weyl's law
+  /// Count; terms of the polynomial up to which a linear flow is computed by it, and beyond which
+  /// by linear systems (flow/settings/linear_smoother.h).
+  std::size_t most_terms = 110;
   std::size_t noise_trial = 1;  ///< index; this trial measures noise, and hardly changes the shape
   /// The noise that is added to estimate risks where creases are kept: ratio to the noise, and at
   /// least ratio to the mean edge length; not measured.

@@ -112,6 +112,25 @@ std::vector<BackendForecast> Jacobian::forecasts(const Points& X, double h) {
   return result;
 }
 
+JacobianRows Jacobian::rows_at(const Points& X, double h) {
+  linearise(X, h);
+  JacobianRows rows(terms_, unknowns_);
+  rows.update(weights_, D_, h);
+  return rows;
+}
+
+double Jacobian::largest_rate(const Points& X) {
+  linearise(X, 1);
+  double largest = std::numeric_limits<double>::min();
+  for (Index u = 0; u < unknowns_.size(); ++u) {
+    double sum = 0;
+    terms_.for_terms(unknowns_.vertex[u], weights_,
+                     [&](Index /*v*/, double term) { sum += std::abs(term); });
+    largest = std::max(largest, sum / D_[u]);
+  }
+  return largest;
+}
+
 /// The number of iterations of a solve is hard to predict. If there are so many that a
 /// factorization is cheaper for the remaining steps, the rival backend takes over.
 void Jacobian::solve(const Points& B, Points& Y) {

@@ -11,6 +11,7 @@
 #include "ibmfair/energy/unknowns.h"
 #include "ibmfair/flow/flow_options.h"
 #include "ibmfair/flow/linear_system/jacobian_solver.h"
+#include "ibmfair/solve/jacobian_rows.h"
 
 namespace ibmfair {
 
@@ -34,6 +35,15 @@ class Jacobian {
   /// The predicted cost of each backend. Writes the name of the backend that `refactor` would
   /// choose to the report, and throws the exceptions that this choice would throw.
   std::vector<BackendForecast> forecasts(const Points& X, double h);
+
+  /// The rows of D + h S, with both evaluated at `X`, for products instead of solves; the metric is
+  /// then the one at X. Throws FactorizationFailed. The result refers to this object.
+  JacobianRows rows_at(const Points& X, double h);
+
+  /// A bound of the eigenvalues of D^-1 S, both evaluated at `X`: the largest sum of absolute
+  /// values in a row (S. Gerschgorin). In 1 / the flow's unit of time; at least the smallest normal
+  /// number.
+  double largest_rate(const Points& X);
 
   /// Y = J^-1 B, one row per unknown.
   void solve(const Points& B, Points& Y);

@@ -13,29 +13,23 @@
 // which the flow with a short cut-off moves the vertices, over the distance by which it moves white
 // noise.
 //
-// F z is computed by the flow linearised at the end state. Flows that keep creases are no such
-// smoothers: flow/settings/added_noise.h estimates their risk.
+// F z is computed by the flow linearised at the end state (trial_smoother.h). Flows that keep
+// creases are no such smoothers: flow/settings/added_noise.h estimates their risk.
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
+#include <memory>
 #include <vector>
 
-#include "ibmfair/base/compressed_rows.h"
 #include "ibmfair/energy/unknowns.h"
-#include "ibmfair/flow/flow_options.h"
 #include "ibmfair/flow/settings/noise_kind.h"
 #include "ibmfair/flow/settings/risk_curve.h"
 #include "ibmfair/flow/settings/trial_mesh.h"
+#include "ibmfair/flow/settings/trial_smoother.h"
 #include "ibmfair/mesh/topology.h"
 
 namespace ibmfair {
 
-class FlowProblem;
-
-/// Each flow continues from the end of the previous flow: of the time of a cut-off, three quarters
-/// come after the end of the cut-off that is shorter by the square root of two. Flows of few steps
-/// start anew, because backward Euler with long steps gives another result than with short steps.
 class CutoffTrials {
  public:
   /// `mesh` must outlive this object; the sharp angle of its options is not used. `noise`: its
@@ -67,9 +61,6 @@ class CutoffTrials {
     double trace;         // tr F / n
   };
 
-  void flow_to(double cutoff);
-  void end_at(FlowProblem& problem) const;
-  Points taken_of_noise(FlowProblem& problem);
   void add_band(double cutoff, const Points& normals, const Points& end, const Points& taken);
   void estimate_noise(const Eigen::VectorXd& height, const Points& taken);
   double trace_by_law(double cutoff) const;
@@ -77,16 +68,11 @@ class CutoffTrials {
 
   const TrialMesh& mesh_;
   const Topology& topology_;
-  const CompressedRows rings_;
   const double mean_edge_;
-  FlowOptions options_;  // of a flow from the start to the cut-off
-  FlowOptions leg_;      // of the flow from the previous cut-off to this one
   Unknowns unknowns_;
   std::vector<Index> counted_;  // unknowns whose vertices are counted
+  const std::unique_ptr<TrialSmoother> smoother_;
   Points white_noise_;  // #unknowns x 3: three vectors take little longer to smooth than one
-  Points smooth_;       // the white noise after the linearised flow
-  Points state_;        // the mesh after the flow to the last cut-off
-  double time_ = 0;     // flow time of the state
   std::vector<Outcome> outcomes_;
   std::vector<NoiseBand> bands_;
   Points end_, taken_;        // of the last trial: the mesh with twicing, the white noise removed
