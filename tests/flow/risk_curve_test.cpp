@@ -40,9 +40,26 @@ TEST(RiskCurve, TrialsStayInTheRangeAndGoNoFurtherWhereThatIsHopeless) {
   EXPECT_EQ(calls, 3);
   const auto hopeless =
       trials_around(falling, {.start = 4, .shortest = 2, .largest = 9, .hopeless = 0.2});
+  ASSERT_EQ(hopeless.size(), 2U);
+  EXPECT_EQ(hopeless.front().cutoff, 2);
   EXPECT_EQ(hopeless.back().cutoff, 4);
   const auto rising = [](double cutoff) { return cutoff; };
   EXPECT_GE(trials_around(rising, {.start = 4, .shortest = 2, .largest = 9}).front().cutoff, 2);
+}
+
+TEST(RiskCurve, OfTheFirstTwoTheLongerOneIsTakenIfBothLeaveTheSame) {
+  const auto flat = [](double cutoff) { return cutoff < 6 ? 0.1 : 0.1005 + 0.01 * (cutoff - 6); };
+  const auto equal =
+      trials_around(flat, {.start = 4.5, .shortest = 1, .largest = 40, .tolerance = 0.01});
+  EXPECT_NEAR(cutoff_of_least_risk(equal, true), 4.5 * std::sqrt(2.0), 1e-12);
+  const auto less = trials_around(flat, {.start = 4.5, .shortest = 1, .largest = 40});
+  EXPECT_LT(cutoff_of_least_risk(less, true), 5);
+}
+
+TEST(RiskCurve, CreasesDoNotShortenTheCutoff) {
+  const std::vector<CutoffTrial> trials{{2, 1.1}, {4, 1}, {8, 2}};
+  EXPECT_LT(cutoff_of_least_risk(trials, false), 4);
+  EXPECT_EQ(cutoff_of_least_risk(trials, true), 4);
 }
 
 TEST(RiskCurve, TheCutoffAtAnEndOfTheTrialsIsThatOfTheTrial) {

@@ -246,9 +246,8 @@ TEST(CreaseChoice, KeepsThoseOfPolyhedra) {
       const NoisyPolyhedron noisy(shape, noise);
       const auto fixed = fixed_vertices(noisy.state.topology, BoundaryCondition::fixed);
       const CutoffChoice without = choice_for(noisy.state, 2, without_creases());
-      const auto creases =
-          choose_creases(noisy.state.X, noisy.state.topology, fixed, without_creases(),
-                         keeping_creases(0), without, {.largest = 2});
+      const auto creases = choose_creases(noisy.state.X, noisy.state.topology, fixed,
+                                          keeping_creases(0), without, {.largest = 2});
       ASSERT_TRUE(creases);
       EXPECT_EQ(creases->cutoff.noise, without.noise);
       const double left =
@@ -263,7 +262,7 @@ TEST(CreaseChoice, KeepsThoseOfACubeUnderNoiseThatFoldsTriangles) {
   const NoisyPolyhedron noisy("cube", 0.5);
   const auto fixed = fixed_vertices(noisy.state.topology, BoundaryCondition::fixed);
   const CutoffChoice without = choice_for(noisy.state, 2, without_creases());
-  const auto creases = choose_creases(noisy.state.X, noisy.state.topology, fixed, without_creases(),
+  const auto creases = choose_creases(noisy.state.X, noisy.state.topology, fixed,
                                       keeping_creases(0), without, {.largest = 2});
   ASSERT_TRUE(creases);
   const double left =
@@ -275,8 +274,8 @@ TEST(CreaseChoice, FindsNoneInSmoothShapes) {
   for (const Noisy& noisy : noisy_shapes()) {
     const auto fixed = fixed_vertices(noisy.state.topology, BoundaryCondition::fixed);
     const CutoffChoice without = choice_for(noisy.state, noisy.diagonal / 2, without_creases());
-    EXPECT_FALSE(choose_creases(noisy.state.X, noisy.state.topology, fixed, without_creases(),
-                                keeping_creases(0), without, {.largest = noisy.diagonal / 2}))
+    EXPECT_FALSE(choose_creases(noisy.state.X, noisy.state.topology, fixed, keeping_creases(0),
+                                without, {.largest = noisy.diagonal / 2}))
         << noisy.name;
   }
 }

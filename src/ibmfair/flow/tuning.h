@@ -219,7 +219,6 @@ struct CutoffTuning {
   /// sample took 3.6 s instead of 52 s, and gave 19.9 edges instead of 23.1 (no script).
   std::size_t patches = 2;
   int felt_rings = 32;
-  double shortened_shift = 0.5;  ///< ratio; of shifts down if creases are kept; not measured
   /// Count; backward Euler steps from one cut-off to the next. The choice takes 0.33 to 0.55 of the
   /// time of flows that all begin at the start, and chooses the same cut-offs to 2 % (no script).
   int leg_steps = 4;

@@ -6,10 +6,10 @@
 #include "ibmfair/base/parallel.h"
 #include "ibmfair/base/random_numbers.h"
 #include "ibmfair/flow/first_stage.h"
+#include "ibmfair/flow/flow_passes.h"
 #include "ibmfair/flow/steps/unknown_normals.h"
 #include "ibmfair/flow/time_scale.h"
 #include "ibmfair/flow/tuning.h"
-#include "ibmfair/flow/willmore_flow.h"
 #include "ibmfair/mesh/corners.h"
 
 namespace ibmfair {
@@ -43,37 +43,81 @@ Points with_more_noise(const TrialMesh& mesh, const Unknowns& unknowns, const Po
   return Y;
 }
 
+double total_time(double cutoff, const TrialMesh& mesh, const FlowOptions& options) {
+  return time_in_flow_units(time_for_cutoff(cutoff), mesh.X(), mesh.topology(), options);
+}
+
 }  // namespace
 
-AddedNoise::AddedNoise(const TrialMesh& mesh, double noise)
+AddedNoise::AddedNoise(const TrialMesh& mesh, double noise, FlowOptions options, double cutoff)
     : mesh_(mesh),
       noise_(noise),
+      rings_(vertex_rings(mesh.topology())),
       unknowns_(mesh.fixed()),
       counted_(counted_unknowns(mesh, unknowns_)),
       normals_(unknown_normals(with_filtered_normals(mesh.X(), mesh.topology(), mesh.fixed()),
-                               mesh.topology(), unknowns_)),
-      noisier_(with_more_noise(mesh, unknowns_, normals_,
-                               std::max(tuning.cutoff.added_noise * noise,
-                                        tuning.cutoff.least_added * mesh.mean_edge_length()))),
-      added_(heights(noisier_, mesh.X())) {}
-
-double AddedNoise::risk(FlowOptions options, double cutoff) const {
-  options.total_time =
-      time_in_flow_units(time_for_cutoff(cutoff), mesh_.X(), mesh_.topology(), options);
-  options.steps = std::min(options.steps, tuning.cutoff.leg_steps);
-  Points plus = noisier_, minus = 2 * mesh_.X() - noisier_;
+                               mesh.topology(), unknowns_)) {
+  const double deviation = std::max(tuning.cutoff.added_noise * noise,
+                                    tuning.cutoff.least_added * mesh.mean_edge_length());
+  starts_[0] = with_more_noise(mesh, unknowns_, normals_, deviation);
+  starts_[1] = 2 * mesh.X() - starts_[0];
+  added_ = heights(starts_[0], mesh.X());
+  options.total_time = total_time(cutoff, mesh, options);
   parallel_tasks(2, [&](std::int64_t i) {
-    willmore_flow(i == 0 ? plus : minus, mesh_.topology(), mesh_.fixed(), options);
+    FlowProblem problem(starts_[i], mesh_.topology(), mesh_.fixed(), options);
+    run_first_stage(problem, rings_);
+    after_first_stage_[i] = std::move(problem.X);
   });
+}
+
+double AddedNoise::risk(const std::array<Points, 2>& ends) const {
   const double squared_moves =
-      heights(plus, mesh_.X()).squaredNorm() / 2 + heights(minus, mesh_.X()).squaredNorm() / 2;
-  const double trace = added_.dot(heights(plus, minus)) / added_.squaredNorm() / 2;
+      heights(ends[0], mesh_.X()).squaredNorm() / 2 + heights(ends[1], mesh_.X()).squaredNorm() / 2;
+  const double trace = added_.dot(heights(ends[0], ends[1])) / added_.squaredNorm() / 2;
   return squared_moves / static_cast<double>(counted_.size()) + noise_ * noise_ * (2 * trace - 1);
 }
 
 /// Of the counted unknowns.
 Eigen::VectorXd AddedNoise::heights(const Points& Y, const Points& over) const {
   return heights_along(normals_, Y, over, unknowns_)(counted_);
+}
+
+NoisierFlows::NoisierFlows(const AddedNoise& noise, const FlowOptions& options)
+    : noise_(noise), options_(options) {
+  options_.steps = std::min(options.steps, tuning.cutoff.leg_steps);
+  options_.twicing = 0;
+  const TrialMesh& mesh = noise.mesh();
+  parallel_tasks(2, [&](std::int64_t i) {
+    problems_[i] =
+        std::make_unique<FlowProblem>(noise.starts()[i], mesh.topology(), mesh.fixed(), options_);
+  });
+}
+
+double NoisierFlows::risk(double cutoff) {
+  const double time = total_time(cutoff, noise_.mesh(), options_);
+  const bool goes_on = time_ > 0 && time > time_;
+  options_.total_time = time - (goes_on ? time_ : 0);
+  require_usable(noise_.mesh().X(), noise_.mesh().fixed(), options_);
+  std::array<Points, 2> ends;
+  parallel_tasks(2, [&](std::int64_t i) {
+    flow(*problems_[i], noise_.after_first_stage()[i], goes_on);
+    ends[i] = problems_[i]->X;
+  });
+  time_ = time;
+  return noise_.risk(ends);
+}
+
+void NoisierFlows::flow(FlowProblem& problem, const Points& from, bool goes_on) const {
+  if (!goes_on) {
+    Points state = from;
+    problem.move_to(state);
+  }
+  problem.jacobian().damping().setOnes();
+  problem.report.status = FlowStatus::completed;
+  problem.report.solves = 0;
+  problem.report.steps.clear();
+  problem.update_gradient();
+  run_time_steps(problem, noise_.rings());
 }
 
 }  // namespace ibmfair

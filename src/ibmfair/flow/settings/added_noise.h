@@ -12,29 +12,42 @@
 // normal means problem via coupled bootstrap techniques" (2021); T. Pang, H. Zheng, Y. Quan, H. Ji,
 // "Recorrupted-to-recorrupted" (CVPR 2021). Derivatives of F, which Stein's formula needs
 // (flow/settings/cutoff_trials.h), do not exist where hinges become creases. The mean over z and -z
-// does not depend on r, and scatters little. All flows of one object share z, so that their risks
+// does not depend on r, and scatters little. All flows from one object share z, so that their risks
 // compare better than each is known.
 #pragma once
 
+#include <array>
 #include <cstddef>
+#include <memory>
 #include <vector>
 
+#include "ibmfair/base/compressed_rows.h"
 #include "ibmfair/base/types.h"
 #include "ibmfair/energy/unknowns.h"
 #include "ibmfair/flow/settings/trial_mesh.h"
+#include "ibmfair/flow/steps/flow_problem.h"
 
 namespace ibmfair {
 
+/// The two meshes with more noise, y + a s z and y - a s z.
 class AddedNoise {
  public:
   /// `mesh` must outlive this object. `noise`: its standard deviation along the normals, length.
-  /// Throws BadMesh if no counted vertex moves.
-  AddedNoise(const TrialMesh& mesh, double noise);
+  /// `options`: of flows to about this cut-off (length) that are to start here. Throws BadMesh if
+  /// no counted vertex moves, and the exceptions of the flow.
+  AddedNoise(const TrialMesh& mesh, double noise, FlowOptions options, double cutoff);
 
-  /// The risk, length^2, of a flow with these options to this cut-off (length). Their total time is
-  /// not used, and only a few of their steps are made. May be negative by chance. Deterministic.
-  /// Throws the exceptions of the flow.
-  double risk(FlowOptions options, double cutoff) const;
+  /// The risk, length^2, of a flow that ends at these positions (#V x 3) from the two meshes. May
+  /// be negative by chance.
+  double risk(const std::array<Points, 2>& ends) const;
+
+  const TrialMesh& mesh() const { return mesh_; }
+  /// The result of vertex_rings.
+  const CompressedRows& rings() const { return rings_; }
+  /// The two meshes, #V x 3 each, and the same after the first stage of a flow (first_stage.h),
+  /// which all flows share.
+  const std::array<Points, 2>& starts() const { return starts_; }
+  const std::array<Points, 2>& after_first_stage() const { return after_first_stage_; }
 
   /// The number of vertices over which risks are means.
   std::size_t counted() const { return counted_.size(); }
@@ -44,11 +57,33 @@ class AddedNoise {
 
   const TrialMesh& mesh_;
   const double noise_;
+  const CompressedRows rings_;
   Unknowns unknowns_;
   std::vector<Index> counted_;  // unknowns whose vertices are counted
   Points normals_;              // #unknowns x 3, of the mesh with filtered normals
-  Points noisier_;              // #V x 3, with the noise added
-  Eigen::VectorXd added_;       // heights of the noise added
+  std::array<Points, 2> starts_, after_first_stage_;
+  Eigen::VectorXd added_;  // heights of the noise added
+};
+
+/// Flows with one set of options from the two meshes to several cut-offs. A flow to a longer
+/// cut-off goes on from the last one.
+class NoisierFlows {
+ public:
+  /// `noise` must outlive this object. The total time of the options is not used, and only a few of
+  /// their steps are made. Throws the exceptions of the flow.
+  NoisierFlows(const AddedNoise& noise, const FlowOptions& options);
+
+  /// The risk, length^2, of the flow to this cut-off (length). Deterministic. Throws the exceptions
+  /// of the flow.
+  double risk(double cutoff);
+
+ private:
+  void flow(FlowProblem& problem, const Points& from, bool goes_on) const;
+
+  const AddedNoise& noise_;
+  FlowOptions options_;
+  double time_ = 0;  // of the states
+  std::array<std::unique_ptr<FlowProblem>, 2> problems_;
 };
 
 }  // namespace ibmfair

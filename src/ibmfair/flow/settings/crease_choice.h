@@ -17,14 +17,13 @@ struct CreaseChoice {
   CutoffChoice cutoff;
 };
 
-/// Compares flows that keep creases, with `keeping` except for the angle, with the flow `bending`
-/// to the cut-off of `without`, the choice without creases. Returns the choice with the least risk
-/// if it is clearly below the risk of that flow; otherwise nothing. Beginning with one angle,
-/// larger and smaller angles are tried as long as they reduce the risk. Throws the exceptions of
-/// choose_cutoff.
+/// Compares flows that keep creases, with `keeping` except for the angle, with `without`, the
+/// choice without creases. Returns the choice with the least risk if it is clearly below the risk
+/// of that choice; otherwise nothing. Beginning with one angle, larger and smaller angles are tried
+/// as long as they reduce the risk. Throws the exceptions of choose_cutoff.
 std::optional<CreaseChoice> choose_creases(const Points& X, const Topology& topology,
                                            const std::vector<std::uint8_t>& fixed,
-                                           const FlowOptions& bending, const FlowOptions& keeping,
-                                           const CutoffChoice& without, const CutoffSearch& search);
+                                           const FlowOptions& keeping, const CutoffChoice& without,
+                                           const CutoffSearch& search);
 
 }  // namespace ibmfair

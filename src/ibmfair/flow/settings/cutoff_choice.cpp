@@ -73,17 +73,20 @@ CutoffChoice choose_with_creases(const TrialMesh& mesh, const CutoffSearch& sear
     choice.trials = {{choice.cutoff, 0}};
     return choice;
   }
-  const AddedNoise estimate(mesh, choice.noise);
+  const double first = tuning.creases.first_cutoff * edge;
+  const AddedNoise added(mesh, choice.noise, mesh.options(), first);
+  NoisierFlows flows(added, mesh.options());
   choice.trials = trials_around(
       [&](double cutoff) {
         if (search.observer) {
           search.observer(cutoff);
         }
-        return estimate.risk(mesh.options(), cutoff);
+        return flows.risk(cutoff);
       },
-      {.start = tuning.creases.first_cutoff * edge,
+      {.start = first,
        .shortest = tuning.cutoff.shortest * edge,
-       .largest = search.largest});
+       .largest = search.largest,
+       .tolerance = tuning.cutoff.small_gain * choice.noise * choice.noise});
   choice.cutoff = cutoff_of_least_risk(choice.trials, true);
   return choice;
 }

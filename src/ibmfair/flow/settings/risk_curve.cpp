@@ -2,9 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-
-#include "ibmfair/flow/tuning.h"
-
 namespace ibmfair {
 
 std::size_t least_risk(const std::vector<CutoffTrial>& trials) {
@@ -20,21 +17,29 @@ double cutoff_of_least_risk(const std::vector<CutoffTrial>& trials, bool keeps_c
   }
   const double left = trials[i - 1].risk - trials[i].risk;
   const double right = trials[i + 1].risk - trials[i].risk;
-  double shift = left + right > 0 ? (left - right) / (2 * (left + right)) : 0;
-  if (keeps_creases && shift < 0) {
-    shift *= tuning.cutoff.shortened_shift;
-  }
-  return trials[i].cutoff * std::pow(trials[i + 1].cutoff / trials[i].cutoff, shift);
+  const double shift = left + right > 0 ? (left - right) / (2 * (left + right)) : 0;
+  const double kept = keeps_creases ? std::max(shift, 0.0) : shift;
+  return trials[i].cutoff * std::pow(trials[i + 1].cutoff / trials[i].cutoff, kept);
 }
 
 std::vector<CutoffTrial> trials_around(const std::function<double(double)>& risk,
                                        const CutoffRange& range) {
   const double factor = std::sqrt(2.0);
   std::vector<CutoffTrial> trials{{range.start, risk(range.start)}};
-  const double largest = trials[0].risk > range.hopeless ? range.start : range.largest;
+  if (trials[0].risk > range.hopeless) {
+    if (range.shortest < range.start) {
+      trials.insert(trials.begin(), {range.shortest, risk(range.shortest)});
+    }
+    return trials;
+  }
   const auto rises = [&] { return trials.back().risk > trials[least_risk(trials)].risk; };
-  for (double cutoff = factor * range.start; cutoff <= largest && !rises(); cutoff *= factor) {
+  for (double cutoff = factor * range.start; cutoff <= range.largest && !rises();
+       cutoff *= factor) {
     trials.push_back({cutoff, risk(cutoff)});
+  }
+  if (trials.size() > 1 && trials[1].risk <= trials[0].risk + range.tolerance) {
+    trials.erase(trials.begin(), trials.begin() + (least_risk(trials) == 0 ? 1 : 0));
+    return trials;
   }
   for (double cutoff = range.start / factor; cutoff >= range.shortest && least_risk(trials) == 0;
        cutoff /= factor) {

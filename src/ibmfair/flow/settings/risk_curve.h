@@ -21,21 +21,25 @@ std::size_t least_risk(const std::vector<CutoffTrial>& trials);
 
 /// The cut-off (length) at the minimum of the parabola through the least risk and its two
 /// neighbours, over the logarithm of the cut-off. If creases are kept, the risk rises more steeply
-/// when creases disappear than it fell before; so the cut-off is then shortened by only a part of
-/// that shift. `trials`: with increasing cut-offs, each longer than the last by the same factor.
+/// when creases disappear than it fell before; so the cut-off is then not shortened by the
+/// parabola. `trials`: with increasing cut-offs, each longer than the last by the same factor.
 double cutoff_of_least_risk(const std::vector<CutoffTrial>& trials, bool keeps_creases);
 
 struct CutoffRange {
   double start = 0;     ///< the first cut-off, length
   double shortest = 0;  ///< length
   double largest = 0;   ///< length
-  /// If the first cut-off leaves a larger risk (length^2), longer ones are not tried.
+  /// If the first cut-off leaves a larger risk (length^2), only the shortest one is tried.
   double hopeless = std::numeric_limits<double>::infinity();
+  /// If the second cut-off leaves at most so much more than the first one (length^2), shorter ones
+  /// are not tried, and the first one is left out: of two that leave the same distance, the longer
+  /// one leaves smoother faces.
+  double tolerance = 0;
 };
 
 /// The trials at the first cut-off of the range and at cut-offs around it, each longer than the
 /// last by the square root of two, until the least risk has a neighbour on both sides or the range
-/// ends.
+/// ends; or, if the first one is hopeless, that and the shortest one.
 std::vector<CutoffTrial> trials_around(const std::function<double(double cutoff)>& risk,
                                        const CutoffRange& range);
 
