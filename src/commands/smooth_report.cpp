@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "commands/cutoff_report.h"
 #include "commands/report/report_formats.h"
 #include "commands/smooth_remarks.h"
 #include "commands/sparkline.h"
@@ -49,11 +50,6 @@ const char* tangential(const FlowOptions& options) {
 std::string row(const char* name, const char* unit, double before, double after) {
   return fmt::format("  {:<16}{:<10}{:>12.5g}{:>12.5g}{:>13}\n", name, unit, before, after,
                      change_text(before, after));
-}
-
-/// A length in the mesh's units and in mean edge lengths.
-std::string length_text(double length, double edge) {
-  return fmt::format("{:.4g} u = {:.3g} mean edge lengths", length, length / edge);
 }
 
 ordered_json step_json(const StepRecord& step) {
@@ -118,11 +114,6 @@ std::string curve(const FlowReport& flow) {
                            energies.back(), drawn_logarithmically(energies) ? ", logarithmic" : "");
 }
 
-/// The distance to the surface without noise that a trial of a cut-off is expected to leave.
-double expected_distance(const CutoffTrial& trial) {
-  return std::sqrt(std::max(trial.risk, 0.0));
-}
-
 /// The numbers of iterations and factorizations for the linear systems.
 std::string effort(const FlowReport& flow) {
   const std::string factorizations =
@@ -131,45 +122,6 @@ std::string effort(const FlowReport& flow) {
          : flow.factorizations == 0
              ? fmt::format("{} iterations", flow.iterations)
              : fmt::format("{} iterations, {}", flow.iterations, factorizations);
-}
-
-/// What the line with the noise says about its kind.
-const char* addition_for(NoiseKind kind) {
-  return kind == NoiseKind::none         ? " by estimate; none was found"
-         : kind == NoiseKind::outliers   ? ", with outliers"
-         : kind == NoiseKind::correlated ? " in its shortest waves; it is correlated"
-         : kind == NoiseKind::steps      ? ", steps between levels"
-                                         : "";
-}
-
-/// Lines with the cut-off and, if it was chosen automatically, the noise that it was chosen from.
-/// If `detailed`, also all cut-offs that were tried.
-std::string cutoff_lines(const SmoothPlan& plan, bool detailed) {
-  const double edge = plan.mean_edge_length;
-  std::string text;
-  if (plan.cutoff > 0) {
-    text += fmt::format("  {:<16}{}\n", "cut-off", length_text(plan.cutoff, edge));
-  }
-  if (plan.choice) {
-    text += fmt::format("  {:<16}{}{}\n", "noise", length_text(plan.choice->noise, edge),
-                        addition_for(plan.choice->kind));
-    if (const auto& creases = plan.creases) {
-      text += fmt::format(
-          "  {:<16}edges of more than {:.0f} degrees are kept; without that the error would be "
-          "{:.3g} mean edge lengths\n",
-          "creases", degrees(creases->sharp_angle),
-          expected_distance(creases->without.best()) / edge);
-    }
-    if (detailed) {
-      text += fmt::format("  {:<16}{:>7}{:>17}  mean edge lengths\n", "tried", "cut-off",
-                          "distance left");
-      for (const CutoffTrial& trial : plan.choice->trials) {
-        text += fmt::format("  {:<16}{:>7.3g}{:>17.3g}\n", "", trial.cutoff / edge,
-                            expected_distance(trial) / edge);
-      }
-    }
-  }
-  return text;
 }
 
 /// A table of aligned lines, ending in a line feed: the statistics before and after, and the effort
@@ -225,26 +177,6 @@ ordered_json forecast_json(const FlowForecast& forecast) {
                         {"factor_entries", backend.forecast.factor_entries}});
   }
   return {{"unknowns", forecast.unknowns}, {"solver", forecast.solver}, {"solvers", backends}};
-}
-
-/// Adds to the report how the cut-off was chosen, if it was chosen automatically.
-void add_cutoff_choice(const SmoothPlan& plan, Report& report) {
-  if (!plan.choice) {
-    return;
-  }
-  ordered_json trials = ordered_json::array();
-  for (const CutoffTrial& trial : plan.choice->trials) {
-    trials.push_back({{"cutoff", trial.cutoff}, {"distance_expected", expected_distance(trial)}});
-  }
-  ordered_json& json = report.figures["cutoff_choice"];
-  json = {{"cutoff", plan.choice->cutoff},
-          {"noise", plan.choice->noise},
-          {"kind", name_of(plan.choice->kind)},
-          {"trials", trials}};
-  if (const auto& creases = plan.creases) {
-    json["keep_sharp"] = degrees(creases->sharp_angle);
-    json["distance_expected_without"] = expected_distance(creases->without.best());
-  }
 }
 
 /// Adds to the report the result of the run, and its steps as a table.

@@ -224,6 +224,9 @@ TEST_F(SmoothFeatures, CutoffAutoIsTheCutoffThatItNames) {
   const double edge = chosen.report["mesh"]["mean_edge_length"];
   EXPECT_NEAR(choice["noise"].get<double>(), 0.2 * edge, 0.04 * edge);
   EXPECT_GE(choice["trials"].size(), 3);
+  EXPECT_LT(choice["distance_expected"].get<double>(), 0.2 * edge);
+  EXPECT_GT(choice["distance_expected_error"].get<double>(), 0);
+  EXPECT_TRUE(contains(chosen.err, "error left")) << chosen.err;
   const std::string cutoff = fmt::format("{}u", choice["cutoff"].get<double>());
   const Smoothed named = smooth(input, {"--cutoff", cutoff, "--steps", "16"});
   EXPECT_EQ(named.X, chosen.X);

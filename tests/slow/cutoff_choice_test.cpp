@@ -99,6 +99,20 @@ TEST(CutoffChoice, TellsTheNoiseAndTheErrorsAndLeavesLittleMoreThanTheBestCutoff
   }
 }
 
+TEST(CutoffChoice, SaysHowSureItIsOfTheErrors) {
+  for (const std::uint64_t seed : {1, 2, 3, 4}) {
+    for (Noisy& noisy : noisy_shapes()) {
+      SCOPED_TRACE(noisy.name);
+      add_noise(noisy.state.X, noisy.noise, seed);  // in addition to that of the shape
+      const FlowOptions options{.laplacian = "umbrella", .relax = false, .twicing = 1};
+      const CutoffChoice choice = choice_for(noisy.state, noisy.diagonal / 2, options);
+      const double left = noisy.squared_error_after(choice.best().cutoff, options);
+      EXPECT_NEAR(choice.best().risk, left, 2 * choice.risk_error);
+      EXPECT_LT(choice.risk_error, 0.15 * choice.noise * choice.noise);
+    }
+  }
+}
+
 TEST(CutoffChoice, FindsAndTakesNextToNothingWithoutNoise) {
   for (const char* laplacian : {"crouzeix-raviart", "umbrella"}) {
     const Noisy clean("torus", {.ratio = 2.5, .rows = 40},

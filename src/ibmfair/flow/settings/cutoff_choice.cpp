@@ -49,6 +49,7 @@ CutoffChoice choose_without_creases(const TrialMesh& mesh, const CutoffSearch& s
                         !looks_further(trials, next, mesh.mean_edge_length());
     return enough || next > search.largest;
   });
+  choice.risk_error = trials.risk_error();
   choice.looks_white = is_white(trials.bands());
   if (trials.has_outliers()) {
     choice.kind = NoiseKind::outliers;
@@ -66,6 +67,7 @@ CutoffChoice choose_with_creases(const TrialMesh& mesh, const CutoffSearch& sear
   try_cutoffs(trials, mesh, search, [](double) { return true; });
   CutoffChoice choice;
   choice.noise = trials.noise();
+  choice.risk_error = trials.risk_error();
   choice.kind = trials.has_outliers() ? NoiseKind::outliers : NoiseKind::independent;
   const double edge = mesh.mean_edge_length();
   if (choice.noise == 0) {

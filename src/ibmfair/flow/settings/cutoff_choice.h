@@ -25,6 +25,7 @@ struct CutoffChoice {
   NoiseKind kind = NoiseKind::independent;
   bool looks_white = false;         ///< `is_white` of noise_kind.h; false with creases
   std::vector<CutoffTrial> trials;  ///< with increasing cut-off
+  double risk_error = 0;            ///< standard error of their risks, length^2
 
   const CutoffTrial& best() const;  ///< the trial with the least risk
 };

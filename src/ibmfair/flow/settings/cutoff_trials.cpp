@@ -96,7 +96,17 @@ void CutoffTrials::estimate_noise(const Eigen::VectorXd& height, const Points& t
                     return band.evenness >= tuning.noise.even;
                   });
   noise_ = has_outliers_ ? by_rms : by_median;
+  // As many independent heights as there are modes in them. The square of a standard deviation by
+  // the median scatters by 2.33 over the root of their number.
+  const double count = white.squaredNorm() / 3;
+  const double fourth = height.array().pow(4).mean() / std::pow(rms(height), 4);
+  noise_doubt_ = has_outliers_ ? std::sqrt((fourth - 1) / count) : 2.33 / std::sqrt(count);
   knows_noise_ = true;
+}
+
+double CutoffTrials::risk_error() const {
+  const double chance = std::sqrt(2 / static_cast<double>(counted_.size()));
+  return noise_ * noise_ * std::hypot(noise_doubt_, chance);
 }
 
 std::vector<CutoffTrial> CutoffTrials::risks() const {

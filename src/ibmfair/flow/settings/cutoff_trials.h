@@ -44,6 +44,11 @@ class CutoffTrials {
   /// Whether the noise is known. A known noise may be 0.
   bool know_noise() const { return knows_noise_; }
   double noise() const { return noise_; }
+  /// The standard error of the risks, length^2, the same for all trials: by chance, the noise of
+  /// this mesh is a little stronger or weaker than its standard deviation says, and that is known
+  /// only from so many vertices. What is systematically wrong is not in it: detail that is taken
+  /// for noise, or noise that is not independent.
+  double risk_error() const;
   /// Whether the noise has outliers. False if the noise was given.
   bool has_outliers() const { return has_outliers_; }
 
@@ -78,6 +83,7 @@ class CutoffTrials {
   Points end_, taken_;        // of the last trial: the mesh with twicing, the white noise removed
   bool trace_falls_ = false;  // tr F follows Weyl's law from here on (trace_by_law)
   double noise_;
+  double noise_doubt_ = 0;  // standard error of noise^2, over noise^2
   bool knows_noise_;
   bool has_outliers_ = false;
 };
