@@ -93,18 +93,19 @@ NoisierFlows::NoisierFlows(const AddedNoise& noise, const FlowOptions& options)
   });
 }
 
-double NoisierFlows::risk(double cutoff) {
+void NoisierFlows::flow_to(double cutoff) {
   const double time = total_time(cutoff, noise_.mesh(), options_);
   const bool goes_on = time_ > 0 && time > time_;
   options_.total_time = time - (goes_on ? time_ : 0);
   require_usable(noise_.mesh().X(), noise_.mesh().fixed(), options_);
-  std::array<Points, 2> ends;
-  parallel_tasks(2, [&](std::int64_t i) {
-    flow(*problems_[i], noise_.after_first_stage()[i], goes_on);
-    ends[i] = problems_[i]->X;
-  });
+  parallel_tasks(
+      2, [&](std::int64_t i) { flow(*problems_[i], noise_.after_first_stage()[i], goes_on); });
   time_ = time;
-  return noise_.risk(ends);
+}
+
+double NoisierFlows::risk(double cutoff) {
+  flow_to(cutoff);
+  return noise_.risk({problems_[0]->X, problems_[1]->X});
 }
 
 void NoisierFlows::flow(FlowProblem& problem, const Points& from, bool goes_on) const {

@@ -73,8 +73,11 @@ class NoisierFlows {
   /// their steps are made. Throws the exceptions of the flow.
   NoisierFlows(const AddedNoise& noise, const FlowOptions& options);
 
-  /// The risk, length^2, of the flow to this cut-off (length). Deterministic. Throws the exceptions
-  /// of the flow.
+  /// Flows to this cut-off (length). Throws the exceptions of the flow.
+  void flow_to(double cutoff);
+
+  /// Does the same, and returns the risk, length^2, of the flow to this cut-off (length).
+  /// Deterministic. Throws the exceptions of the flow.
   double risk(double cutoff);
 
  private:

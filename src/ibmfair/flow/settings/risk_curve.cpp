@@ -32,9 +32,11 @@ std::vector<CutoffTrial> trials_around(const std::function<double(double)>& risk
     }
     return trials;
   }
-  const auto rises = [&] { return trials.back().risk > trials[least_risk(trials)].risk; };
-  for (double cutoff = factor * range.start; cutoff <= range.largest && !rises();
-       cutoff *= factor) {
+  const auto gains = [&] {
+    const std::size_t n = trials.size();
+    return n < 2 || trials[n - 1].risk < trials[n - 2].risk - range.tolerance;
+  };
+  for (double cutoff = factor * range.start; cutoff <= range.largest && gains(); cutoff *= factor) {
     trials.push_back({cutoff, risk(cutoff)});
   }
   if (trials.size() > 1 && trials[1].risk <= trials[0].risk + range.tolerance) {

@@ -31,9 +31,9 @@ struct CutoffRange {
   double largest = 0;   ///< length
   /// If the first cut-off leaves a larger risk (length^2), only the shortest one is tried.
   double hopeless = std::numeric_limits<double>::infinity();
-  /// If the second cut-off leaves at most so much more than the first one (length^2), shorter ones
-  /// are not tried, and the first one is left out: of two that leave the same distance, the longer
-  /// one leaves smoother faces.
+  /// Risks that differ by at most this (length^2) count as equal: after one that gains no more,
+  /// longer cut-offs are not tried; and of the first two, if the second one does not leave more,
+  /// the first one is left out, because the longer one leaves smoother faces.
   double tolerance = 0;
 };
 
