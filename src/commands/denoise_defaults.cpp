@@ -22,6 +22,7 @@ struct DefaultValue {
 };
 
 constexpr const char* crease_laplacian = "crouzeix-raviart";  // only this one keeps creases
+constexpr const char* round_laplacian = "lagrange";
 
 // With more steps the error is the same (within 1 % on all meshes of the table) and the run takes
 // longer. With fewer steps, the choice of the cut-off cannot continue the flow of one trial for the
@@ -101,15 +102,21 @@ std::string denoising_text() {
       "  {} --keep-sharp ANGLE\n"
       "with the angle that leaves the least error; the angle is {:.0f} degrees if the\n"
       "noise of neighbouring vertices is correlated, as that of depth cameras. Steps\n"
-      "of voxels or of rounded heights are smoothed by the default cut-off. An\n"
-      "outline that is more jagged than the noise keeps most of its shape.\n",
+      "of voxels or of rounded heights are smoothed by the default cut-off. Where\n"
+      "there are no sharp edges and this leaves less error, it uses\n"
+      "  --laplacian {}\n"
+      "An outline that is more jagged than the noise keeps most of its shape.\n",
       words(&DefaultValue::value), words(&DefaultValue::with_creases, &DefaultValue::value),
-      tuning.noise.sharp_angle);
+      tuning.noise.sharp_angle, round_laplacian);
 }
 
 void keep_creases(FlowOptions& options) {
   options.laplacian = crease_laplacian;
   options.twicing = 0;
+}
+
+void suit_round_shapes(FlowOptions& options) {
+  options.laplacian = round_laplacian;
 }
 
 }  // namespace ibmfair::commands

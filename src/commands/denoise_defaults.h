@@ -26,4 +26,8 @@ std::string denoising_text();
 /// angle.
 void keep_creases(FlowOptions& options);
 
+/// Sets the options of the flow that have other values if the linear elements leave less error than
+/// the umbrella Laplacian, as they do on most round shapes.
+void suit_round_shapes(FlowOptions& options);
+
 }  // namespace ibmfair::commands

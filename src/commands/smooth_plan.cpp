@@ -15,6 +15,7 @@
 #include "ibmfair/flow/passes/meeting_lines.h"
 #include "ibmfair/flow/passes/restored_walls.h"
 #include "ibmfair/flow/settings/crease_choice.h"
+#include "ibmfair/flow/settings/laplacian_choice.h"
 #include "ibmfair/flow/settings/level_steps.h"
 #include "ibmfair/flow/settings/no_noise.h"
 #include "ibmfair/flow/settings/thin_walls.h"
@@ -267,6 +268,19 @@ class Planner {
       plan_.flow = options;
       plan_.creases = {creases->sharp_angle, *plan_.choice};
       plan_.choice = creases->cutoff;
+    } else if (plan_.choice->kind == NoiseKind::independent) {
+      choose_without_creases(fixed, search);
+    }
+  }
+
+  void choose_without_creases(const std::vector<std::uint8_t>& fixed, const CutoffSearch& search) {
+    FlowOptions options = plan_.flow;
+    suit_round_shapes(options);
+    set_relaxation(options);
+    if (const auto choice = choose_laplacian(input_.X, input_.topology, fixed, plan_.flow, options,
+                                             *plan_.choice, search)) {
+      plan_.flow = options;
+      plan_.choice = choice;
     }
   }
 

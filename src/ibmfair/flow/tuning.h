@@ -311,6 +311,15 @@ struct CreaseTuning {
   double least_risk = 0.01;     ///< risk; below, no creases are looked for
 };
 
+/// The choice of a Laplacian where no creases are kept (flow/settings/laplacian_choice.h). Risks
+/// are in variances of the noise. Of 48 noisy tori one lies above `chance`, and of 12 noisy
+/// spheres, of which the linear elements leave 0.2 to 0.4 of the error of the normals, ten.
+struct LaplacianTuning {
+  double first_cutoff = 1.35;  ///< ratio to the cut-off of the first Laplacian
+  double chance = 0.3;         ///< risk; differences over the root of the number of vertices
+  double hopeless = 0.05;      ///< risk; no cut-off makes up for so much at the first one
+};
+
 /// Thin walls (flow/settings/thin_walls.h, flow/passes/restored_walls.h). Chosen on plates, trays,
 /// rings, shells, rods and leaves of 0.01 to 2 edges, with and without noise
 /// (tests/program/thin_walls_test.cpp). 75 to 100 % of their area have walls thinner than two
@@ -412,6 +421,7 @@ struct FlowTuning {
   CutoffTuning cutoff;
   NoiseTuning noise;
   CreaseTuning creases;
+  LaplacianTuning laplacian;
   ThinWallTuning thin_walls;
   MeetingLineTuning meeting_lines;
   SolverTuning solver;

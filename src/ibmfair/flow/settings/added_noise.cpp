@@ -7,6 +7,7 @@
 #include "ibmfair/base/random_numbers.h"
 #include "ibmfair/flow/first_stage.h"
 #include "ibmfair/flow/flow_passes.h"
+#include "ibmfair/flow/passes/twicing.h"
 #include "ibmfair/flow/steps/unknown_normals.h"
 #include "ibmfair/flow/time_scale.h"
 #include "ibmfair/flow/tuning.h"
@@ -85,7 +86,6 @@ Eigen::VectorXd AddedNoise::heights(const Points& Y, const Points& over) const {
 NoisierFlows::NoisierFlows(const AddedNoise& noise, const FlowOptions& options)
     : noise_(noise), options_(options) {
   options_.steps = std::min(options.steps, tuning.cutoff.leg_steps);
-  options_.twicing = 0;
   const TrialMesh& mesh = noise.mesh();
   parallel_tasks(2, [&](std::int64_t i) {
     problems_[i] =
@@ -95,7 +95,7 @@ NoisierFlows::NoisierFlows(const AddedNoise& noise, const FlowOptions& options)
 
 void NoisierFlows::flow_to(double cutoff) {
   const double time = total_time(cutoff, noise_.mesh(), options_);
-  const bool goes_on = time_ > 0 && time > time_;
+  const bool goes_on = options_.twicing == 0 && time_ > 0 && time > time_;
   options_.total_time = time - (goes_on ? time_ : 0);
   require_usable(noise_.mesh().X(), noise_.mesh().fixed(), options_);
   parallel_tasks(
@@ -119,6 +119,9 @@ void NoisierFlows::flow(FlowProblem& problem, const Points& from, bool goes_on) 
   problem.report.steps.clear();
   problem.update_gradient();
   run_time_steps(problem, noise_.rings());
+  if (options_.twicing > 0 && problem.report.status == FlowStatus::completed) {
+    apply_twicing(problem);
+  }
 }
 
 }  // namespace ibmfair

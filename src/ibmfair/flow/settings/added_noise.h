@@ -66,7 +66,7 @@ class AddedNoise {
 };
 
 /// Flows with one set of options from the two meshes to several cut-offs. A flow to a longer
-/// cut-off goes on from the last one.
+/// cut-off goes on from the last one, unless twicing follows.
 class NoisierFlows {
  public:
   /// `noise` must outlive this object. The total time of the options is not used, and only a few of

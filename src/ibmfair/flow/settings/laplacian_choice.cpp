@@ -1,0 +1,52 @@
+#include "ibmfair/flow/settings/laplacian_choice.h"
+
+#include <cmath>
+
+#include "ibmfair/flow/settings/added_noise.h"
+#include "ibmfair/flow/settings/trial_mesh.h"
+#include "ibmfair/flow/tuning.h"
+
+namespace ibmfair {
+
+std::optional<CutoffChoice> choose_laplacian(const Points& X, const Topology& topology,
+                                             const std::vector<std::uint8_t>& fixed,
+                                             const FlowOptions& first, const FlowOptions& other,
+                                             const CutoffChoice& choice,
+                                             const CutoffSearch& search) {
+  const TrialMesh mesh(X, topology, fixed, other, search.enough);
+  const double variance = choice.noise * choice.noise;
+  const double start = tuning.laplacian.first_cutoff * choice.cutoff;
+  const AddedNoise added(mesh, choice.noise, mesh.options(), start);
+  const auto risk = [&](NoisierFlows& flows, double cutoff) {
+    if (search.observer) {
+      search.observer(cutoff);
+    }
+    return flows.risk(cutoff);
+  };
+  NoisierFlows flows(added, mesh.options());
+  const double hopeless = choice.best().risk + tuning.laplacian.hopeless * variance;
+  CutoffChoice best = choice;
+  best.trials = {{start, risk(flows, start)}};
+  if (best.best().risk > hopeless) {
+    return std::nullopt;
+  }
+  best.trials = trials_around(
+      [&](double cutoff) {
+        return cutoff == start ? best.trials.front().risk : risk(flows, cutoff);
+      },
+      {.start = start, .shortest = start / std::sqrt(2.0), .largest = search.largest});
+  best.cutoff = cutoff_of_least_risk(best.trials, false);
+  FlowOptions as_first = mesh.options();  // with the lists of the sample
+  as_first.laplacian = first.laplacian;
+  as_first.twicing = first.twicing;
+  as_first.relax = first.relax;
+  NoisierFlows first_flows(added, as_first);
+  const double chance =
+      tuning.laplacian.chance * variance / std::sqrt(static_cast<double>(added.counted()));
+  if (!(best.best().risk < risk(first_flows, choice.cutoff) - chance)) {
+    return std::nullopt;
+  }
+  return best;
+}
+
+}  // namespace ibmfair
