@@ -13,6 +13,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "ibmfair/fill/holes.h"
 #include "ibmfair/io/mesh_file.h"
 #include "ibmfair/shapes/shapes.h"
 #include "support/files.h"
