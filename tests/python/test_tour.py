@@ -37,6 +37,8 @@ def test_the_example_of_the_readme_runs(tmp_path):
     text = run_script(["example.py"], tmp_path)
     energies = [float(line.split()[1]) for line in text.splitlines()]
     assert len(energies) == 3 and energies == sorted(energies, reverse=True)
-    clean = ibmfair.read(tmp_path / "clean.ply")
-    radius = np.linalg.norm(clean.V, axis=1)
-    assert radius.std() < np.linalg.norm(V, axis=1).std() / 2
+    closed = ibmfair.read(tmp_path / "closed.ply")
+    assert ibmfair.holes(closed) == []
+    radius = np.linalg.norm(closed.V, axis=1)
+    assert radius[:len(V)].std() < np.linalg.norm(V, axis=1).std() / 2
+    assert np.abs(radius[len(V):] - 1).max() < 0.05  # the patch
