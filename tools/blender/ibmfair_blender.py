@@ -623,8 +623,8 @@ class MESH_OT_ibmfair_smooth(FairOperator, bpy.types.Operator):
         description="Smooth the removed part as well and add it back, so many times: bumps keep "
                     "their height, and the cut-off can be longer")
     steps: IntProperty(
-        name="Steps", default=16, min=1, soft_max=64,
-        description="Number of time steps in which the cut-off is reached")
+        name="Steps", default=0, min=0, soft_max=64,
+        description="Number of time steps in which the cut-off is reached; 0 leaves it to ibmfair")
     use_keep_sharp: BoolProperty(
         name="Keep Sharp",
         description="Keep edges sharp at which the surface turns by more than the angle")
@@ -652,8 +652,10 @@ class MESH_OT_ibmfair_smooth(FairOperator, bpy.types.Operator):
         if self.denoise:
             options["denoise"] = True
         else:
-            options.update(cutoff=round(self.cutoff, 6), twicing=self.twicing, steps=self.steps,
+            options.update(cutoff=round(self.cutoff, 6), twicing=self.twicing,
                            keep_volume=self.keep_volume)
+            if self.steps > 0:
+                options["steps"] = self.steps
             if self.use_keep_sharp:
                 options["keep_sharp"] = round(math.degrees(self.sharp_angle), 4)
         if self.boundary != "AUTO":
