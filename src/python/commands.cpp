@@ -15,9 +15,8 @@ namespace ibmfair::python {
 namespace {
 
 /// The result of a run, for ibmfair/_run.py.
-py::dict result_of(Outcome outcome, const RunListener& listener, int code, double seconds) {
+py::dict result_of(Outcome outcome, const RunListener& listener, double seconds) {
   py::dict result;
-  result["code"] = code;
   result["seconds"] = seconds;
   result["V"] = outcome.X ? py::object(array_of(std::move(*outcome.X))) : py::none();
   result["F"] = outcome.faces ? py::object(faces_of(*outcome.faces)) : py::none();
@@ -38,7 +37,6 @@ py::dict run(std::vector<std::string> words,
   RunListener listener(std::move(progress));
   Outcome outcome;
   MemoryHost host(std::move(named), listener, outcome);
-  int code = 0;
   double seconds = 0;  // of the command, without the conversions
   {
     const Unlocked unlocked;
@@ -46,12 +44,11 @@ py::dict run(std::vector<std::string> words,
     try {
       commands::CommandLine line(words.front());
       line.parse(std::move(words));
-      code = static_cast<int>(line.run(host));
-    } catch (const Cancelled&) {
-      code = static_cast<int>(commands::ExitCode::interrupted);
+      line.run(host);
+    } catch (const Cancelled&) {  // the listener has the exception
     }
   }
-  return result_of(std::move(outcome), listener, code, seconds);
+  return result_of(std::move(outcome), listener, seconds);
 }
 
 }  // namespace

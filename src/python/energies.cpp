@@ -1,5 +1,3 @@
-#include <cmath>
-
 #include <pybind11/stl.h>
 
 #include "arrays.h"

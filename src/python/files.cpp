@@ -12,13 +12,22 @@ namespace py = pybind11;
 namespace ibmfair::python {
 namespace {
 
-WriteOptions::Precision precision_of(const std::string& name) {
-  return name == "float"    ? WriteOptions::Precision::float32
-         : name == "double" ? WriteOptions::Precision::float64
-                            : WriteOptions::Precision::keep;
+WriteOptions options_of(const std::string& format, const std::string& precision, bool overwrite) {
+  WriteOptions options{.format = format, .overwrite = overwrite};
+  options.precision = precision == "float"    ? WriteOptions::Precision::float32
+                      : precision == "double" ? WriteOptions::Precision::float64
+                                              : WriteOptions::Precision::keep;
+  return options;
 }
 
-py::dict report_of(const WriteReport& written) {
+/// What `write`, called without the interpreter's lock, reports.
+template <class Write>
+py::dict report_of(const Write& write) {
+  WriteReport written;
+  {
+    const Unlocked unlocked;
+    written = write();
+  }
   py::dict report;
   report["patched"] = written.patched;
   report["moved_vertices"] = written.moved_vertices;
@@ -65,14 +74,8 @@ void bind_files(py::module_& module) {
       [](const MeshFile& file, const Array<double>& V, const std::string& path,
          const std::string& format, const std::string& precision, bool overwrite) {
         const Points X = points_of(V);
-        WriteReport written;
-        {
-          const Unlocked unlocked;
-          written = write_mesh(
-              file, X, path,
-              {.format = format, .overwrite = overwrite, .precision = precision_of(precision)});
-        }
-        return report_of(written);
+        const WriteOptions options = options_of(format, precision, overwrite);
+        return report_of([&] { return write_mesh(file, X, path, options); });
       },
       py::arg("file"), py::arg("V"), py::arg("path"), py::arg("format"), py::arg("precision"),
       py::arg("overwrite"));
@@ -82,14 +85,8 @@ void bind_files(py::module_& module) {
          const Array<std::int32_t>& corner, const std::string& path, const std::string& format,
          const std::string& precision, bool overwrite) {
         const Mesh mesh{points_of(V), polygons_of(first, corner)};
-        WriteReport written;
-        {
-          const Unlocked unlocked;
-          written = write_mesh(
-              mesh, path,
-              {.format = format, .overwrite = overwrite, .precision = precision_of(precision)});
-        }
-        return report_of(written);
+        const WriteOptions options = options_of(format, precision, overwrite);
+        return report_of([&] { return write_mesh(mesh, path, options); });
       },
       py::arg("V"), py::arg("first"), py::arg("corner"), py::arg("path"), py::arg("format"),
       py::arg("precision"), py::arg("overwrite"));

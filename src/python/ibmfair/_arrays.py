@@ -139,8 +139,10 @@ class Faces:
 
 
 def per_vertex(values, vertex_count, name):
-    """Numbers at the vertices as a float64 array (n,)."""
+    """Numbers at the vertices as a float64 array (n,); a single number stands for all."""
     array = _numbers(values, name, "an array of numbers")
+    if np.ndim(values) == 0:
+        array = np.full(vertex_count, array.item())
     if array.shape != (vertex_count,):
         raise ValueError(f"{name} must have one number for each of the {vertex_count} vertices, not "
                          f"the shape {array.shape}")

@@ -3,7 +3,7 @@
 import numpy as np
 
 from ._files import Mesh
-from ._options import check_names, documented, in_python, keywords
+from ._options import documented, in_python
 from ._run import Input, interrupt, run
 from .errors import NotReached
 
@@ -28,11 +28,8 @@ def _require_mesh(result):
 
 
 def _smooth(function, V, F, options, progress, given=()):
-    """`given`: keywords that the function sets itself, as {name: True}."""
     mesh = Input(V, F)
-    without = tuple(given)
-    check_names(function, options, {name for name in keywords("smooth") if name not in without})
-    result = run(function, "smooth", [mesh], {**dict(given), **options}, progress, [""])
+    result = run(function, "smooth", [mesh], options, progress, [""], given)
     positions = _positions(result, mesh)
     if result["error"] is not None:
         interrupt(result, positions)
@@ -112,7 +109,7 @@ def denoise(V, F=None, *, progress=None, **options):
     --------
     smooth : what is raised and warned.
     """
-    return _smooth("denoise", V, F, options, progress, {"denoise": True})
+    return _smooth("denoise", V, F, options, progress, given=("denoise",))
 
 
 @documented("fill")

@@ -55,10 +55,7 @@ def energy(V, F=None, laplacian="crouzeix-raviart", *, mass=None, h0=None, gradi
     section 2.3.
     """
     mesh = _arrays(V, F)
-    count = len(mesh[0])
-    curvature = np.empty(0)
-    if h0 is not None:
-        curvature = per_vertex(np.broadcast_to(h0, count) if np.ndim(h0) == 0 else h0, count, "h0")
+    curvature = np.empty(0) if h0 is None else per_vertex(h0, len(mesh[0]), "h0")
     with python_names():
         E, G = _core.energy(*mesh, _name(laplacian, "laplacian"), _name(mass, "mass"), curvature,
                             bool(gradient))

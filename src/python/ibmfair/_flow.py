@@ -44,8 +44,8 @@ class Flow:
 
     Each step solves J d = -h grad E(X) with the exact nonlinear gradient and the constant Jacobian
     J = D + h S of the positions at the start. With ``boundary='fair'`` open boundaries are smoothed
-    first. Nothing guards the steps: on noisy meshes or with
-    long steps the energy can rise; `smooth` checks every step.
+    first. Nothing guards the steps: on noisy meshes or with long steps the energy can rise; `smooth`
+    checks every step.
 
     Parameters
     ----------

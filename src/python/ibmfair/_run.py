@@ -38,8 +38,7 @@ class Input:
         if keyword in ("mask", "region"):
             values = vertex_set(value, count, keyword).astype(np.float64)
         else:
-            values = per_vertex(np.broadcast_to(value, count) if np.ndim(value) == 0 else value,
-                                count, keyword)
+            values = per_vertex(value, count, keyword)
         name = "@" + keyword
         self._properties[name] = values
         return name
@@ -81,12 +80,13 @@ def words_of(mesh, options, known):
     return found
 
 
-def run(function, command, meshes, options, progress=None, arguments=(), without=()):
+def run(function, command, meshes, options, progress=None, arguments=(), given=()):
     """Runs the command; returns what the extension module returns, with `info` in place of the
-    figures. `arguments` follow the names of the meshes. Warnings go to `warnings`, notes to the
-    logger "ibmfair"."""
-    known = {name: option for name, option in keywords(command).items() if name not in without}
-    check_names(function, options, known)
+    figures. `arguments` follow the names of the meshes. `given`: keywords that the function sets
+    itself, to True. Warnings go to `warnings`, notes to the logger "ibmfair"."""
+    known = keywords(command)
+    check_names(function, options, [name for name in known if name not in given])
+    options = {**dict.fromkeys(given, True), **options}
     if progress is not None and not callable(progress):
         raise TypeError(f"progress must be callable, not {progress!r}")
     line = [command, *words_of(meshes[0] if meshes else None, options, known)]
