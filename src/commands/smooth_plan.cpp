@@ -54,6 +54,8 @@ class Planner {
           set_scale();
         }
       }
+    }
+    if (plan_.flow.steps > 0) {  // none if --denoise has found no noise
       find_thin_walls();
     }
     if (!arguments_.anisotropy.empty()) {
