@@ -4,11 +4,16 @@ import json
 import os
 import pathlib
 import subprocess
+import tempfile
 
 import numpy as np
 import pytest
+from hypothesis.configuration import set_hypothesis_home_dir
 
 import ibmfair
+
+# What Hypothesis stores for later runs does not belong in the sources.
+set_hypothesis_home_dir(pathlib.Path(tempfile.gettempdir()) / "hypothesis")
 
 PROGRAM = os.environ["IBMFAIR"]
 ROOT = pathlib.Path(__file__).parents[2]
