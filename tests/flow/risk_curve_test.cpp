@@ -9,14 +9,14 @@ namespace ibmfair::test {
 namespace {
 
 /// A parabola over the logarithm of the cut-off.
-double risk(double cutoff, double best) {
-  return 0.1 + std::pow(std::log(cutoff / best), 2);
+CutoffTrial parabola(double cutoff, double best) {
+  return {cutoff, 0.1 + std::pow(std::log(cutoff / best), 2)};
 }
 
 TEST(RiskCurve, TrialsBracketTheLeastRiskWhereverTheyStart) {
   for (const double best : {2.5, 4.0, 7.3, 15.0}) {
     for (const double start : {3.0, 6.0, 12.0}) {
-      const auto trials = trials_around([&](double cutoff) { return risk(cutoff, best); },
+      const auto trials = trials_around([&](double cutoff) { return parabola(cutoff, best); },
                                         {.start = start, .shortest = 1, .largest = 40});
       const std::size_t least = least_risk(trials);
       ASSERT_GT(least, 0) << best << " from " << start;
@@ -33,7 +33,7 @@ TEST(RiskCurve, TrialsStayInTheRangeAndGoNoFurtherWhereThatIsHopeless) {
   int calls = 0;
   const auto falling = [&](double cutoff) {
     ++calls;
-    return 1 / cutoff;
+    return CutoffTrial{cutoff, 1 / cutoff};
   };
   const auto up = trials_around(falling, {.start = 4, .shortest = 2, .largest = 9});
   EXPECT_EQ(up.size(), 3U);
@@ -43,12 +43,14 @@ TEST(RiskCurve, TrialsStayInTheRangeAndGoNoFurtherWhereThatIsHopeless) {
   ASSERT_EQ(hopeless.size(), 2U);
   EXPECT_EQ(hopeless.front().cutoff, 2);
   EXPECT_EQ(hopeless.back().cutoff, 4);
-  const auto rising = [](double cutoff) { return cutoff; };
+  const auto rising = [](double cutoff) { return CutoffTrial{cutoff, cutoff}; };
   EXPECT_GE(trials_around(rising, {.start = 4, .shortest = 2, .largest = 9}).front().cutoff, 2);
 }
 
 TEST(RiskCurve, OfTheFirstTwoTheLongerOneIsTakenIfBothLeaveTheSame) {
-  const auto flat = [](double cutoff) { return cutoff < 6 ? 0.1 : 0.1005 + 0.01 * (cutoff - 6); };
+  const auto flat = [](double cutoff) {
+    return CutoffTrial{cutoff, cutoff < 6 ? 0.1 : 0.1005 + 0.01 * (cutoff - 6)};
+  };
   const auto equal =
       trials_around(flat, {.start = 4.5, .shortest = 1, .largest = 40, .tolerance = 0.01});
   EXPECT_NEAR(cutoff_of_least_risk(equal, true), 4.5 * std::sqrt(2.0), 1e-12);

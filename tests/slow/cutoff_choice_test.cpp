@@ -18,6 +18,7 @@
 #include "ibmfair/mesh/geometry.h"
 #include "ibmfair/shapes/noise.h"
 #include "ibmfair/shapes/shapes.h"
+#include "ibmfair/shapes/subdivide.h"
 #include "support/flow_run.h"
 #include "support/renumbered.h"
 #include "support/states.h"
@@ -249,6 +250,17 @@ TEST(CutoffChoice, ComparesWhatIsLeftWhereCreasesAreKept) {
   }
 }
 
+/// The mean angle (radians) of the triangles to those of the true surface.
+double mean_tilt(const Points& X, const State& truth) {
+  const Triangles& F = truth.topology.F;
+  double sum = 0;
+  for (Index t = 0; t < F.rows(); ++t) {
+    const Vec3 normal = double_area_vector(X, F, t).normalized();
+    sum += std::acos(std::min(1.0, normal.dot(double_area_vector(truth.X, F, t).normalized())));
+  }
+  return sum / static_cast<double>(F.rows());
+}
+
 FlowOptions without_creases() {
   return {.laplacian = "umbrella", .steps = 8, .relax = false, .twicing = 1};
 }
@@ -260,8 +272,9 @@ TEST(CreaseChoice, KeepsThoseOfPolyhedra) {
       const NoisyPolyhedron noisy(shape, noise);
       const auto fixed = fixed_vertices(noisy.state.topology, BoundaryCondition::fixed);
       const CutoffChoice without = choice_for(noisy.state, 2, without_creases());
-      const auto creases = choose_creases(noisy.state.X, noisy.state.topology, fixed,
-                                          keeping_creases(0), without, {.largest = 2});
+      const auto creases =
+          choose_creases(noisy.state.X, noisy.state.topology, fixed, keeping_creases(0),
+                         without_creases(), without, {.largest = 2});
       ASSERT_TRUE(creases);
       EXPECT_EQ(creases->cutoff.noise, without.noise);
       const double left =
@@ -276,12 +289,36 @@ TEST(CreaseChoice, KeepsThoseOfACubeUnderNoiseThatFoldsTriangles) {
   const NoisyPolyhedron noisy("cube", 0.5);
   const auto fixed = fixed_vertices(noisy.state.topology, BoundaryCondition::fixed);
   const CutoffChoice without = choice_for(noisy.state, 2, without_creases());
-  const auto creases = choose_creases(noisy.state.X, noisy.state.topology, fixed,
-                                      keeping_creases(0), without, {.largest = 2});
+  const auto creases =
+      choose_creases(noisy.state.X, noisy.state.topology, fixed, keeping_creases(0),
+                     without_creases(), without, {.largest = 2});
   ASSERT_TRUE(creases);
   const double left =
       noisy.squared_error_after(creases->cutoff.cutoff, keeping_creases(creases->sharp_angle));
   EXPECT_LT(left, 0.7 * noisy.squared_error_after(without.cutoff, without_creases()));
+}
+
+/// Flows that round blunt creases leave hardly more of the distance, but tilt the faces.
+TEST(CreaseChoice, KeepsBluntOnes) {
+  State truth(make_shape("icosphere", {.subdivide = 1}));  // hinges of 18 and 22.5 degrees
+  for (int i = 0; i < 4; ++i) {
+    const TriangleMesh split = split_all_triangles({truth.X, truth.topology.F});
+    truth.X = split.X;
+    truth.topology = build_topology(split.X, split.F);
+  }
+  State noisy = truth;
+  add_noise(noisy.X, 0.1 * mean_edge_length(truth.X, truth.topology.E), 3);
+  const auto fixed = fixed_vertices(truth.topology, BoundaryCondition::fixed);
+  const CutoffChoice without = choice_for(noisy, 1, without_creases());
+  const auto creases = choose_creases(noisy.X, noisy.topology, fixed, keeping_creases(0),
+                                      without_creases(), without, {.largest = 1});
+  ASSERT_TRUE(creases);
+  const double edge = mean_edge_length(noisy.X, noisy.topology.E);
+  const auto tilt = [&](double cutoff, const FlowOptions& options) {
+    return mean_tilt(run_flow(noisy, cutoff / edge, options).X, truth);
+  };
+  EXPECT_LT(tilt(creases->cutoff.cutoff, keeping_creases(creases->sharp_angle)),
+            0.8 * tilt(without.cutoff, without_creases()));
 }
 
 TEST(CreaseChoice, FindsNoneInSmoothShapes) {
@@ -289,7 +326,7 @@ TEST(CreaseChoice, FindsNoneInSmoothShapes) {
     const auto fixed = fixed_vertices(noisy.state.topology, BoundaryCondition::fixed);
     const CutoffChoice without = choice_for(noisy.state, noisy.diagonal / 2, without_creases());
     EXPECT_FALSE(choose_creases(noisy.state.X, noisy.state.topology, fixed, keeping_creases(0),
-                                without, {.largest = noisy.diagonal / 2}))
+                                without_creases(), without, {.largest = noisy.diagonal / 2}))
         << noisy.name;
   }
 }

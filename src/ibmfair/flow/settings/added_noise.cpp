@@ -1,6 +1,7 @@
 #include "ibmfair/flow/settings/added_noise.h"
 
 #include <algorithm>
+#include <numbers>
 #include <utility>
 
 #include "ibmfair/base/parallel.h"
@@ -44,6 +45,23 @@ Points with_more_noise(const TrialMesh& mesh, const Unknowns& unknowns, const Po
   return Y;
 }
 
+/// The pairs of positions in `counted`, a list of unknowns, whose vertices an edge joins.
+Edges neighbours_among(const std::vector<Index>& counted, const Unknowns& unknowns,
+                       const Topology& topology) {
+  std::vector<Index> position(topology.stars.size(), -1);
+  for (std::size_t i = 0; i < counted.size(); ++i) {
+    position[unknowns.vertex[counted[i]]] = static_cast<Index>(i);
+  }
+  Edges pairs(topology.E.rows(), 2);
+  Index count = 0;
+  for (const auto& edge : topology.E.rowwise()) {
+    if (position[edge[0]] >= 0 && position[edge[1]] >= 0) {
+      pairs.row(count++) << position[edge[0]], position[edge[1]];
+    }
+  }
+  return pairs.topRows(count);
+}
+
 double total_time(double cutoff, const TrialMesh& mesh, const FlowOptions& options) {
   return time_in_flow_units(time_for_cutoff(cutoff), mesh.X(), mesh.topology(), options);
 }
@@ -56,6 +74,7 @@ AddedNoise::AddedNoise(const TrialMesh& mesh, double noise, FlowOptions options,
       rings_(vertex_rings(mesh.topology())),
       unknowns_(mesh.fixed()),
       counted_(counted_unknowns(mesh, unknowns_)),
+      neighbours_(neighbours_among(counted_, unknowns_, mesh.topology())),
       normals_(unknown_normals(with_filtered_normals(mesh.X(), mesh.topology(), mesh.fixed()),
                                mesh.topology(), unknowns_)) {
   const double deviation = std::max(tuning.cutoff.added_noise * noise,
@@ -71,11 +90,24 @@ AddedNoise::AddedNoise(const TrialMesh& mesh, double noise, FlowOptions options,
   });
 }
 
-double AddedNoise::risk(const std::array<Points, 2>& ends) const {
-  const double squared_moves =
-      heights(ends[0], mesh_.X()).squaredNorm() / 2 + heights(ends[1], mesh_.X()).squaredNorm() / 2;
-  const double trace = added_.dot(heights(ends[0], ends[1])) / added_.squaredNorm() / 2;
-  return squared_moves / static_cast<double>(counted_.size()) + noise_ * noise_ * (2 * trace - 1);
+CutoffTrial AddedNoise::trial(double cutoff, const std::array<Points, 2>& ends) const {
+  const std::array moves{heights(ends[0], mesh_.X()), heights(ends[1], mesh_.X())};
+  return {cutoff, risk(added_, moves),
+          risk(differences(added_), {differences(moves[0]), differences(moves[1])})};
+}
+
+/// Of what was added to the two meshes, and how their flows have moved the mesh: heights, or
+/// differences of heights.
+double AddedNoise::risk(const Eigen::VectorXd& added,
+                        const std::array<Eigen::VectorXd, 2>& moves) const {
+  const double squared_moves = moves[0].squaredNorm() / 2 + moves[1].squaredNorm() / 2;
+  const double trace = added.dot(moves[0] - moves[1]) / added.squaredNorm() / 2;
+  return squared_moves / static_cast<double>(added.size()) + noise_ * noise_ * (2 * trace - 1);
+}
+
+/// Of neighbours, over the root of two, so that those of white noise have its variance.
+Eigen::VectorXd AddedNoise::differences(const Eigen::VectorXd& heights) const {
+  return std::numbers::sqrt2 / 2 * (heights(neighbours_.col(0)) - heights(neighbours_.col(1)));
 }
 
 /// Of the counted unknowns.
@@ -103,9 +135,9 @@ void NoisierFlows::flow_to(double cutoff) {
   time_ = time;
 }
 
-double NoisierFlows::risk(double cutoff) {
+CutoffTrial NoisierFlows::trial(double cutoff) {
   flow_to(cutoff);
-  return noise_.risk({problems_[0]->X, problems_[1]->X});
+  return noise_.trial(cutoff, {problems_[0]->X, problems_[1]->X});
 }
 
 void NoisierFlows::flow(FlowProblem& problem, const Points& from, bool goes_on) const {

@@ -1,5 +1,5 @@
-// The risk of a flow (the mean squared distance that it leaves to the true shape), estimated from
-// the noisy mesh alone for any flow, as rough as it may be.
+// The risk of a flow (the mean squared distance that it leaves to the true shape, CutoffTrial),
+// estimated from the noisy mesh alone for any flow, as rough as it may be.
 //
 // Let y = x + e be the noisy heights of the vertices, with e of standard deviation s, and let z be
 // white noise. The flow F runs from y + a s z. Given that sum of the two noises, each of them is
@@ -12,8 +12,9 @@
 // normal means problem via coupled bootstrap techniques" (2021); T. Pang, H. Zheng, Y. Quan, H. Ji,
 // "Recorrupted-to-recorrupted" (CVPR 2021). Derivatives of F, which Stein's formula needs
 // (flow/settings/cutoff_trials.h), do not exist where hinges become creases. The mean over z and -z
-// does not depend on r, and scatters little. All flows from one object share z, so that their risks
-// compare better than each is known.
+// does not depend on r, and scatters little. The same holds for differences of neighbouring heights
+// in place of heights, whose variance is 2 s^2. All flows from one object share z, so that their
+// risks compare better than each is known.
 #pragma once
 
 #include <array>
@@ -24,6 +25,7 @@
 #include "ibmfair/base/compressed_rows.h"
 #include "ibmfair/base/types.h"
 #include "ibmfair/energy/unknowns.h"
+#include "ibmfair/flow/settings/risk_curve.h"
 #include "ibmfair/flow/settings/trial_mesh.h"
 #include "ibmfair/flow/steps/flow_problem.h"
 
@@ -37,9 +39,9 @@ class AddedNoise {
   /// no counted vertex moves, and the exceptions of the flow.
   AddedNoise(const TrialMesh& mesh, double noise, FlowOptions options, double cutoff);
 
-  /// The risk, length^2, of a flow that ends at these positions (#V x 3) from the two meshes. May
-  /// be negative by chance.
-  double risk(const std::array<Points, 2>& ends) const;
+  /// The risks of a flow to this cut-off (length) that ends at these positions (#V x 3) from the
+  /// two meshes.
+  CutoffTrial trial(double cutoff, const std::array<Points, 2>& ends) const;
 
   const TrialMesh& mesh() const { return mesh_; }
   /// The result of vertex_rings.
@@ -54,12 +56,15 @@ class AddedNoise {
 
  private:
   Eigen::VectorXd heights(const Points& Y, const Points& over) const;
+  Eigen::VectorXd differences(const Eigen::VectorXd& heights) const;
+  double risk(const Eigen::VectorXd& added, const std::array<Eigen::VectorXd, 2>& moves) const;
 
   const TrialMesh& mesh_;
   const double noise_;
   const CompressedRows rings_;
   Unknowns unknowns_;
   std::vector<Index> counted_;  // unknowns whose vertices are counted
+  Edges neighbours_;            // pairs of them, as positions in counted_, that edges join
   Points normals_;              // #unknowns x 3, of the mesh with filtered normals
   std::array<Points, 2> starts_, after_first_stage_;
   Eigen::VectorXd added_;  // heights of the noise added
@@ -76,9 +81,9 @@ class NoisierFlows {
   /// Flows to this cut-off (length). Throws the exceptions of the flow.
   void flow_to(double cutoff);
 
-  /// Does the same, and returns the risk, length^2, of the flow to this cut-off (length).
-  /// Deterministic. Throws the exceptions of the flow.
-  double risk(double cutoff);
+  /// Does the same, and returns the risks of the flow to this cut-off (length). Deterministic.
+  /// Throws the exceptions of the flow.
+  CutoffTrial trial(double cutoff);
 
  private:
   void flow(FlowProblem& problem, const Points& from, bool goes_on) const;

@@ -11,25 +11,40 @@
 namespace ibmfair {
 namespace {
 
+double shape_risk(const CutoffTrial& trial) {
+  return trial.risk + tuning.creases.slopes * trial.slope_risk;
+}
+
 class CreaseSearch {
  public:
-  CreaseSearch(const TrialMesh& mesh, const CutoffChoice& without, const CutoffSearch& search)
+  CreaseSearch(const TrialMesh& mesh, const FlowOptions& bending, const CutoffChoice& without,
+               const CutoffSearch& search)
       : mesh_(mesh),
+        bending_(bending),
         without_(without),
         search_(search),
         start_(tuning.creases.first_cutoff * mesh.mean_edge_length()),
         added_(mesh, without.noise, with(tuning.creases.first_angle), start_) {}
 
-  /// Whether a choice leaves less than this share of the risk without creases.
-  bool is_below(const CreaseChoice& choice, double share) const {
-    return choice.cutoff.best().risk < share * without_.best().risk;
+  /// Whether a choice leaves less than this share of what is left without creases, and by at least
+  /// `least` (length^2) less. If distances alone do not tell, slopes count as well.
+  bool is_below(const CreaseChoice& choice, double share, double least = 0) {
+    const auto below = [&](double with, double without) {
+      return with < share * without && with < without - least;
+    };
+    const CutoffTrial& with = choice.cutoff.best();
+    const double without = without_.best().risk;
+    if (below(with.risk, without)) {
+      return true;
+    }
+    return with.risk < tuning.creases.hopeless * without &&
+           below(shape_risk(with), shape_risk(trial_without()));
   }
 
-  /// Whether it leaves so much less that the difference is no chance.
-  bool is_no_chance(const CreaseChoice& choice) const {
-    const double chance = tuning.creases.chance * without_.noise * without_.noise /
-                          std::sqrt(static_cast<double>(added_.counted()));
-    return choice.cutoff.best().risk < without_.best().risk - chance;
+  /// The differences of risks (length^2) that may be chance.
+  double chance() const {
+    return tuning.creases.chance * without_.noise * without_.noise /
+           std::sqrt(static_cast<double>(added_.counted()));
   }
 
   /// The best cut-off for the first angle.
@@ -37,7 +52,7 @@ class CreaseSearch {
     CreaseChoice choice{radians(tuning.creases.first_angle), without_};
     NoisierFlows flows(added_, with(tuning.creases.first_angle));
     // Creases allow longer cut-offs than without.
-    choice.cutoff.trials = trials_around([&](double cutoff) { return risk(flows, cutoff); },
+    choice.cutoff.trials = trials_around([&](double cutoff) { return trial(flows, cutoff); },
                                          {.start = start_,
                                           .shortest = without_.cutoff / std::pow(2.0, 0.25),
                                           .largest = search_.largest,
@@ -47,43 +62,51 @@ class CreaseSearch {
     return choice;
   }
 
-  /// Goes on to blunter angles as long as none leaves more: of two that leave about the same, the
-  /// blunter one keeps more of the mesh. If the first of them leaves clearly more, goes on to
-  /// sharper ones as long as each leaves clearly less. All are tried at the cut-off of the first.
-  /// With a blunter angle, which keeps more, the best cut-off is longer: about as the angle to the
-  /// power -0.2 on benchmark shapes.
+  /// Goes on to blunter angles as long as none leaves more of the distance: of two that leave about
+  /// the same, the blunter one keeps more of the mesh. If the first of them leaves clearly more,
+  /// slopes included, goes on to sharper ones as long as each leaves clearly less. All are tried at
+  /// the cut-off of the first. With a blunter angle, which keeps more, the best cut-off is longer:
+  /// about as the angle to the power -0.2 on benchmark shapes.
   void try_other_angles(CreaseChoice& best) const {
     const double clear = tuning.creases.clear_gain * without_.noise * without_.noise;
     const double before = best.sharp_angle;
-    const double first = go_on(tuning.creases.blunter_angles, tolerance(), best);
+    const CutoffTrial first = best.cutoff.best();
+    std::optional<CutoffTrial> blunter;
+    for (const double angle : tuning.creases.blunter_angles) {
+      const CutoffTrial next = trial_with(angle, first.cutoff);
+      blunter = blunter.value_or(next);
+      if (!(next.risk < best.cutoff.best().risk + tolerance())) {
+        break;
+      }
+      take(angle, next, best);
+    }
     best.cutoff.cutoff *= std::pow(before / best.sharp_angle, 0.2);
-    if (first > clear) {
-      go_on(tuning.creases.sharper_angles, -clear, best);
+    if (!(shape_risk(*blunter) > shape_risk(first) + clear)) {
+      return;
+    }
+    for (const double angle : tuning.creases.sharper_angles) {
+      const CutoffTrial next = trial_with(angle, first.cutoff);
+      if (!(shape_risk(next) < shape_risk(best.cutoff.best()) - clear)) {
+        break;
+      }
+      take(angle, next, best);
     }
   }
 
  private:
-  /// Takes the angles (degrees) one after the other as long as the risk rises by less than `most`
-  /// (length^2; falls, if negative) from each to the next. Returns by how much the first raises it.
-  template <class Angles>
-  double go_on(const Angles& angles, double most, CreaseChoice& best) const {
-    double first = 0;
-    for (const double angle : angles) {
-      const CutoffTrial last = best.cutoff.best();
-      NoisierFlows flows(added_, with(angle));
-      // By the same cut-offs as the flows with the first angle, for a fair comparison.
-      for (double cutoff = start_; cutoff < 0.9 * last.cutoff; cutoff *= std::sqrt(2.0)) {
-        flows.flow_to(cutoff);
-      }
-      const double next = risk(flows, last.cutoff), rise = next - last.risk;
-      first = angle == angles[0] ? rise : first;
-      if (!(rise < most)) {
-        break;
-      }
-      best.sharp_angle = radians(angle);
-      best.cutoff.trials = {{last.cutoff, next}};
+  static void take(double angle, const CutoffTrial& trial, CreaseChoice& choice) {
+    choice.sharp_angle = radians(angle);
+    choice.cutoff.trials = {trial};
+  }
+
+  /// With this angle (degrees), by the same cut-offs as the flows with the first angle, for a fair
+  /// comparison.
+  CutoffTrial trial_with(double angle, double last) const {
+    NoisierFlows flows(added_, with(angle));
+    for (double cutoff = start_; cutoff < 0.9 * last; cutoff *= std::sqrt(2.0)) {
+      flows.flow_to(cutoff);
     }
-    return first;
+    return trial(flows, last);
   }
 
   double tolerance() const { return tuning.cutoff.small_gain * without_.noise * without_.noise; }
@@ -95,25 +118,37 @@ class CreaseSearch {
     return options;
   }
 
-  double risk(NoisierFlows& flows, double cutoff) const {
+  /// Of the choice without creases, with the same added noise.
+  const CutoffTrial& trial_without() {
+    if (!trial_without_) {
+      NoisierFlows flows(added_, mesh_.here(bending_));
+      trial_without_ = trial(flows, without_.cutoff);
+    }
+    return *trial_without_;
+  }
+
+  CutoffTrial trial(NoisierFlows& flows, double cutoff) const {
     if (search_.observer) {
       search_.observer(cutoff);
     }
-    return flows.risk(cutoff);
+    return flows.trial(cutoff);
   }
 
   const TrialMesh& mesh_;
+  const FlowOptions& bending_;
   const CutoffChoice& without_;
   const CutoffSearch& search_;
   const double start_;  // the first cut-off, length
   const AddedNoise added_;
+  std::optional<CutoffTrial> trial_without_;
 };
 
 }  // namespace
 
 std::optional<CreaseChoice> choose_creases(const Points& X, const Topology& topology,
                                            const std::vector<std::uint8_t>& fixed,
-                                           const FlowOptions& keeping, const CutoffChoice& without,
+                                           const FlowOptions& keeping, const FlowOptions& bending,
+                                           const CutoffChoice& without,
                                            const CutoffSearch& search) {
   // Where the flow without creases may leave nothing, creases cannot be found to leave less.
   const double least =
@@ -122,13 +157,13 @@ std::optional<CreaseChoice> choose_creases(const Points& X, const Topology& topo
     return std::nullopt;
   }
   const TrialMesh mesh(X, topology, fixed, keeping, search.enough);
-  const CreaseSearch creases(mesh, without, search);
+  CreaseSearch creases(mesh, bending, without, search);
   CreaseChoice best = creases.with_first_angle();
   if (!creases.is_below(best, tuning.creases.some_share)) {
     return std::nullopt;
   }
   creases.try_other_angles(best);
-  if (!creases.is_below(best, tuning.creases.clear_share) || !creases.is_no_chance(best)) {
+  if (!creases.is_below(best, tuning.creases.clear_share, creases.chance())) {
     return std::nullopt;
   }
   return best;

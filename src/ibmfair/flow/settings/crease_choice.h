@@ -1,6 +1,8 @@
 // Decides whether a noisy mesh has creases, and how sharp they are. Flows that keep hinges (edges
 // with their two triangles) sharper than some angle are compared with a flow in which all hinges
-// bend, by the estimated error (risk) that each leaves (flow/settings/added_noise.h).
+// bend, by the estimated error (risk) that each leaves (flow/settings/added_noise.h): of distances
+// and of slopes, because flows that round creases, or make creases of noise, hardly change the
+// distance, but tilt the faces.
 #pragma once
 
 #include <cstdint>
@@ -18,13 +20,13 @@ struct CreaseChoice {
 };
 
 /// Compares flows that keep creases, with `keeping` except for the angle, with `without`, the
-/// choice without creases. Returns the choice with the least risk if it is clearly below the risk
-/// of that choice; otherwise nothing. Beginning with one angle, smaller ones are tried as long as
-/// they do not raise the risk, or larger ones as long as they reduce it. Throws the exceptions of
-/// choose_cutoff.
+/// choice for the options `bending` without creases. Returns the choice with the least risk if it
+/// is clearly below the risk of that choice; otherwise nothing. Beginning with one angle, smaller
+/// ones are tried as long as they do not raise the risk, or larger ones as long as they reduce it.
+/// Throws the exceptions of choose_cutoff.
 std::optional<CreaseChoice> choose_creases(const Points& X, const Topology& topology,
                                            const std::vector<std::uint8_t>& fixed,
-                                           const FlowOptions& keeping, const CutoffChoice& without,
-                                           const CutoffSearch& search);
+                                           const FlowOptions& keeping, const FlowOptions& bending,
+                                           const CutoffChoice& without, const CutoffSearch& search);
 
 }  // namespace ibmfair

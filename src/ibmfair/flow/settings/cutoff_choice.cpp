@@ -72,7 +72,7 @@ CutoffChoice choose_with_creases(const TrialMesh& mesh, const CutoffSearch& sear
   const double edge = mesh.mean_edge_length();
   if (choice.noise == 0) {
     choice.cutoff = tuning.cutoff.shortest * edge;
-    choice.trials = {{choice.cutoff, 0}};
+    choice.trials = {{.cutoff = choice.cutoff}};
     return choice;
   }
   const double first = tuning.creases.first_cutoff * edge;
@@ -83,7 +83,7 @@ CutoffChoice choose_with_creases(const TrialMesh& mesh, const CutoffSearch& sear
         if (search.observer) {
           search.observer(cutoff);
         }
-        return flows.risk(cutoff);
+        return flows.trial(cutoff);
       },
       {.start = first,
        .shortest = tuning.cutoff.shortest * edge,

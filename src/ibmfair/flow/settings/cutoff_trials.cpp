@@ -113,7 +113,7 @@ std::vector<CutoffTrial> CutoffTrials::risks() const {
   const double variance = noise_ * noise_;
   std::vector<CutoffTrial> risks;
   for (const Outcome& o : outcomes_) {
-    risks.push_back({o.cutoff, o.squared_move + variance * (2 * o.trace - 1)});
+    risks.push_back({.cutoff = o.cutoff, .risk = o.squared_move + variance * (2 * o.trace - 1)});
   }
   return risks;
 }

@@ -17,33 +17,27 @@ std::optional<CutoffChoice> choose_laplacian(const Points& X, const Topology& to
   const double variance = choice.noise * choice.noise;
   const double start = tuning.laplacian.first_cutoff * choice.cutoff;
   const AddedNoise added(mesh, choice.noise, mesh.options(), start);
-  const auto risk = [&](NoisierFlows& flows, double cutoff) {
+  const auto trial = [&](NoisierFlows& flows, double cutoff) {
     if (search.observer) {
       search.observer(cutoff);
     }
-    return flows.risk(cutoff);
+    return flows.trial(cutoff);
   };
   NoisierFlows flows(added, mesh.options());
   const double hopeless = choice.best().risk + tuning.laplacian.hopeless * variance;
   CutoffChoice best = choice;
-  best.trials = {{start, risk(flows, start)}};
+  best.trials = {trial(flows, start)};
   if (best.best().risk > hopeless) {
     return std::nullopt;
   }
   best.trials = trials_around(
-      [&](double cutoff) {
-        return cutoff == start ? best.trials.front().risk : risk(flows, cutoff);
-      },
+      [&](double cutoff) { return cutoff == start ? best.trials.front() : trial(flows, cutoff); },
       {.start = start, .shortest = start / std::sqrt(2.0), .largest = search.largest});
   best.cutoff = cutoff_of_least_risk(best.trials, false);
-  FlowOptions as_first = mesh.options();  // with the lists of the sample
-  as_first.laplacian = first.laplacian;
-  as_first.twicing = first.twicing;
-  as_first.relax = first.relax;
-  NoisierFlows first_flows(added, as_first);
+  NoisierFlows first_flows(added, mesh.here(first));
   const double chance =
       tuning.laplacian.chance * variance / std::sqrt(static_cast<double>(added.counted()));
-  if (!(best.best().risk < risk(first_flows, choice.cutoff) - chance)) {
+  if (!(best.best().risk < trial(first_flows, choice.cutoff).risk - chance)) {
     return std::nullopt;
   }
   return best;

@@ -22,13 +22,13 @@ double cutoff_of_least_risk(const std::vector<CutoffTrial>& trials, bool keeps_c
   return trials[i].cutoff * std::pow(trials[i + 1].cutoff / trials[i].cutoff, kept);
 }
 
-std::vector<CutoffTrial> trials_around(const std::function<double(double)>& risk,
+std::vector<CutoffTrial> trials_around(const std::function<CutoffTrial(double)>& trial,
                                        const CutoffRange& range) {
   const double factor = std::sqrt(2.0);
-  std::vector<CutoffTrial> trials{{range.start, risk(range.start)}};
+  std::vector<CutoffTrial> trials{trial(range.start)};
   if (trials[0].risk > range.hopeless) {
     if (range.shortest < range.start) {
-      trials.insert(trials.begin(), {range.shortest, risk(range.shortest)});
+      trials.insert(trials.begin(), trial(range.shortest));
     }
     return trials;
   }
@@ -37,7 +37,7 @@ std::vector<CutoffTrial> trials_around(const std::function<double(double)>& risk
     return n < 2 || trials[n - 1].risk < trials[n - 2].risk - range.tolerance;
   };
   for (double cutoff = factor * range.start; cutoff <= range.largest && gains(); cutoff *= factor) {
-    trials.push_back({cutoff, risk(cutoff)});
+    trials.push_back(trial(cutoff));
   }
   if (trials.size() > 1 && trials[1].risk <= trials[0].risk + range.tolerance) {
     trials.erase(trials.begin(), trials.begin() + (least_risk(trials) == 0 ? 1 : 0));
@@ -45,7 +45,7 @@ std::vector<CutoffTrial> trials_around(const std::function<double(double)>& risk
   }
   for (double cutoff = range.start / factor; cutoff >= range.shortest && least_risk(trials) == 0;
        cutoff /= factor) {
-    trials.insert(trials.begin(), {cutoff, risk(cutoff)});
+    trials.insert(trials.begin(), trial(cutoff));
   }
   return trials;
 }

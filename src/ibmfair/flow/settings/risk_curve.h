@@ -8,11 +8,14 @@
 
 namespace ibmfair {
 
-/// What one cut-off is expected to leave: the mean squared distance to the true shape, along the
-/// normals.
+/// What one cut-off is expected to leave of the distance to the true shape along the normals: its
+/// mean square, and half the mean square of its difference between neighbours. For white noise,
+/// both are its variance. They may be negative by chance if the true values are close to 0.
 struct CutoffTrial {
   double cutoff = 0;  ///< length
-  double risk = 0;    ///< length^2; may be negative by chance if the true risk is close to 0
+  double risk = 0;    ///< length^2
+  /// Length^2. NaN if it was not estimated: flow/settings/cutoff_trials.h does not.
+  double slope_risk = std::numeric_limits<double>::quiet_NaN();
 };
 
 /// The position of the trial with the least risk, the first of several. Precondition: there are
@@ -40,7 +43,7 @@ struct CutoffRange {
 /// The trials at the first cut-off of the range and at cut-offs around it, each longer than the
 /// last by the square root of two, until the least risk has a neighbour on both sides or the range
 /// ends; or, if the first one is hopeless, that and the shortest one.
-std::vector<CutoffTrial> trials_around(const std::function<double(double cutoff)>& risk,
+std::vector<CutoffTrial> trials_around(const std::function<CutoffTrial(double cutoff)>& trial,
                                        const CutoffRange& range);
 
 }  // namespace ibmfair

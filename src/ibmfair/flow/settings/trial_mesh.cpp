@@ -28,6 +28,14 @@ TrialMesh::TrialMesh(const Points& X, const Topology& topology,
   }
 }
 
+FlowOptions TrialMesh::here(FlowOptions other) const {
+  other.keep_volume = other.keep_area = false;
+  other.cutoff_factor = options().cutoff_factor;
+  other.spontaneous_curvature = options().spontaneous_curvature;
+  other.material_directions = options().material_directions;
+  return other;
+}
+
 void TrialMesh::take_sample(Index enough) {
   MeshSample sample = sample_of_mesh(X_, topology_, fixed_, options_, enough);
   const auto inner = std::count(sample.inner.begin(), sample.inner.end(), 1);

@@ -23,6 +23,8 @@ class TrialMesh {
   const Topology& topology() const { return local_ ? local_->topology : topology_; }
   const std::vector<std::uint8_t>& fixed() const { return local_ ? local_->fixed : fixed_; }
   const FlowOptions& options() const { return local_ ? local_->options : options_; }
+  /// Options of another flow of the same mesh, with the lists of this one in place of its own.
+  FlowOptions here(FlowOptions other) const;
   /// Flags of the vertices that count, #V, or empty for all.
   const std::vector<std::uint8_t>& counted() const { return counted_; }
   /// Of the whole mesh, length.
