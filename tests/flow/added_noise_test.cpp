@@ -53,7 +53,7 @@ TEST(AddedNoise, TellsTheErrorsOfAnyMappingOfASphere) {
     const double noise = share * edge, variance = noise * noise;
     Points Y = truth.X;
     add_noise(Y, noise, 5);
-    const TrialMesh mesh(Y, truth.topology, fixed, options, truth.topology.stars.size());
+    const TrialMesh mesh(Y, truth.topology, fixed, options, {truth.topology.vertex_count, 0});
     const AddedNoise added(mesh, noise, options, 4 * edge);
     const std::vector<std::pair<std::string, std::function<Points(const Points&)>>> mappings{
         {"all noise is kept", [](const Points& X) { return X; }},

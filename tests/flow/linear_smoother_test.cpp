@@ -40,7 +40,7 @@ FlowOptions linear_options() {
 TEST(LinearSmoother, GivesWhatTheFlowGives) {
   for (const State& state : noisy_states()) {
     const auto fixed = fixed_vertices(state.topology, BoundaryCondition::fixed);
-    const TrialMesh mesh(state.X, state.topology, fixed, linear_options(), 50'000);
+    const TrialMesh mesh(state.X, state.topology, fixed, linear_options(), {50'000, 0});
     const Unknowns unknowns(mesh.fixed());
     FlowSmoother flow(mesh, unknowns);
     LinearSmoother linear(mesh, unknowns);
@@ -58,7 +58,7 @@ TEST(LinearSmoother, GivesWhatTheFlowGives) {
 TEST(LinearSmoother, LeavesFixedVerticesInPlace) {
   const State plane(make_shape("plane", {.rows = 20}));
   const auto fixed = fixed_vertices(plane.topology, BoundaryCondition::fixed);
-  const TrialMesh mesh(plane.X, plane.topology, fixed, linear_options(), 50'000);
+  const TrialMesh mesh(plane.X, plane.topology, fixed, linear_options(), {50'000, 0});
   const Unknowns unknowns(mesh.fixed());
   const Points X = LinearSmoother(mesh, unknowns).smooth(4 * mesh.mean_edge_length());
   for (Index v = 0; v < X.rows(); ++v) {

@@ -163,8 +163,9 @@ TEST(CutoffChoice, ASampleTellsAboutWhatTheWholeMeshTells) {
   options.keep_volume = true;  // a part of the mesh cannot keep the volume
   const auto fixed = fixed_vertices(noisy.state.topology, BoundaryCondition::fixed);
   const auto choice = [&](Index enough) {
-    return choose_cutoff(noisy.state.X, noisy.state.topology, fixed, options,
-                         {.largest = noisy.diagonal / 2, .enough = enough});
+    return choose_cutoff(
+        noisy.state.X, noisy.state.topology, fixed, options,
+        {.largest = noisy.diagonal / 2, .sample = {enough, tuning.cutoff.felt_rings}});
   };
   const CutoffChoice whole = choice(noisy.state.topology.vertex_count), sample = choice(50'000);
   EXPECT_NE(sample.cutoff, whole.cutoff);
@@ -178,7 +179,7 @@ TEST(CutoffChoice, PiecesThatAreAllRimTellNothing) {
   const auto fixed = fixed_vertices(torus.topology, BoundaryCondition::fixed);
   const auto choice = [&](Index enough) {
     return choose_cutoff(shaken(torus, 0.1), torus.topology, fixed, {},
-                         {.largest = 1, .enough = enough})
+                         {.largest = 1, .sample = {enough, tuning.cutoff.felt_rings}})
         .cutoff;
   };
   EXPECT_EQ(choice(300), choice(torus.topology.vertex_count));

@@ -102,7 +102,7 @@ const CutoffTrial& CutoffChoice::best() const {
 CutoffChoice choose_cutoff(const Points& X, const Topology& topology,
                            const std::vector<std::uint8_t>& fixed, const FlowOptions& options,
                            const CutoffSearch& search) {
-  const TrialMesh mesh(X, topology, fixed, options, search.enough);
+  const TrialMesh mesh(X, topology, fixed, options, search.sample);
   return options.sharp_angle > 0 ? choose_with_creases(mesh, search)
                                  : choose_without_creases(mesh, search);
 }

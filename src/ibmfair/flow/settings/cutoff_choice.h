@@ -14,6 +14,7 @@
 
 #include "ibmfair/flow/flow_options.h"
 #include "ibmfair/flow/settings/cutoff_trials.h"
+#include "ibmfair/flow/settings/sample_of_mesh.h"
 #include "ibmfair/flow/tuning.h"
 #include "ibmfair/mesh/topology.h"
 
@@ -36,8 +37,7 @@ using TrialObserver = std::function<void(double cutoff)>;
 struct CutoffSearch {
   double largest = 0;  ///< the largest cut-off to try, length
   TrialObserver observer = {};
-  /// Meshes with many more moving vertices are sampled: the size of the sample.
-  Index enough = tuning.cutoff.sample;
+  SampleSize sample = {tuning.cutoff.sample, tuning.cutoff.felt_rings};
 };
 
 /// Lets copies of a mesh flow to a sequence of cut-offs from two mean edge lengths upward, the

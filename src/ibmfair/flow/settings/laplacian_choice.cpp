@@ -1,5 +1,6 @@
 #include "ibmfair/flow/settings/laplacian_choice.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "ibmfair/flow/settings/added_noise.h"
@@ -13,7 +14,9 @@ std::optional<CutoffChoice> choose_laplacian(const Points& X, const Topology& to
                                              const FlowOptions& first, const FlowOptions& other,
                                              const CutoffChoice& choice,
                                              const CutoffSearch& search) {
-  const TrialMesh mesh(X, topology, fixed, other, search.enough);
+  const TrialMesh mesh(
+      X, topology, fixed, other,
+      {std::min(search.sample.vertices, tuning.laplacian.sample), tuning.laplacian.felt_rings});
   const double variance = choice.noise * choice.noise;
   const double start = tuning.laplacian.first_cutoff * choice.cutoff;
   const AddedNoise added(mesh, choice.noise, mesh.options(), start);

@@ -53,7 +53,7 @@ std::vector<std::uint8_t> sampled(const Topology& topology, const std::vector<In
 
 /// Flags (#V of the sample) of the vertices near the rims where the sample was cut out of the mesh.
 std::vector<std::uint8_t> near_rims(const Topology& whole, const LocalMesh& sample,
-                                    const std::vector<std::uint8_t>& taken) {
+                                    const std::vector<std::uint8_t>& taken, int felt_rings) {
   std::vector<std::uint8_t> near(sample.vertex.size());
   std::transform(sample.vertex.begin(), sample.vertex.end(), near.begin(), [&](Index v) {
     const auto star = whole.stars[v];
@@ -62,7 +62,7 @@ std::vector<std::uint8_t> near_rims(const Topology& whole, const LocalMesh& samp
       return !(taken[x[0]] && taken[x[1]] && taken[x[2]]);
     });
   });
-  for (int rings = 1; rings < tuning.cutoff.felt_rings; ++rings) {
+  for (int rings = 1; rings < felt_rings; ++rings) {
     near = grow_one_ring(sample.topology, near);
   }
   return near;
@@ -72,11 +72,11 @@ std::vector<std::uint8_t> near_rims(const Topology& whole, const LocalMesh& samp
 
 MeshSample sample_of_mesh(const Points& X, const Topology& topology,
                           const std::vector<std::uint8_t>& fixed, const FlowOptions& options,
-                          Index count) {
+                          const SampleSize& size) {
   const std::vector<Index> free =
       indices_where(topology.vertex_count, [&](Index v) { return fixed[v] == 0; });
   const std::vector<std::uint8_t> taken =
-      sampled(topology, free, std::min(free.size(), static_cast<std::size_t>(count)));
+      sampled(topology, free, std::min(free.size(), static_cast<std::size_t>(size.vertices)));
   std::vector<Index> vertices =
       indices_where(topology.vertex_count, [&](Index v) { return taken[v] != 0; });
   const std::vector<Index> triangles =
@@ -94,7 +94,7 @@ MeshSample sample_of_mesh(const Points& X, const Topology& topology,
   }
   sample.options = options;
   take_lists(options, sample.vertex, triangles, sample.options);
-  const std::vector<std::uint8_t> near = near_rims(topology, sample, taken);
+  const std::vector<std::uint8_t> near = near_rims(topology, sample, taken, size.felt_rings);
   std::vector<std::uint8_t> inner(near.size());
   for (std::size_t i = 0; i < inner.size(); ++i) {
     inner[i] = !near[i] && !sample.fixed[i];

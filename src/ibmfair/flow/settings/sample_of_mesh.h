@@ -8,19 +8,26 @@
 
 namespace ibmfair {
 
-struct MeshSample {
-  LocalMesh mesh;
-  std::vector<std::uint8_t> inner;  ///< #V, 1 for vertices that are not fixed and so far from the
-                                    ///< rims that a flow with a cut-off up to some 32 edges has the
-                                    ///< same effect there as on the whole mesh
+/// Meshes with many more moving vertices than `vertices` are sampled.
+struct SampleSize {
+  Index vertices = 0;
+  int felt_rings =
+      0;  ///< that the rim of a sample affects; about twice the cut-off in edges is safe
 };
 
-/// A few connected patches, spread over the vertices that are not fixed, with about `count` (at
-/// least 1) vertices in total, or all vertices if there are fewer. In addition to the vertices
+struct MeshSample {
+  LocalMesh mesh;
+  /// #V, 1 for vertices that are neither fixed nor among the felt rings: a flow has the same effect
+  /// there as on the whole mesh.
+  std::vector<std::uint8_t> inner;
+};
+
+/// A few connected patches, spread over the vertices that are not fixed, with about as many
+/// vertices (at least 1) in total, or all vertices if there are fewer. In addition to the vertices
 /// fixed by `fixed`, two rings of vertices are fixed along the rims of the patches, as along open
 /// boundaries. Deterministic; the choice of the patches depends on the vertex numbering.
 MeshSample sample_of_mesh(const Points& X, const Topology& topology,
                           const std::vector<std::uint8_t>& fixed, const FlowOptions& options,
-                          Index count);
+                          const SampleSize& size);
 
 }  // namespace ibmfair

@@ -4,7 +4,6 @@
 #include <utility>
 
 #include "ibmfair/base/errors.h"
-#include "ibmfair/flow/settings/sample_of_mesh.h"
 #include "ibmfair/flow/tuning.h"
 #include "ibmfair/mesh/geometry.h"
 #include "ibmfair/mesh/select.h"
@@ -13,15 +12,15 @@ namespace ibmfair {
 
 TrialMesh::TrialMesh(const Points& X, const Topology& topology,
                      const std::vector<std::uint8_t>& fixed, const FlowOptions& options,
-                     Index enough)
+                     const SampleSize& sample)
     : X_(X),
       topology_(topology),
       fixed_(fixed),
       options_(options),
       mean_edge_length_(ibmfair::mean_edge_length(X, topology.E)) {
   options_.keep_volume = options_.keep_area = false;
-  if (std::count(fixed.begin(), fixed.end(), 0) > tuning.cutoff.many_more * enough) {
-    take_sample(enough);
+  if (std::count(fixed.begin(), fixed.end(), 0) > tuning.cutoff.many_more * sample.vertices) {
+    take_sample(sample);
   }
   if (!local_ && is_scattered(topology)) {
     local_ = local_mesh(X, topology, fixed, options_);
@@ -36,10 +35,10 @@ FlowOptions TrialMesh::here(FlowOptions other) const {
   return other;
 }
 
-void TrialMesh::take_sample(Index enough) {
-  MeshSample sample = sample_of_mesh(X_, topology_, fixed_, options_, enough);
+void TrialMesh::take_sample(const SampleSize& size) {
+  MeshSample sample = sample_of_mesh(X_, topology_, fixed_, options_, size);
   const auto inner = std::count(sample.inner.begin(), sample.inner.end(), 1);
-  if (static_cast<double>(inner) <= tuning.cutoff.least_inner * enough) {
+  if (static_cast<double>(inner) <= tuning.cutoff.least_inner * size.vertices) {
     return;
   }
   if (is_scattered(sample.mesh.topology)) {

@@ -8,16 +8,17 @@
 
 #include "ibmfair/energy/unknowns.h"
 #include "ibmfair/flow/passes/local_mesh.h"
+#include "ibmfair/flow/settings/sample_of_mesh.h"
 
 namespace ibmfair {
 
 class TrialMesh {
  public:
-  /// The mesh and `fixed` must outlive this object. Meshes with many more moving vertices than
-  /// `enough` are sampled, unless they are in so small pieces that the sample would consist mostly
-  /// of rims. Neither volume nor area are kept in trials.
+  /// The mesh and `fixed` must outlive this object. Large meshes are sampled, unless they are in so
+  /// small pieces that the sample would consist mostly of rims. Neither volume nor area are kept in
+  /// trials.
   TrialMesh(const Points& X, const Topology& topology, const std::vector<std::uint8_t>& fixed,
-            const FlowOptions& options, Index enough);
+            const FlowOptions& options, const SampleSize& sample);
 
   const Points& X() const { return local_ ? local_->X : X_; }
   const Topology& topology() const { return local_ ? local_->topology : topology_; }
@@ -31,7 +32,7 @@ class TrialMesh {
   double mean_edge_length() const { return mean_edge_length_; }
 
  private:
-  void take_sample(Index enough);
+  void take_sample(const SampleSize& size);
 
   const Points& X_;
   const Topology& topology_;
