@@ -38,12 +38,20 @@ std::string error_left(const CutoffChoice& choice, double edge) {
 }
 
 /// What the line with the noise says about its kind.
-const char* addition_for(NoiseKind kind) {
-  return kind == NoiseKind::none         ? " by estimate; none was found"
-         : kind == NoiseKind::outliers   ? ", with outliers"
-         : kind == NoiseKind::correlated ? " in its shortest waves; it is correlated"
-         : kind == NoiseKind::steps      ? ", steps between levels"
-                                         : "";
+std::string addition_for(const CutoffChoice& choice) {
+  switch (choice.kind) {
+    case NoiseKind::none:
+      return " by estimate; none was found";
+    case NoiseKind::outliers:
+      return ", with outliers";
+    case NoiseKind::correlated:
+      return fmt::format(", correlated over about {:.0f} edges", choice.noise_model().reach());
+    case NoiseKind::steps:
+      return ", steps between levels";
+    case NoiseKind::independent:
+      break;
+  }
+  return {};
 }
 
 }  // namespace
@@ -60,13 +68,15 @@ std::string cutoff_lines(const SmoothPlan& plan, bool detailed) {
   }
   if (plan.choice) {
     text += fmt::format("  {:<16}{}{}\n", "noise", length_text(plan.choice->noise, edge),
-                        addition_for(plan.choice->kind));
+                        addition_for(*plan.choice));
     if (const auto& creases = plan.creases) {
-      text += fmt::format(
-          "  {:<16}edges of more than {:.0f} degrees are kept; without that the error would be "
-          "{:.3g} mean edge lengths\n",
-          "creases", degrees(creases->sharp_angle),
-          expected_distance(creases->without.best()) / edge);
+      text += fmt::format("  {:<16}edges of more than {:.0f} degrees are kept{}\n", "creases",
+                          degrees(creases->sharp_angle),
+                          tells_distance(*plan.choice)
+                              ? fmt::format("; without that the error would be {:.3g} mean edge "
+                                            "lengths",
+                                            expected_distance(creases->without.best()) / edge)
+                              : "");
     }
     if (tells_distance(*plan.choice)) {
       text += fmt::format("  {:<16}{} mean edge lengths, by estimate\n", "error left",
@@ -97,6 +107,9 @@ void add_cutoff_choice(const SmoothPlan& plan, Report& report) {
           {"noise", plan.choice->noise},
           {"kind", name_of(plan.choice->kind)},
           {"trials", trials}};
+  if (plan.choice->kind == NoiseKind::correlated) {
+    json["correlated_edges"] = plan.choice->noise_model().reach();
+  }
   if (tells_distance(*plan.choice)) {
     json["distance_expected"] = expected_distance(plan.choice->best());
     json["distance_expected_error"] = distance_error(*plan.choice);

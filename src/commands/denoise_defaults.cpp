@@ -12,7 +12,6 @@
 
 #include "commands/argument_roles.h"
 #include "commands/smooth_arguments.h"
-#include "ibmfair/flow/tuning.h"
 
 namespace ibmfair::commands {
 namespace {
@@ -100,14 +99,13 @@ std::string denoising_text() {
       "other values of --cutoff, --laplacian or --twicing are given), it uses these\n"
       "instead:\n"
       "  {} --keep-sharp ANGLE\n"
-      "with the angle that leaves the least error; the angle is {:.0f} degrees if the\n"
-      "noise of neighbouring vertices is correlated, as that of depth cameras. Steps\n"
-      "of voxels or of rounded heights are smoothed by the default cut-off. Where\n"
-      "there are no sharp edges and this leaves less error, it uses\n"
+      "with the angle that leaves the least error. Steps of voxels or of rounded\n"
+      "heights are smoothed by the default cut-off. Where there are no sharp edges\n"
+      "and this leaves less error, it uses\n"
       "  --laplacian {}\n"
       "An outline that is more jagged than the noise keeps most of its shape.\n",
       words(&DefaultValue::value), words(&DefaultValue::with_creases, &DefaultValue::value),
-      tuning.noise.sharp_angle, round_laplacian);
+      round_laplacian);
 }
 
 void keep_creases(FlowOptions& options) {

@@ -259,11 +259,6 @@ class Planner {
     FlowOptions options = plan_.flow;
     keep_creases(options);
     set_relaxation(options);
-    if (plan_.choice->kind == NoiseKind::correlated) {
-      options.sharp_angle = radians(tuning.noise.sharp_angle);
-      plan_.flow = options;
-      return;
-    }
     if (const auto creases = choose_creases(input_.X, input_.topology, fixed, options, plan_.flow,
                                             *plan_.choice, search)) {
       options.sharp_angle = creases->sharp_angle;

@@ -114,10 +114,11 @@ std::string remark_on_noise(const SmoothPlan& plan) {
       return "the noise has outliers: a few vertices are much farther off than the others";
     case NoiseKind::correlated:
       return fmt::format(
-          "the noise of neighbouring vertices is correlated, so that the error left cannot be "
-          "estimated; all is removed that covers the surface as evenly as noise{} (a shorter "
-          "--cutoff LENGTH removes less)",
-          plan.flow.sharp_angle > 0 ? fmt::format(", except at edges of more than {:.0f} degrees",
+          "the noise of vertices up to about {:.0f} edges apart is correlated, so that the error "
+          "left cannot be estimated; its long waves cannot be told from detail, and stay{} (a "
+          "longer --cutoff LENGTH removes more)",
+          plan.choice->noise_model().reach(),
+          plan.flow.sharp_angle > 0 ? fmt::format(", as do edges of more than {:.0f} degrees",
                                                   degrees(plan.flow.sharp_angle))
                                     : "");
     case NoiseKind::steps:

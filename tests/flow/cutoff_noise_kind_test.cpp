@@ -1,5 +1,6 @@
 // The kinds of noise that the choice of a cut-off tells apart: made noise on made shapes.
 #include <cmath>
+#include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -92,6 +93,30 @@ TEST(NoiseKind, CorrelatedNoiseIsFoundAndRemovedByALongerCutoff) {
       EXPECT_EQ(choice.kind, NoiseKind::correlated) << passes;
       EXPECT_GT(choice.cutoff, 5 * edge_of(state)) << passes;
     }
+  }
+}
+
+TEST(NoiseModel, TellsHowStrongCorrelatedNoiseIsAndHowFarItReaches) {
+  for (const int passes : {1, 2, 4}) {
+    for (const double deviation : {0.1, 0.3}) {
+      SCOPED_TRACE(std::to_string(passes) + " passes, " + std::to_string(deviation));
+      State state = ball();
+      const double edge = edge_of(state);
+      add_correlated_noise(state, deviation, passes);
+      const CutoffChoice choice = choice_for(state);
+      EXPECT_EQ(choice.noise_rings, passes);
+      EXPECT_NEAR(choice.noise, deviation * edge, 0.12 * deviation * edge);
+      EXPECT_NEAR(choice.noise_model().reach(), 2 * std::sqrt(passes), 1e-12);
+    }
+  }
+}
+
+/// Creases stand out of the shortest bands, where noise that reaches over some edges hardly shows.
+TEST(NoiseKind, CorrelatedNoiseIsFoundOnACube) {
+  for (const int passes : {1, 2, 4}) {
+    State state(make_shape("cube", {.subdivide = 5}));
+    add_correlated_noise(state, 0.3, passes);
+    EXPECT_EQ(choice_for(state).kind, NoiseKind::correlated) << passes;
   }
 }
 

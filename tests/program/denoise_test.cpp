@@ -114,7 +114,7 @@ TEST_F(Denoise, LeavesAMeshWithoutNoiseAsItIs) {
     EXPECT_EQ(clean.report["cutoff_choice"]["kind"], "none") << clean.err;
     EXPECT_EQ(clean.report["cutoff_choice"]["cutoff"], 0);
     EXPECT_TRUE(contains(clean.err, "no noise was found")) << clean.err;
-    EXPECT_EQ(read_bytes(files_ / "out.ply"), read_bytes(input));
+    EXPECT_TRUE(read_bytes(files_ / "out.ply") == read_bytes(input));
     const Smoothed told = smooth(input, {"--denoise", "--cutoff", "4"});
     EXPECT_GT(told.report["flow"]["solves"], 0);
   }

@@ -247,7 +247,6 @@ struct NoiseTuning {
   /// How far local means of a band reach for its evenness: ratio to the cut-off, and at least
   /// edges.
   double reach = 1.5, least_reach = 4;
-  double still_even = 0.4;  ///< ratio; the same where the noise is known and its end is looked for
   /// Ratios; the least and the largest standard deviation by the mean square, to that by the
   /// median, of correlated noise. It is 1.03 to 1.14 for the noise of depth cameras, 0.85 to 0.89
   /// for the facets of round shapes that were subdivided, and 1.2 or more for details of a shape.
@@ -265,14 +264,18 @@ struct NoiseTuning {
   /// noise is correlated. It is 1.0 to 1.4 for independent noise, and 2.7 and more for the noise of
   /// depth cameras.
   double growth = 2;
-  /// Mean edge lengths; cut-offs up to which correlated noise is looked for: a little more than the
-  /// default of `smooth`, as meshes whose details are everywhere have no band that is uneven.
-  double longest = 8.5;
-  /// Degrees; sharper hinges are kept if the noise is correlated. On six benchmark shapes with
-  /// noise averaged over one ring, 20 degrees leave 4 to 7 % less error of the normals than 30 on
-  /// four, as much on one, and 18 % more on a bumpy torus; on a depth camera's scan 2 % less (no
-  /// script).
-  double sharp_angle = 20;
+  /// Ratio; the same from one of two later bands to the next. It is 1.8 and more for noise that is
+  /// averaged twice or more over one ring.
+  double later_growth = 1.5;
+  /// Ratio; of the noise that a model makes in shorter bands than those that it was fitted to, at
+  /// least so much must be there. It is 0.28 or more with noise, and 0 for flat facets.
+  double shows = 0.2;
+  double first_cutoff = 5.657;  ///< mean edge lengths; the first to try with correlated noise
+  /// Ratio; CutoffTrial::slope_weight if the noise is correlated. Hardly any flow removes its long
+  /// waves, and what counts is that the faces are smooth. With 0, the depth camera's scan ends at
+  /// 7.1 degrees instead of 6.8, and fifteen shapes with noise averaged over one to four rings are
+  /// about as good.
+  double slopes = 2;
   /// Steps. Mean edge lengths: the least step (smaller ones are like independent noise), and how
   /// far off a level a coordinate may be. Count: levels on an axis, at least. Not measured.
   double least_step = 0.3, off_level = 1e-4, least_levels = 8;

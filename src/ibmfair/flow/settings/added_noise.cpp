@@ -29,20 +29,18 @@ std::pair<Vec3, Vec3> tangents_at(Index v, const Vec3& normal, const TrialMesh& 
   return {along, normal.cross(along)};
 }
 
-/// The mesh with white noise of this standard deviation in every direction. The noise turns with
-/// the mesh, so that choices do not depend on its orientation. `normals`: of the unknowns.
-Points with_more_noise(const TrialMesh& mesh, const Unknowns& unknowns, const Points& normals,
-                       double deviation) {
-  Points Y = mesh.X();
+/// Noise of the standard deviation 1 in every direction, one row per unknown. It turns with the
+/// mesh, so that choices do not depend on its orientation. `normals`: of the unknowns.
+Points noise_on(const TrialMesh& mesh, const Unknowns& unknowns, const Points& normals, int rings) {
   RandomNumbers random(1);
+  Points noise(unknowns.size(), 3);
   for (Index u = 0; u < unknowns.size(); ++u) {
-    const Index v = unknowns.vertex[u];
     const Vec3 normal = normals.row(u);
-    const auto [along, across] = tangents_at(v, normal, mesh);
+    const auto [along, across] = tangents_at(unknowns.vertex[u], normal, mesh);
     const double x = random.normal(), y = random.normal(), z = random.normal();
-    Y.row(v) += deviation * (x * along + y * across + z * normal);
+    noise.row(u) = x * along + y * across + z * normal;
   }
-  return Y;
+  return correlated_noise(noise, rings, mesh.topology(), unknowns);
 }
 
 /// The pairs of positions in `counted`, a list of unknowns, whose vertices an edge joins.
@@ -62,13 +60,18 @@ Edges neighbours_among(const std::vector<Index>& counted, const Unknowns& unknow
   return pairs.topRows(count);
 }
 
+double mean_square(const Eigen::VectorXd& values) {
+  return values.squaredNorm() / static_cast<double>(values.size());
+}
+
 double total_time(double cutoff, const TrialMesh& mesh, const FlowOptions& options) {
   return time_in_flow_units(time_for_cutoff(cutoff), mesh.X(), mesh.topology(), options);
 }
 
 }  // namespace
 
-AddedNoise::AddedNoise(const TrialMesh& mesh, double noise, FlowOptions options, double cutoff)
+AddedNoise::AddedNoise(const TrialMesh& mesh, const NoiseModel& noise, FlowOptions options,
+                       double cutoff)
     : mesh_(mesh),
       noise_(noise),
       rings_(vertex_rings(mesh.topology())),
@@ -77,11 +80,16 @@ AddedNoise::AddedNoise(const TrialMesh& mesh, double noise, FlowOptions options,
       neighbours_(neighbours_among(counted_, unknowns_, mesh.topology())),
       normals_(unknown_normals(with_filtered_normals(mesh.X(), mesh.topology(), mesh.fixed()),
                                mesh.topology(), unknowns_)) {
-  const double deviation = std::max(tuning.cutoff.added_noise * noise,
+  const double deviation = std::max(tuning.cutoff.added_noise * noise.deviation,
                                     tuning.cutoff.least_added * mesh.mean_edge_length());
-  starts_[0] = with_more_noise(mesh, unknowns_, normals_, deviation);
+  starts_[0] = mesh.X();
+  starts_[0](unknowns_.vertex, Eigen::all) +=
+      deviation * noise_on(mesh, unknowns_, normals_, noise.rings);
   starts_[1] = 2 * mesh.X() - starts_[0];
   added_ = heights(starts_[0], mesh.X());
+  if (noise.rings > 0) {
+    slope_share_ = mean_square(differences(added_)) / mean_square(added_);
+  }
   options.total_time = total_time(cutoff, mesh, options);
   parallel_tasks(2, [&](std::int64_t i) {
     FlowProblem problem(starts_[i], mesh_.topology(), mesh_.fixed(), options);
@@ -92,17 +100,21 @@ AddedNoise::AddedNoise(const TrialMesh& mesh, double noise, FlowOptions options,
 
 CutoffTrial AddedNoise::trial(double cutoff, const std::array<Points, 2>& ends) const {
   const std::array moves{heights(ends[0], mesh_.X()), heights(ends[1], mesh_.X())};
-  return {cutoff, risk(added_, moves),
-          risk(differences(added_), {differences(moves[0]), differences(moves[1])})};
+  const std::array slopes{differences(moves[0]), differences(moves[1])};
+  const double variance = noise_.deviation * noise_.deviation;
+  return {.cutoff = cutoff,
+          .risk = risk(variance, added_, moves),
+          .slope_risk = risk(slope_share_ * variance, differences(added_), slopes) / slope_share_,
+          .slope_weight = noise_.rings > 0 ? tuning.noise.slopes : 0};
 }
 
 /// Of what was added to the two meshes, and how their flows have moved the mesh: heights, or
-/// differences of heights.
-double AddedNoise::risk(const Eigen::VectorXd& added,
+/// differences of heights. `variance`: the same of the noise, length^2.
+double AddedNoise::risk(double variance, const Eigen::VectorXd& added,
                         const std::array<Eigen::VectorXd, 2>& moves) const {
-  const double squared_moves = moves[0].squaredNorm() / 2 + moves[1].squaredNorm() / 2;
+  const double squared_moves = mean_square(moves[0]) / 2 + mean_square(moves[1]) / 2;
   const double trace = added.dot(moves[0] - moves[1]) / added.squaredNorm() / 2;
-  return squared_moves / static_cast<double>(added.size()) + noise_ * noise_ * (2 * trace - 1);
+  return squared_moves + variance * (2 * trace - 1);
 }
 
 /// Of neighbours, over the root of two, so that those of white noise have its variance.

@@ -2,8 +2,9 @@
 // estimated from the noisy mesh alone for any flow, as rough as it may be.
 //
 // Let y = x + e be the noisy heights of the vertices, with e of standard deviation s, and let z be
-// white noise. The flow F runs from y + a s z. Given that sum of the two noises, each of them is
-// expected to be its share of the sum, so that <F - x, e> is expected to be <F - x, s z> / a. So
+// noise of the standard deviation 1 with the same correlations. The flow F runs from y + a s z.
+// Given that sum of the two noises, each of them is expected to be its share of the sum, so that <F
+// - x, e> is expected to be <F - x, s z> / a. So
 //
 //   risk = |F - y|^2 / n + 2 <F - r, s z> / (a n) - s^2,
 //
@@ -25,6 +26,7 @@
 #include "ibmfair/base/compressed_rows.h"
 #include "ibmfair/base/types.h"
 #include "ibmfair/energy/unknowns.h"
+#include "ibmfair/flow/settings/noise_model.h"
 #include "ibmfair/flow/settings/risk_curve.h"
 #include "ibmfair/flow/settings/trial_mesh.h"
 #include "ibmfair/flow/steps/flow_problem.h"
@@ -34,10 +36,10 @@ namespace ibmfair {
 /// The two meshes with more noise, y + a s z and y - a s z.
 class AddedNoise {
  public:
-  /// `mesh` must outlive this object. `noise`: its standard deviation along the normals, length.
+  /// `mesh` must outlive this object.
   /// `options`: of flows to about this cut-off (length) that are to start here. Throws BadMesh if
   /// no counted vertex moves, and the exceptions of the flow.
-  AddedNoise(const TrialMesh& mesh, double noise, FlowOptions options, double cutoff);
+  AddedNoise(const TrialMesh& mesh, const NoiseModel& noise, FlowOptions options, double cutoff);
 
   /// The risks of a flow to this cut-off (length) that ends at these positions (#V x 3) from the
   /// two meshes.
@@ -57,17 +59,19 @@ class AddedNoise {
  private:
   Eigen::VectorXd heights(const Points& Y, const Points& over) const;
   Eigen::VectorXd differences(const Eigen::VectorXd& heights) const;
-  double risk(const Eigen::VectorXd& added, const std::array<Eigen::VectorXd, 2>& moves) const;
+  double risk(double variance, const Eigen::VectorXd& added,
+              const std::array<Eigen::VectorXd, 2>& moves) const;
 
   const TrialMesh& mesh_;
-  const double noise_;
+  const NoiseModel noise_;
   const CompressedRows rings_;
   Unknowns unknowns_;
   std::vector<Index> counted_;  // unknowns whose vertices are counted
   Edges neighbours_;            // pairs of them, as positions in counted_, that edges join
   Points normals_;              // #unknowns x 3, of the mesh with filtered normals
   std::array<Points, 2> starts_, after_first_stage_;
-  Eigen::VectorXd added_;  // heights of the noise added
+  Eigen::VectorXd added_;   // heights of the noise added
+  double slope_share_ = 1;  // of half the mean squared slope of the noise in its variance
 };
 
 /// Flows with one set of options from the two meshes to several cut-offs. A flow to a longer

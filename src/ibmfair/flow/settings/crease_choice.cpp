@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "ibmfair/base/angle.h"
 #include "ibmfair/flow/settings/added_noise.h"
@@ -23,22 +24,24 @@ class CreaseSearch {
         bending_(bending),
         without_(without),
         search_(search),
-        start_(tuning.creases.first_cutoff * mesh.mean_edge_length()),
-        added_(mesh, without.noise, with(tuning.creases.first_angle), start_) {}
+        start_(std::max(tuning.creases.first_cutoff * mesh.mean_edge_length(),
+                        without.noise_rings > 0 ? without.cutoff : 0)),
+        added_(mesh, without.noise_model(), with(tuning.creases.first_angle), start_) {}
 
   /// Whether a choice leaves less than this share of what is left without creases, and by at least
-  /// `least` (length^2) less. If distances alone do not tell, slopes count as well.
+  /// `least` (length^2) less. If distances alone do not tell, slopes count as well. If the noise is
+  /// correlated, both count, and any difference: it hides most of what creases gain.
   bool is_below(const CreaseChoice& choice, double share, double least = 0) {
-    const auto below = [&](double with, double without) {
-      return with < share * without && with < without - least;
-    };
     const CutoffTrial& with = choice.cutoff.best();
-    const double without = without_.best().risk;
-    if (below(with.risk, without)) {
-      return true;
+    if (without_.noise_rings > 0) {
+      return with.total() < without_.best().total();
     }
-    return with.risk < tuning.creases.hopeless * without &&
-           below(shape_risk(with), shape_risk(trial_without()));
+    const auto below = [&](double with_creases, double without) {
+      return with_creases < share * without && with_creases < without - least;
+    };
+    const double without = without_.best().risk;
+    return below(with.risk, without) || (with.risk < tuning.creases.hopeless * without &&
+                                         below(shape_risk(with), shape_risk(trial_without())));
   }
 
   /// The differences of risks (length^2) that may be chance.
@@ -51,12 +54,14 @@ class CreaseSearch {
   CreaseChoice with_first_angle() const {
     CreaseChoice choice{radians(tuning.creases.first_angle), without_};
     NoisierFlows flows(added_, with(tuning.creases.first_angle));
-    // Creases allow longer cut-offs than without.
+    // Creases allow longer cut-offs than without; with correlated noise much longer ones.
+    const double hopeless =
+        without_.noise_rings > 0 ? std::numeric_limits<double>::infinity() : without_.best().risk;
     choice.cutoff.trials = trials_around([&](double cutoff) { return trial(flows, cutoff); },
                                          {.start = start_,
                                           .shortest = without_.cutoff / std::pow(2.0, 0.25),
                                           .largest = search_.largest,
-                                          .hopeless = without_.best().risk,
+                                          .hopeless = hopeless,
                                           .tolerance = tolerance()});
     choice.cutoff.cutoff = cutoff_of_least_risk(choice.cutoff.trials, true);
     return choice;
@@ -121,7 +126,8 @@ class CreaseSearch {
   /// Of the choice without creases, with the same added noise.
   const CutoffTrial& trial_without() {
     if (!trial_without_) {
-      NoisierFlows flows(added_, mesh_.here(bending_));
+      const AddedNoise added(mesh_, without_.noise_model(), mesh_.here(bending_), without_.cutoff);
+      NoisierFlows flows(added, mesh_.here(bending_));
       trial_without_ = trial(flows, without_.cutoff);
     }
     return *trial_without_;

@@ -18,9 +18,8 @@ bool is_enough(const std::vector<CutoffTrial>& trials, double noise) {
 }
 
 /// Whether the next cut-off is to be tried to learn about correlated noise.
-bool looks_further(const CutoffTrials& trials, double next, double mean_edge_length) {
-  return !trials.has_outliers() && next <= tuning.noise.longest * mean_edge_length &&
-         may_tell_more(trials.bands());
+bool looks_further(const CutoffTrials& trials) {
+  return !trials.has_outliers() && may_tell_more(trials.bands());
 }
 
 /// Runs trials from the shortest cut-off upward until `done(next cut-off)`.
@@ -39,23 +38,44 @@ void try_cutoffs(CutoffTrials& trials, const TrialMesh& mesh, const CutoffSearch
   }
 }
 
+/// Chooses among cut-offs around `first` (length) by the noise of the choice.
+void choose_by_added_noise(const TrialMesh& mesh, const CutoffSearch& search, double first,
+                           CutoffChoice& choice) {
+  const AddedNoise added(mesh, choice.noise_model(), mesh.options(), first);
+  NoisierFlows flows(added, mesh.options());
+  choice.trials = trials_around(
+      [&](double cutoff) {
+        if (search.observer) {
+          search.observer(cutoff);
+        }
+        return flows.trial(cutoff);
+      },
+      {.start = first,
+       .shortest = tuning.cutoff.shortest * mesh.mean_edge_length(),
+       .largest = search.largest,
+       .tolerance = tuning.cutoff.small_gain * choice.noise * choice.noise});
+  choice.cutoff = cutoff_of_least_risk(choice.trials, mesh.options().sharp_angle > 0);
+}
+
 CutoffChoice choose_without_creases(const TrialMesh& mesh, const CutoffSearch& search) {
   CutoffTrials trials(mesh);
   CutoffChoice choice;
   try_cutoffs(trials, mesh, search, [&](double next) {
     choice.noise = trials.noise();
     choice.trials = trials.risks();
-    const bool enough = is_enough(choice.trials, choice.noise) &&
-                        !looks_further(trials, next, mesh.mean_edge_length());
+    const bool enough = is_enough(choice.trials, choice.noise) && !looks_further(trials);
     return enough || next > search.largest;
   });
   choice.risk_error = trials.risk_error();
   choice.looks_white = is_white(trials.bands());
   if (trials.has_outliers()) {
     choice.kind = NoiseKind::outliers;
-  } else if (is_correlated(trials.bands())) {
+  } else if (const NoiseModel model = fit_noise_model(mesh, trials.bands()); model.deviation > 0) {
     choice.kind = NoiseKind::correlated;
-    choice.cutoff = cutoff_of_noise(trials.bands());
+    choice.noise = model.deviation;
+    choice.noise_rings = model.rings;
+    choose_by_added_noise(mesh, search, tuning.noise.first_cutoff * mesh.mean_edge_length(),
+                          choice);
     return choice;
   }
   choice.cutoff = cutoff_of_least_risk(choice.trials, false);
@@ -75,21 +95,7 @@ CutoffChoice choose_with_creases(const TrialMesh& mesh, const CutoffSearch& sear
     choice.trials = {{.cutoff = choice.cutoff}};
     return choice;
   }
-  const double first = tuning.creases.first_cutoff * edge;
-  const AddedNoise added(mesh, choice.noise, mesh.options(), first);
-  NoisierFlows flows(added, mesh.options());
-  choice.trials = trials_around(
-      [&](double cutoff) {
-        if (search.observer) {
-          search.observer(cutoff);
-        }
-        return flows.trial(cutoff);
-      },
-      {.start = first,
-       .shortest = tuning.cutoff.shortest * edge,
-       .largest = search.largest,
-       .tolerance = tuning.cutoff.small_gain * choice.noise * choice.noise});
-  choice.cutoff = cutoff_of_least_risk(choice.trials, true);
+  choose_by_added_noise(mesh, search, tuning.creases.first_cutoff * edge, choice);
   return choice;
 }
 

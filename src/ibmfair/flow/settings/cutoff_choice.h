@@ -2,9 +2,8 @@
 // least of the shape: among several cut-offs, the one with the least risk, an estimate of the mean
 // squared distance to the true shape (flow/settings/cutoff_trials.h).
 //
-// The risk can be estimated only if the noise is independent from vertex to vertex. If the noise is
-// correlated (flow/settings/noise_kind.h), the choice is the cut-off up to which all that it
-// removes covers the surface evenly. Steps between the slices of a scanner, which are not
+// If the noise is correlated (flow/settings/noise_kind.h), the risks are those for a model of it
+// (flow/settings/noise_model.h). Steps between the slices of a scanner, which are not
 // everywhere, are not recognized as noise.
 #pragma once
 
@@ -14,6 +13,7 @@
 
 #include "ibmfair/flow/flow_options.h"
 #include "ibmfair/flow/settings/cutoff_trials.h"
+#include "ibmfair/flow/settings/noise_model.h"
 #include "ibmfair/flow/settings/sample_of_mesh.h"
 #include "ibmfair/flow/tuning.h"
 #include "ibmfair/mesh/topology.h"
@@ -21,14 +21,16 @@
 namespace ibmfair {
 
 struct CutoffChoice {
-  double cutoff = 0;  ///< length
-  double noise = 0;   ///< standard deviation along the normals, length
+  double cutoff = 0;    ///< length
+  double noise = 0;     ///< standard deviation along the normals, length
+  int noise_rings = 0;  ///< NoiseModel::rings
   NoiseKind kind = NoiseKind::independent;
   bool looks_white = false;         ///< `is_white` of noise_kind.h; false with creases
   std::vector<CutoffTrial> trials;  ///< with increasing cut-off
   double risk_error = 0;            ///< standard error of their risks, length^2
 
   const CutoffTrial& best() const;  ///< the trial with the least risk
+  NoiseModel noise_model() const { return {noise, noise_rings}; }
 };
 
 /// Called before each trial.

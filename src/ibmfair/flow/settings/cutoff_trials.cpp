@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ibmfair/base/random_numbers.h"
 #include "ibmfair/flow/settings/evenness.h"
+#include "ibmfair/flow/settings/noise_model.h"
 #include "ibmfair/flow/steps/unknown_normals.h"
 #include "ibmfair/flow/tuning.h"
 #include "ibmfair/mesh/geometry.h"
@@ -20,15 +20,6 @@ double median(Eigen::VectorXd values) {
 
 double rms(const Eigen::VectorXd& values) {
   return std::sqrt(values.squaredNorm() / static_cast<double>(values.size()));
-}
-
-Points white_noise(Index count) {
-  RandomNumbers random(1);
-  Points z(count, 3);
-  for (double& number : z.reshaped()) {
-    number = random.normal();
-  }
-  return z;
 }
 
 }  // namespace
@@ -77,6 +68,7 @@ void CutoffTrials::add_band(double cutoff, const Points& normals, const Points& 
   if (taken.size() > 0) {
     const Points last = first ? Points::Zero(taken.rows(), 3) : taken_;
     const Eigen::VectorXd white = (taken - last).reshaped();
+    band.white = rms(white);
     band.by_median = median(counted.cwiseAbs()) / median(white.cwiseAbs()) / mean_edge_;
     band.by_rms = rms(counted) / rms(white) / mean_edge_;
   }

@@ -19,7 +19,7 @@ std::optional<CutoffChoice> choose_laplacian(const Points& X, const Topology& to
       {std::min(search.sample.vertices, tuning.laplacian.sample), tuning.laplacian.felt_rings});
   const double variance = choice.noise * choice.noise;
   const double start = tuning.laplacian.first_cutoff * choice.cutoff;
-  const AddedNoise added(mesh, choice.noise, mesh.options(), start);
+  const AddedNoise added(mesh, choice.noise_model(), mesh.options(), start);
   const auto trial = [&](NoisierFlows& flows, double cutoff) {
     if (search.observer) {
       search.observer(cutoff);

@@ -21,9 +21,10 @@ double share_of_flat_hinges(const Points& X, const Topology& topology) {
 bool is_without_noise(const Points& X, const Topology& topology, const CutoffChoice& choice) {
   const double negligible =
       choice.looks_white ? tuning.noise.negligible_white : tuning.noise.negligible;
-  return choice.kind == NoiseKind::independent &&
-         (choice.noise < negligible * mean_edge_length(X, topology.E) ||
-          share_of_flat_hinges(X, topology) > tuning.noise.flat_hinges);
+  const bool too_little = choice.kind == NoiseKind::independent &&
+                          choice.noise < negligible * mean_edge_length(X, topology.E);
+  return too_little || (choice.kind != NoiseKind::outliers &&
+                        share_of_flat_hinges(X, topology) > tuning.noise.flat_hinges);
 }
 
 }  // namespace ibmfair

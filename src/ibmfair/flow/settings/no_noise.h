@@ -7,9 +7,8 @@
 namespace ibmfair {
 
 /// Whether the mesh has no noise, or not more than the details of a shape leave in the estimate. So
-/// it is if the estimated noise is below NoiseTuning::negligible (or ::negligible_white, if the
-/// noise looks white), or if many hinges are flat: noise bends all hinges. Noise of other kinds
-/// than independent is recognized by other means, and the result is then false.
+/// it is if noise that is independent is below NoiseTuning::negligible (or ::negligible_white, if
+/// it looks white), or if many hinges are flat: noise bends all hinges, but for outliers.
 bool is_without_noise(const Points& X, const Topology& topology, const CutoffChoice& choice);
 
 }  // namespace ibmfair

@@ -1,7 +1,6 @@
 #include "ibmfair/flow/settings/noise_kind.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 
 #include "ibmfair/flow/tuning.h"
@@ -9,7 +8,7 @@
 namespace ibmfair {
 namespace {
 
-constexpr std::size_t first_bands = 3;
+constexpr std::size_t first_bands = 3, last_band = 4;
 
 bool is_noise(const NoiseBand& band) {
   return band.by_rms >= tuning.noise.least && band.evenness >= tuning.noise.even &&
@@ -35,10 +34,23 @@ const char* name_of(NoiseKind kind) {
   return "independent";
 }
 
-bool is_correlated(const std::vector<NoiseBand>& bands) {
-  return bands.size() >= first_bands &&
-         std::all_of(bands.begin(), bands.begin() + first_bands, is_noise) &&
-         bands[first_bands - 1].by_median > tuning.noise.growth * bands[0].by_median;
+BandRange bands_of_correlated_noise(const std::vector<NoiseBand>& bands) {
+  if (bands.size() < first_bands) {
+    return {};
+  }
+  const auto first = bands.begin();
+  if (std::all_of(first, first + first_bands, is_noise)) {
+    const bool grows = bands[first_bands - 1].by_median > tuning.noise.growth * bands[0].by_median;
+    return grows ? BandRange{0, first_bands} : BandRange{};
+  }
+  const std::size_t end = std::min(bands.size(), last_band);
+  for (std::size_t i = 2; i < end && !is_noise(bands[0]); ++i) {
+    if (is_noise(bands[i - 1]) && is_noise(bands[i]) &&
+        bands[i].by_median > tuning.noise.later_growth * bands[i - 1].by_median) {
+      return {i - 1, i + 1};
+    }
+  }
+  return {};
 }
 
 bool is_white(const std::vector<NoiseBand>& bands) {
@@ -48,22 +60,10 @@ bool is_white(const std::vector<NoiseBand>& bands) {
 }
 
 bool may_tell_more(const std::vector<NoiseBand>& bands) {
-  return bands.size() < first_bands
-             ? std::all_of(bands.begin(), bands.end(), is_noise)
-             : is_correlated(bands) && bands.back().evenness >= tuning.noise.still_even;
-}
-
-double cutoff_of_noise(const std::vector<NoiseBand>& bands) {
-  const auto end = std::find_if(bands.begin(), bands.end(), [](const NoiseBand& band) {
-    return !(band.evenness >= tuning.noise.still_even);
-  });
-  if (end == bands.begin() || end == bands.end()) {
-    return end == bands.end() ? bands.back().cutoff : bands.front().cutoff;
+  if (!bands.empty() && !is_noise(bands[0])) {
+    return bands.size() < last_band && bands_of_correlated_noise(bands).empty();
   }
-  const NoiseBand &even = *(end - 1), &uneven = *end;
-  const double share =
-      (even.evenness - tuning.noise.still_even) / (even.evenness - uneven.evenness);
-  return even.cutoff * std::pow(uneven.cutoff / even.cutoff, share);
+  return bands.size() < first_bands && std::all_of(bands.begin(), bands.end(), is_noise);
 }
 
 }  // namespace ibmfair

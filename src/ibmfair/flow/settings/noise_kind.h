@@ -9,6 +9,7 @@
 // than noise has. Outliers have more of them.
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 namespace ibmfair {
@@ -31,20 +32,25 @@ struct NoiseBand {
   /// Standard deviation of white noise of which the band has the same median height, and the same
   /// rms height; mean edge lengths, 0 if unknown.
   double by_median = 0, by_rms = 0;
+  double white = 0;  ///< rms of white noise of the standard deviation 1 in this band, 0 if unknown
 };
 
-/// Whether the first bands, from the shortest cut-off upward, are of correlated noise.
-bool is_correlated(const std::vector<NoiseBand>& bands);
+/// Positions in a list of bands, from `begin` to before `end`.
+struct BandRange {
+  std::size_t begin = 0, end = 0;
+  bool empty() const { return begin == end; }
+};
+
+/// The bands that show that the noise is correlated; empty if it is not. That is so if the first
+/// three bands, from the shortest cut-off upward, are of noise that grows with the cut-off; or, as
+/// noise that is correlated over several edges hardly shows in the shortest bands, if the first one
+/// is not of noise, but two successive later ones are. `bands`: from the shortest cut-off upward.
+BandRange bands_of_correlated_noise(const std::vector<NoiseBand>& bands);
 
 /// Whether the first two bands are like those of white noise: even, and equally strong.
 bool is_white(const std::vector<NoiseBand>& bands);
 
-/// Whether a longer cut-off may tell more: too few bands are known for `is_correlated`, and the
-/// noise may be correlated; or the noise is, and the last band still consists of noise.
+/// Whether a longer cut-off may show that the noise is correlated.
 bool may_tell_more(const std::vector<NoiseBand>& bands);
-
-/// The cut-off up to which the bands consist of noise, interpolated over the logarithm. There must
-/// be a band.
-double cutoff_of_noise(const std::vector<NoiseBand>& bands);
 
 }  // namespace ibmfair

@@ -9,13 +9,18 @@
 namespace ibmfair {
 
 /// What one cut-off is expected to leave of the distance to the true shape along the normals: its
-/// mean square, and half the mean square of its difference between neighbours. For white noise,
-/// both are its variance. They may be negative by chance if the true values are close to 0.
+/// mean square, and the mean square of its difference between neighbours, scaled so that both are
+/// the variance of the noise where all of it is left. They may be negative by chance if the true
+/// values are close to 0.
 struct CutoffTrial {
   double cutoff = 0;  ///< length
   double risk = 0;    ///< length^2
   /// Length^2. NaN if it was not estimated: flow/settings/cutoff_trials.h does not.
   double slope_risk = std::numeric_limits<double>::quiet_NaN();
+  double slope_weight = 0;  ///< ratio; of `slope_risk` beside `risk` in the choice of a cut-off
+
+  /// What the choice of a cut-off makes least, length^2.
+  double total() const { return slope_weight == 0 ? risk : risk + slope_weight * slope_risk; }
 };
 
 /// The position of the trial with the least risk, the first of several. Precondition: there are

@@ -1,0 +1,40 @@
+// How strong noise is, and over how many rings it is correlated.
+//
+// The model: white noise of which the mean over each vertex and its neighbours was taken some
+// times, as averaging filters and the correlated pixels of depth cameras do. What successive
+// cut-offs remove of such noise is known for every number of times, and what they remove of the
+// mesh is compared with it.
+#pragma once
+
+#include <cmath>
+#include <vector>
+
+#include "ibmfair/flow/settings/noise_kind.h"
+#include "ibmfair/flow/settings/trial_mesh.h"
+
+namespace ibmfair {
+
+struct NoiseModel {
+  double deviation = 0;  ///< standard deviation along the normals, length
+  int rings = 0;         ///< how often means over one ring were taken; 0 for white noise
+
+  /// About how many edges apart heights are still alike: twice the standard deviation of the
+  /// weights with which the white noise around a vertex adds up.
+  double reach() const { return 2 * std::sqrt(static_cast<double>(rings)); }
+};
+
+/// The model that fits the bands of correlated noise best, or none, with a deviation of 0, if there
+/// are no such bands, if there is next to no noise, or if there is less in shorter bands than the
+/// model makes there: the shape has no noise then, but even detail. Throws the exceptions of the
+/// flow.
+NoiseModel fit_noise_model(const TrialMesh& mesh, const std::vector<NoiseBand>& bands);
+
+/// White noise of the standard deviation 1, `count` x 3. Deterministic.
+Points white_noise(Index count);
+
+/// White noise of the standard deviation 1, one row per unknown, made correlated over so many rings
+/// (NoiseModel), with the same standard deviation.
+Points correlated_noise(const Points& white, int rings, const Topology& topology,
+                        const Unknowns& unknowns);
+
+}  // namespace ibmfair
