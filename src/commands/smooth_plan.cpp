@@ -145,13 +145,11 @@ class Planner {
     return std::ranges::count(fixed, 0) > 0 ? fixed : plan_.fixed;
   }
 
-  /// If the noise is known, rims are faired as far as it explains. The standard deviation of
-  /// correlated noise is that of its shortest waves only, and explains little.
+  /// If the noise is known, rims are faired as far as it explains.
   void plan_rims() {
-    const bool explains = plan_.choice && plan_.choice->kind != NoiseKind::correlated;
     plan_.rims = RimFairing{.cutoff = plan_.cutoff,
                             .twicing = std::max(1, plan_.flow.twicing),
-                            .noise = explains ? plan_.choice->noise : 0,
+                            .noise = plan_.choice ? plan_.choice->noise : 0,
                             .max_move = plan_.flow.max_move};
   }
 

@@ -162,7 +162,7 @@ std::optional<CreaseChoice> choose_creases(const Points& X, const Topology& topo
   if (!(without.best().risk > least)) {
     return std::nullopt;
   }
-  const TrialMesh mesh(X, topology, fixed, keeping, search.sample);
+  const TrialMesh mesh(X, topology, fixed, keeping, search.sample_for(without.noise_model()));
   CreaseSearch creases(mesh, bending, without, search);
   CreaseChoice best = creases.with_first_angle();
   if (!creases.is_below(best, tuning.creases.some_share)) {

@@ -1,5 +1,6 @@
 #include "ibmfair/flow/settings/cutoff_choice.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "ibmfair/flow/settings/added_noise.h"
@@ -38,7 +39,7 @@ void try_cutoffs(CutoffTrials& trials, const TrialMesh& mesh, const CutoffSearch
   }
 }
 
-/// Chooses among cut-offs around `first` (length) by the noise of the choice.
+/// Completes the choice by one of the cut-offs around `first` (length), for its noise.
 void choose_by_added_noise(const TrialMesh& mesh, const CutoffSearch& search, double first,
                            CutoffChoice& choice) {
   const AddedNoise added(mesh, choice.noise_model(), mesh.options(), first);
@@ -57,6 +58,7 @@ void choose_by_added_noise(const TrialMesh& mesh, const CutoffSearch& search, do
   choice.cutoff = cutoff_of_least_risk(choice.trials, mesh.options().sharp_angle > 0);
 }
 
+/// If the noise is correlated, the choice has no cut-off yet.
 CutoffChoice choose_without_creases(const TrialMesh& mesh, const CutoffSearch& search) {
   CutoffTrials trials(mesh);
   CutoffChoice choice;
@@ -74,8 +76,6 @@ CutoffChoice choose_without_creases(const TrialMesh& mesh, const CutoffSearch& s
     choice.kind = NoiseKind::correlated;
     choice.noise = model.deviation;
     choice.noise_rings = model.rings;
-    choose_by_added_noise(mesh, search, tuning.noise.first_cutoff * mesh.mean_edge_length(),
-                          choice);
     return choice;
   }
   choice.cutoff = cutoff_of_least_risk(choice.trials, false);
@@ -109,8 +109,22 @@ CutoffChoice choose_cutoff(const Points& X, const Topology& topology,
                            const std::vector<std::uint8_t>& fixed, const FlowOptions& options,
                            const CutoffSearch& search) {
   const TrialMesh mesh(X, topology, fixed, options, search.sample);
-  return options.sharp_angle > 0 ? choose_with_creases(mesh, search)
-                                 : choose_without_creases(mesh, search);
+  if (options.sharp_angle > 0) {
+    return choose_with_creases(mesh, search);
+  }
+  CutoffChoice choice = choose_without_creases(mesh, search);
+  if (choice.noise_rings > 0) {
+    const TrialMesh less(X, topology, fixed, options, search.sample_for(choice.noise_model()));
+    const double first = tuning.noise.first_cutoff * less.mean_edge_length();
+    choose_by_added_noise(less, search, first, choice);
+  }
+  return choice;
+}
+
+SampleSize CutoffSearch::sample_for(const NoiseModel& noise) const {
+  return noise.rings == 0
+             ? sample
+             : SampleSize{std::min(sample.vertices, tuning.noise.sample), tuning.noise.felt_rings};
 }
 
 }  // namespace ibmfair

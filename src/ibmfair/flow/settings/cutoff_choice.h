@@ -40,6 +40,9 @@ struct CutoffSearch {
   double largest = 0;  ///< the largest cut-off to try, length
   TrialObserver observer = {};
   SampleSize sample = {tuning.cutoff.sample, tuning.cutoff.felt_rings};
+
+  /// For flows with added noise: smaller if the noise is correlated, as many are tried then.
+  SampleSize sample_for(const NoiseModel& noise) const;
 };
 
 /// Lets copies of a mesh flow to a sequence of cut-offs from two mean edge lengths upward, the
