@@ -3,8 +3,8 @@
 //
 // Let y = x + e be the noisy heights of the vertices, with e of standard deviation s, and let z be
 // noise of the standard deviation 1 with the same correlations. The flow F runs from y + a s z.
-// Given that sum of the two noises, each of them is expected to be its share of the sum, so that <F
-// - x, e> is expected to be <F - x, s z> / a. So
+// Given that sum of the two noises, each of them is expected to be its share of the sum, so that
+// <F - x, e> is expected to be <F - x, s z> / a. So
 //
 //   risk = |F - y|^2 / n + 2 <F - r, s z> / (a n) - s^2,
 //
@@ -14,8 +14,8 @@
 // "Recorrupted-to-recorrupted" (CVPR 2021). Derivatives of F, which Stein's formula needs
 // (flow/settings/cutoff_trials.h), do not exist where hinges become creases. The mean over z and -z
 // does not depend on r, and scatters little. The same holds for differences of neighbouring heights
-// in place of heights, whose variance is 2 s^2. All flows from one object share z, so that their
-// risks compare better than each is known.
+// in place of heights. All flows from one object share z, so that their risks compare better than
+// each is known.
 #pragma once
 
 #include <array>
@@ -36,9 +36,8 @@ namespace ibmfair {
 /// The two meshes with more noise, y + a s z and y - a s z.
 class AddedNoise {
  public:
-  /// `mesh` must outlive this object.
-  /// `options`: of flows to about this cut-off (length) that are to start here. Throws BadMesh if
-  /// no counted vertex moves, and the exceptions of the flow.
+  /// `mesh` must outlive this object. `options`: of flows to about this cut-off (length) that are
+  /// to start here. Throws BadMesh if no counted vertex moves, and the exceptions of the flow.
   AddedNoise(const TrialMesh& mesh, const NoiseModel& noise, FlowOptions options, double cutoff);
 
   /// The risks of a flow to this cut-off (length) that ends at these positions (#V x 3) from the
