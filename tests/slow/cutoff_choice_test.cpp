@@ -13,6 +13,7 @@
 
 #include "ibmfair/base/errors.h"
 #include "ibmfair/base/threads.h"
+#include "ibmfair/flow/settings/choice_tuning.h"
 #include "ibmfair/flow/settings/crease_choice.h"
 #include "ibmfair/measure/exact_surface.h"
 #include "ibmfair/mesh/geometry.h"
@@ -165,7 +166,7 @@ TEST(CutoffChoice, ASampleTellsAboutWhatTheWholeMeshTells) {
   const auto choice = [&](Index enough) {
     return choose_cutoff(
         noisy.state.X, noisy.state.topology, fixed, options,
-        {.largest = noisy.diagonal / 2, .sample = {enough, tuning.cutoff.felt_rings}});
+        {.largest = noisy.diagonal / 2, .sample = {enough, choice_tuning.cutoff.felt_rings}});
   };
   const CutoffChoice whole = choice(noisy.state.topology.vertex_count), sample = choice(50'000);
   EXPECT_NE(sample.cutoff, whole.cutoff);
@@ -179,7 +180,7 @@ TEST(CutoffChoice, PiecesThatAreAllRimTellNothing) {
   const auto fixed = fixed_vertices(torus.topology, BoundaryCondition::fixed);
   const auto choice = [&](Index enough) {
     return choose_cutoff(shaken(torus, 0.1), torus.topology, fixed, {},
-                         {.largest = 1, .sample = {enough, tuning.cutoff.felt_rings}})
+                         {.largest = 1, .sample = {enough, choice_tuning.cutoff.felt_rings}})
         .cutoff;
   };
   EXPECT_EQ(choice(300), choice(torus.topology.vertex_count));

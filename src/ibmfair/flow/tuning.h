@@ -1,4 +1,5 @@
-// The tuned constants of the flow: the numbers that another value could replace, and on which
+// The tuned constants of the flow (those of the choice of its options are in
+// flow/settings/choice_tuning.h): the numbers that another value could replace, and on which
 // results, times or decisions depend. Each comment gives the unit ("ratio" if it has none) and the
 // meaning. Each group says what its values were chosen by, and which script in tools/ prints the
 // measurements again; "no script" means that the measurements were made once, when the value was
@@ -204,141 +205,6 @@ struct RenumberingTuning {
   double most_far = 0.8;
 };
 
-/// The choice of the cut-off (flow/settings/cutoff_choice.h, cutoff_trials.h, sample_of_mesh.h).
-/// Risks are in variances of the noise. Chosen on noisy tori, spheres, scans and parts, where the
-/// chosen cut-off is close to the best one; tools/denoise_table prints the errors of `--denoise`.
-struct CutoffTuning {
-  double shortest = 2;        ///< mean edge lengths; the first cut-off
-  double clear_rise = 0.03;   ///< risk; trials end that far above the least risk
-  double small_gain = 0.002;  ///< risk; trials end if a doubled cut-off changes it less
-  double many_more = 1.5;     ///< ratio to `sample`; meshes with more free vertices are sampled
-  Index sample = 50'000;      ///< count; vertices of the sample
-  double least_inner = 0.25;  ///< ratio to `sample`; a sample must have more inner vertices
-  /// Counts; patches of the sample (more would cover more regions, but have longer rims), and rings
-  /// that a rim affects at the longest cut-off. On a noisy sphere of 164k vertices the choice by a
-  /// sample took 3.6 s instead of 52 s, and gave 19.9 edges instead of 23.1 (no script).
-  std::size_t patches = 2;
-  int felt_rings = 32;
-  /// Count; backward Euler steps from one cut-off to the next. The choice takes 0.33 to 0.55 of the
-  /// time of flows that all begin at the start, and chooses the same cut-offs to 2 % (no script).
-  int leg_steps = 4;
-  double law_edges = 8;    ///< mean edge lengths; from here on, the trace may follow Weyl's law
-  double near_law = 0.15;  ///< ratio; the largest deviation of a trace that follows Weyl's law
-  /// Count; terms of the polynomial up to which a linear flow is computed by it, and beyond which
-  /// by linear systems (flow/settings/linear_smoother.h).
-  std::size_t most_terms = 110;
-  std::size_t noise_trial = 1;  ///< index; this trial measures noise, and hardly changes the shape
-  /// The noise that is added to estimate risks where creases are kept: ratio to the noise, and at
-  /// least ratio to the mean edge length; not measured.
-  double added_noise = 0.3, least_added = 1e-5;
-};
-
-/// The kind of the noise (flow/settings/noise_kind.h, level_steps.h). The limits are about midway
-/// between the figures of the kinds on the meshes of `tools/denoise_table --pairs`, noisy and not,
-/// all of which were seen when the limits were chosen.
-struct NoiseTuning {
-  /// Ratio; the least evenness of noise. That of independent noise is 0.57 or more in the first
-  /// three bands, that of a depth camera 0.54. The least of a shape's three bands is at most 0.3 on
-  /// fine meshes, and up to 0.49 on meshes of 500 to 4000 vertices, whose details are not longer
-  /// than some edges; round shapes with facets are an exception (see `tails`).
-  double even = 0.5;
-  /// Mean edge lengths; the least standard deviation of noise that is correlated. Not measured.
-  double least = 0.01;
-  /// How far local means of a band reach for its evenness: ratio to the cut-off, and at least
-  /// edges.
-  double reach = 1.5, least_reach = 4;
-  /// Ratios; the least and the largest standard deviation by the mean square, to that by the
-  /// median, of correlated noise. It is 1.03 to 1.14 for the noise of depth cameras, 0.85 to 0.89
-  /// for the facets of round shapes that were subdivided, and 1.2 or more for details of a shape.
-  double tails = 0.92, long_tails = 1.18;
-  /// Ratio of the standard deviation by the mean square to that by the median, of all that the
-  /// second cut-off removes; from here on there are outliers. It is at most 1.16 for normal noise,
-  /// and 1.47 and more for impulsive noise.
-  double outliers = 1.3;
-  /// Ratio; the most by which the standard deviation by the mean square may grow from the first
-  /// band to the second if there are outliers, as they are independent. It is 1.04 for impulsive
-  /// noise, and 1.41 for the edges of an icosahedron without noise, which else has the figures of
-  /// outliers.
-  double same = 1.2;
-  /// Ratio; of the standard deviation in the third band to that in the first, at least, if the
-  /// noise is correlated. It is 1.0 to 1.4 for independent noise, and 2.7 and more for the noise of
-  /// depth cameras.
-  double growth = 2;
-  /// Ratio; the same from one of two later bands to the next. It is 1.8 and more for noise that is
-  /// averaged twice or more over one ring.
-  double later_growth = 1.5;
-  /// Ratio; of the noise that a model makes in shorter bands than those that it was fitted to, at
-  /// least so much must be there. It is 0.28 or more with noise, and 0 for flat facets.
-  double shows = 0.2;
-  double first_cutoff = 5.657;  ///< mean edge lengths; the first to try with correlated noise
-  /// As CutoffTuning::sample and felt_rings, if the noise is correlated. A scan of 86k vertices
-  /// takes 3.1 s instead of 6.2 s, and ends with a median angle between faces of 0.52 degrees
-  /// instead of 0.45 (5.8 before).
-  Index sample = 24'000;
-  int felt_rings = 24;
-  /// Ratio; CutoffTrial::slope_weight if the noise is correlated. Hardly any flow removes its long
-  /// waves, and what counts is that the faces are smooth. With 0, the depth camera's scan ends at
-  /// 7.1 degrees instead of 6.8, and fifteen shapes with noise averaged over one to four rings are
-  /// about as good.
-  double slopes = 2;
-  /// Steps. Mean edge lengths: the least step (smaller ones are like independent noise), and how
-  /// far off a level a coordinate may be. Count: levels on an axis, at least. Not measured.
-  double least_step = 0.3, off_level = 1e-4, least_levels = 8;
-  /// Ratios: of the normals' squared components along the axes with levels, and of bent hinges
-  /// (radians), at least. A cube of 10 x 10 squares on each side has 7 % of bent hinges. Not
-  /// measured.
-  double along_axes = 0.9, bent_hinges = 0.1, bent = radians(10);
-  /// Mean edge lengths; less than this is not taken for noise. The estimate for shapes without
-  /// noise is up to 0.047 (originals of benchmarks, models), and 0.06 and more with noise of 0.05.
-  double negligible = 0.05;
-  /// Mean edge lengths; the same for noise that looks white. One original has 0.022.
-  double negligible_white = 0.03;
-  /// Ratios; the least evenness of white noise, and the most by which it grows from the first band
-  /// to the second. It is even by 0.65 to 0.85, and grows by 0.8 to 1.2 times, on smooth shapes
-  /// with noise of 0.05; shapes without noise grow by 1.5 times or more, or are less even.
-  double white_even = 0.6, white_growth = 1.3;
-  /// Ratio: more flat hinges than this are not found in noisy meshes; radians: the most that a flat
-  /// hinge turns by. Parts with planes have 0.34 or more, noisy meshes at most 0.001, or 0.06 if
-  /// half of the vertices are outliers.
-  double flat_hinges = 0.3, flat = radians(0.01);
-};
-
-/// The choice of creases (flow/settings/crease_choice.h). Risks are in variances of the noise,
-/// "shares" are of the risk without creases. Chosen on the pairs of `tools/denoise_table --pairs`
-/// and shown on the meshes of `tools/denoise_table`.
-struct CreaseTuning {
-  /// Degrees; sharp angles to try, the sharper or the blunter ones after the first.
-  double first_angle = 14, sharper_angles[2] = {20, 28}, blunter_angles[2] = {10, 7};
-  double clear_gain = 0.006;  ///< risk; the least decrease for another angle to be taken
-  /// Creases are kept below this share (ratio). On parts with creases it is at most 0.74, with
-  /// noise of 0.2 to 0.7 edges; on scans it is 0.99 or more.
-  double clear_share = 0.85;
-  double some_share = 0.9;  ///< other angles are tried below this share (ratio)
-  double hopeless = 1.25;   ///< ratio; slopes do not count where distances are above this share
-  /// Ratio; the weight of the risk of slopes beside that of distances. With slopes, the creases of
-  /// the pair cnr_eight are kept (Ea 4.0 instead of 6.0 degrees), and those of polyhedra of 80
-  /// faces with noise of 0.1; smooth shapes are further from having any: 1.4 to 5 times as much
-  /// risk with creases as without, 1.0 to 2.9 times by distances alone.
-  double slopes = 2;
-  double chance = 2;            ///< risk; differences over the root of the number of vertices
-  double first_cutoff = 5.657;  ///< mean edge lengths; the first cut-off to try
-  double least_risk = 0.01;     ///< risk; below, no creases are looked for
-};
-
-/// The choice of a Laplacian where no creases are kept (flow/settings/laplacian_choice.h). Risks
-/// are in variances of the noise. Of 48 noisy tori one lies above `chance`, and of 12 noisy
-/// spheres, of which the linear elements leave 0.2 to 0.4 of the error of the normals, ten.
-struct LaplacianTuning {
-  double first_cutoff = 1.35;  ///< ratio to the cut-off of the first Laplacian
-  double chance = 0.3;         ///< risk; differences over the root of the number of vertices
-  double hopeless = 0.05;      ///< risk; no cut-off makes up for so much at the first one
-  /// As CutoffTuning::sample and felt_rings. Which Laplacian is better depends on the triangles,
-  /// which are much the same all over a mesh. The choices on three scans of 35k vertices and three
-  /// polyhedra of 41k are the same as with all vertices, and take 0.55 to 0.65 of the time.
-  Index sample = 16'000;
-  int felt_rings = 16;
-};
-
 /// Thin walls (flow/settings/thin_walls.h, flow/passes/restored_walls.h). Chosen on plates, trays,
 /// rings, shells, rods and leaves of 0.01 to 2 edges, with and without noise
 /// (tests/program/thin_walls_test.cpp). 75 to 100 % of their area have walls thinner than two
@@ -437,10 +303,6 @@ struct FlowTuning {
   SpikeTuning spikes;
   TwicingTuning twicing;
   RenumberingTuning renumbering;
-  CutoffTuning cutoff;
-  NoiseTuning noise;
-  CreaseTuning creases;
-  LaplacianTuning laplacian;
   ThinWallTuning thin_walls;
   MeetingLineTuning meeting_lines;
   SolverTuning solver;

@@ -9,9 +9,9 @@
 #include "ibmfair/flow/first_stage.h"
 #include "ibmfair/flow/flow_passes.h"
 #include "ibmfair/flow/passes/twicing.h"
+#include "ibmfair/flow/settings/choice_tuning.h"
 #include "ibmfair/flow/steps/unknown_normals.h"
 #include "ibmfair/flow/time_scale.h"
-#include "ibmfair/flow/tuning.h"
 #include "ibmfair/mesh/corners.h"
 
 namespace ibmfair {
@@ -80,8 +80,8 @@ AddedNoise::AddedNoise(const TrialMesh& mesh, const NoiseModel& noise, FlowOptio
       neighbours_(neighbours_among(counted_, unknowns_, mesh.topology())),
       normals_(unknown_normals(with_filtered_normals(mesh.X(), mesh.topology(), mesh.fixed()),
                                mesh.topology(), unknowns_)) {
-  const double deviation = std::max(tuning.cutoff.added_noise * noise.deviation,
-                                    tuning.cutoff.least_added * mesh.mean_edge_length());
+  const double deviation = std::max(choice_tuning.cutoff.added_noise * noise.deviation,
+                                    choice_tuning.cutoff.least_added * mesh.mean_edge_length());
   starts_[0] = mesh.X();
   starts_[0](unknowns_.vertex, Eigen::all) +=
       deviation * noise_on(mesh, unknowns_, normals_, noise.rings);
@@ -105,7 +105,7 @@ CutoffTrial AddedNoise::trial(double cutoff, const std::array<Points, 2>& ends) 
   return {.cutoff = cutoff,
           .risk = risk(variance, added_, moves),
           .slope_risk = risk(slope_share_ * variance, differences(added_), slopes) / slope_share_,
-          .slope_weight = noise_.rings > 0 ? tuning.noise.slopes : 0};
+          .slope_weight = noise_.rings > 0 ? choice_tuning.noise.slopes : 0};
 }
 
 /// Of what was added to the two meshes, and how their flows have moved the mesh: heights, or
@@ -129,7 +129,7 @@ Eigen::VectorXd AddedNoise::heights(const Points& Y, const Points& over) const {
 
 NoisierFlows::NoisierFlows(const AddedNoise& noise, const FlowOptions& options)
     : noise_(noise), options_(options) {
-  options_.steps = std::min(options.steps, tuning.cutoff.leg_steps);
+  options_.steps = std::min(options.steps, choice_tuning.cutoff.leg_steps);
   const TrialMesh& mesh = noise.mesh();
   parallel_tasks(2, [&](std::int64_t i) {
     problems_[i] =

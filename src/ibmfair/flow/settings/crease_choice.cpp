@@ -6,14 +6,14 @@
 
 #include "ibmfair/base/angle.h"
 #include "ibmfair/flow/settings/added_noise.h"
+#include "ibmfair/flow/settings/choice_tuning.h"
 #include "ibmfair/flow/settings/trial_mesh.h"
-#include "ibmfair/flow/tuning.h"
 
 namespace ibmfair {
 namespace {
 
 double shape_risk(const CutoffTrial& trial) {
-  return trial.risk + tuning.creases.slopes * trial.slope_risk;
+  return trial.risk + choice_tuning.creases.slopes * trial.slope_risk;
 }
 
 class CreaseSearch {
@@ -24,9 +24,9 @@ class CreaseSearch {
         bending_(bending),
         without_(without),
         search_(search),
-        start_(std::max(tuning.creases.first_cutoff * mesh.mean_edge_length(),
+        start_(std::max(choice_tuning.creases.first_cutoff * mesh.mean_edge_length(),
                         without.noise_rings > 0 ? without.cutoff : 0)),
-        added_(mesh, without.noise_model(), with(tuning.creases.first_angle), start_) {}
+        added_(mesh, without.noise_model(), with(choice_tuning.creases.first_angle), start_) {}
 
   /// Whether a choice leaves less than this share of what is left without creases, and by at least
   /// `least` (length^2) less. If distances alone do not tell, slopes count as well. If the noise is
@@ -40,20 +40,20 @@ class CreaseSearch {
       return with_creases < share * without && with_creases < without - least;
     };
     const double without = without_.best().risk;
-    return below(with.risk, without) || (with.risk < tuning.creases.hopeless * without &&
+    return below(with.risk, without) || (with.risk < choice_tuning.creases.hopeless * without &&
                                          below(shape_risk(with), shape_risk(trial_without())));
   }
 
   /// The differences of risks (length^2) that may be chance.
   double chance() const {
-    return tuning.creases.chance * without_.noise * without_.noise /
+    return choice_tuning.creases.chance * without_.noise * without_.noise /
            std::sqrt(static_cast<double>(added_.counted()));
   }
 
   /// The best cut-off for the first angle.
   CreaseChoice with_first_angle() const {
-    CreaseChoice choice{radians(tuning.creases.first_angle), without_};
-    NoisierFlows flows(added_, with(tuning.creases.first_angle));
+    CreaseChoice choice{radians(choice_tuning.creases.first_angle), without_};
+    NoisierFlows flows(added_, with(choice_tuning.creases.first_angle));
     // Creases allow longer cut-offs than without; with correlated noise much longer ones.
     const double hopeless =
         without_.noise_rings > 0 ? std::numeric_limits<double>::infinity() : without_.best().risk;
@@ -73,11 +73,11 @@ class CreaseSearch {
   /// the cut-off of the first. With a blunter angle, which keeps more, the best cut-off is longer:
   /// about as the angle to the power -0.2 on benchmark shapes.
   void try_other_angles(CreaseChoice& best) const {
-    const double clear = tuning.creases.clear_gain * without_.noise * without_.noise;
+    const double clear = choice_tuning.creases.clear_gain * without_.noise * without_.noise;
     const double before = best.sharp_angle;
     const CutoffTrial first = best.cutoff.best();
     std::optional<CutoffTrial> blunter;
-    for (const double angle : tuning.creases.blunter_angles) {
+    for (const double angle : choice_tuning.creases.blunter_angles) {
       const CutoffTrial next = trial_with(angle, first.cutoff);
       blunter = blunter.value_or(next);
       if (!(next.risk < best.cutoff.best().risk + tolerance())) {
@@ -89,7 +89,7 @@ class CreaseSearch {
     if (!(shape_risk(*blunter) > shape_risk(first) + clear)) {
       return;
     }
-    for (const double angle : tuning.creases.sharper_angles) {
+    for (const double angle : choice_tuning.creases.sharper_angles) {
       const CutoffTrial next = trial_with(angle, first.cutoff);
       if (!(shape_risk(next) < shape_risk(best.cutoff.best()) - clear)) {
         break;
@@ -114,7 +114,9 @@ class CreaseSearch {
     return trial(flows, last);
   }
 
-  double tolerance() const { return tuning.cutoff.small_gain * without_.noise * without_.noise; }
+  double tolerance() const {
+    return choice_tuning.cutoff.small_gain * without_.noise * without_.noise;
+  }
 
   /// The options that keep creases of more than this angle (degrees).
   FlowOptions with(double angle) const {
@@ -157,19 +159,19 @@ std::optional<CreaseChoice> choose_creases(const Points& X, const Topology& topo
                                            const CutoffChoice& without,
                                            const CutoffSearch& search) {
   // Where the flow without creases may leave nothing, creases cannot be found to leave less.
-  const double least =
-      std::max(tuning.creases.least_risk * without.noise * without.noise, without.risk_error);
+  const double least = std::max(choice_tuning.creases.least_risk * without.noise * without.noise,
+                                without.risk_error);
   if (!(without.best().risk > least)) {
     return std::nullopt;
   }
   const TrialMesh mesh(X, topology, fixed, keeping, search.sample_for(without.noise_model()));
   CreaseSearch creases(mesh, bending, without, search);
   CreaseChoice best = creases.with_first_angle();
-  if (!creases.is_below(best, tuning.creases.some_share)) {
+  if (!creases.is_below(best, choice_tuning.creases.some_share)) {
     return std::nullopt;
   }
   creases.try_other_angles(best);
-  if (!creases.is_below(best, tuning.creases.clear_share, creases.chance())) {
+  if (!creases.is_below(best, choice_tuning.creases.clear_share, creases.chance())) {
     return std::nullopt;
   }
   return best;

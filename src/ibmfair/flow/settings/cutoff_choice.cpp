@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "ibmfair/flow/settings/added_noise.h"
+#include "ibmfair/flow/settings/choice_tuning.h"
 #include "ibmfair/flow/settings/trial_mesh.h"
-#include "ibmfair/flow/tuning.h"
 
 namespace ibmfair {
 namespace {
@@ -13,9 +13,9 @@ namespace {
 /// Whether longer cut-offs are not expected to reduce the risk.
 bool is_enough(const std::vector<CutoffTrial>& trials, double noise) {
   const double variance = noise * noise, last = trials.back().risk;
-  return last - trials[least_risk(trials)].risk > tuning.cutoff.clear_rise * variance ||
-         (trials.size() > 2 &&
-          std::abs(trials[trials.size() - 3].risk - last) <= tuning.cutoff.small_gain * variance);
+  return last - trials[least_risk(trials)].risk > choice_tuning.cutoff.clear_rise * variance ||
+         (trials.size() > 2 && std::abs(trials[trials.size() - 3].risk - last) <=
+                                   choice_tuning.cutoff.small_gain * variance);
 }
 
 /// Whether the next cut-off is to be tried to learn about correlated noise.
@@ -27,7 +27,7 @@ bool looks_further(const CutoffTrials& trials) {
 template <class Done>
 void try_cutoffs(CutoffTrials& trials, const TrialMesh& mesh, const CutoffSearch& search,
                  const Done& done) {
-  for (double cutoff = tuning.cutoff.shortest * mesh.mean_edge_length();;
+  for (double cutoff = choice_tuning.cutoff.shortest * mesh.mean_edge_length();;
        cutoff *= std::sqrt(2.0)) {
     if (search.observer) {
       search.observer(cutoff);
@@ -52,9 +52,9 @@ void choose_by_added_noise(const TrialMesh& mesh, const CutoffSearch& search, do
         return flows.trial(cutoff);
       },
       {.start = first,
-       .shortest = tuning.cutoff.shortest * mesh.mean_edge_length(),
+       .shortest = choice_tuning.cutoff.shortest * mesh.mean_edge_length(),
        .largest = search.largest,
-       .tolerance = tuning.cutoff.small_gain * choice.noise * choice.noise});
+       .tolerance = choice_tuning.cutoff.small_gain * choice.noise * choice.noise});
   choice.cutoff = cutoff_of_least_risk(choice.trials, mesh.options().sharp_angle > 0);
 }
 
@@ -91,11 +91,11 @@ CutoffChoice choose_with_creases(const TrialMesh& mesh, const CutoffSearch& sear
   choice.kind = trials.has_outliers() ? NoiseKind::outliers : NoiseKind::independent;
   const double edge = mesh.mean_edge_length();
   if (choice.noise == 0) {
-    choice.cutoff = tuning.cutoff.shortest * edge;
+    choice.cutoff = choice_tuning.cutoff.shortest * edge;
     choice.trials = {{.cutoff = choice.cutoff}};
     return choice;
   }
-  choose_by_added_noise(mesh, search, tuning.creases.first_cutoff * edge, choice);
+  choose_by_added_noise(mesh, search, choice_tuning.creases.first_cutoff * edge, choice);
   return choice;
 }
 
@@ -115,16 +115,16 @@ CutoffChoice choose_cutoff(const Points& X, const Topology& topology,
   CutoffChoice choice = choose_without_creases(mesh, search);
   if (choice.noise_rings > 0) {
     const TrialMesh less(X, topology, fixed, options, search.sample_for(choice.noise_model()));
-    const double first = tuning.noise.first_cutoff * less.mean_edge_length();
+    const double first = choice_tuning.noise.first_cutoff * less.mean_edge_length();
     choose_by_added_noise(less, search, first, choice);
   }
   return choice;
 }
 
 SampleSize CutoffSearch::sample_for(const NoiseModel& noise) const {
-  return noise.rings == 0
-             ? sample
-             : SampleSize{std::min(sample.vertices, tuning.noise.sample), tuning.noise.felt_rings};
+  return noise.rings == 0 ? sample
+                          : SampleSize{std::min(sample.vertices, choice_tuning.noise.sample),
+                                       choice_tuning.noise.felt_rings};
 }
 
 }  // namespace ibmfair

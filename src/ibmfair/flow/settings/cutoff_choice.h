@@ -12,10 +12,10 @@
 #include <vector>
 
 #include "ibmfair/flow/flow_options.h"
+#include "ibmfair/flow/settings/choice_tuning.h"
 #include "ibmfair/flow/settings/cutoff_trials.h"
 #include "ibmfair/flow/settings/noise_model.h"
 #include "ibmfair/flow/settings/sample_of_mesh.h"
-#include "ibmfair/flow/tuning.h"
 #include "ibmfair/mesh/topology.h"
 
 namespace ibmfair {
@@ -39,7 +39,7 @@ using TrialObserver = std::function<void(double cutoff)>;
 struct CutoffSearch {
   double largest = 0;  ///< the largest cut-off to try, length
   TrialObserver observer = {};
-  SampleSize sample = {tuning.cutoff.sample, tuning.cutoff.felt_rings};
+  SampleSize sample = {choice_tuning.cutoff.sample, choice_tuning.cutoff.felt_rings};
 
   /// For flows with added noise: smaller if the noise is correlated, as many are tried then.
   SampleSize sample_for(const NoiseModel& noise) const;

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ibmfair/flow/settings/choice_tuning.h"
 #include "ibmfair/flow/settings/evenness.h"
 #include "ibmfair/flow/settings/noise_model.h"
 #include "ibmfair/flow/steps/unknown_normals.h"
-#include "ibmfair/flow/tuning.h"
 #include "ibmfair/mesh/geometry.h"
 
 namespace ibmfair {
@@ -50,7 +50,7 @@ void CutoffTrials::run(double cutoff) {
   }
   const Eigen::VectorXd height = heights_along(normals, end, mesh_.X(), unknowns_)(counted_);
   add_band(cutoff, normals, end, taken);
-  if (!knows_noise_ && outcomes_.size() == tuning.cutoff.noise_trial) {
+  if (!knows_noise_ && outcomes_.size() == choice_tuning.cutoff.noise_trial) {
     estimate_noise(height, taken);
   }
   outcomes_.push_back({cutoff, height.squaredNorm() / static_cast<double>(height.size()), trace});
@@ -62,7 +62,8 @@ void CutoffTrials::add_band(double cutoff, const Points& normals, const Points& 
   const bool first = bands_.empty();
   const Eigen::VectorXd height = heights_along(normals, end, first ? mesh_.X() : end_, unknowns_);
   const Eigen::VectorXd counted = height(counted_);
-  const double reach = std::max(tuning.noise.least_reach, tuning.noise.reach * cutoff / mean_edge_);
+  const double reach =
+      std::max(choice_tuning.noise.least_reach, choice_tuning.noise.reach * cutoff / mean_edge_);
   NoiseBand band{cutoff, evenness(height.cwiseAbs2(), topology_, unknowns_, counted_,
                                   static_cast<int>(2 * reach))};
   if (taken.size() > 0) {
@@ -82,10 +83,10 @@ void CutoffTrials::estimate_noise(const Eigen::VectorXd& height, const Points& t
   const Eigen::VectorXd white = taken.reshaped();
   const double by_median = median(height.cwiseAbs()) / median(white.cwiseAbs());
   const double by_rms = rms(height) / rms(white);
-  has_outliers_ = by_rms > tuning.noise.outliers * by_median &&
-                  bands_.back().by_rms < tuning.noise.same * bands_.front().by_rms &&
+  has_outliers_ = by_rms > choice_tuning.noise.outliers * by_median &&
+                  bands_.back().by_rms < choice_tuning.noise.same * bands_.front().by_rms &&
                   std::all_of(bands_.begin(), bands_.end(), [](const NoiseBand& band) {
-                    return band.evenness >= tuning.noise.even;
+                    return band.evenness >= choice_tuning.noise.even;
                   });
   noise_ = has_outliers_ ? by_rms : by_median;
   // As many independent heights as there are modes in them. The square of a standard deviation by
@@ -118,8 +119,8 @@ double CutoffTrials::trace_by_law(double cutoff) const {
 }
 
 bool CutoffTrials::falls_by_law(double cutoff, double trace) const {
-  return !outcomes_.empty() && cutoff >= tuning.cutoff.law_edges * mean_edge_ &&
-         std::abs(trace - trace_by_law(cutoff)) < tuning.cutoff.near_law * trace;
+  return !outcomes_.empty() && cutoff >= choice_tuning.cutoff.law_edges * mean_edge_ &&
+         std::abs(trace - trace_by_law(cutoff)) < choice_tuning.cutoff.near_law * trace;
 }
 
 }  // namespace ibmfair

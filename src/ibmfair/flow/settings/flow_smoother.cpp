@@ -5,8 +5,8 @@
 #include "ibmfair/flow/flow_passes.h"
 #include "ibmfair/flow/passes/linear_flow.h"
 #include "ibmfair/flow/passes/twicing.h"
+#include "ibmfair/flow/settings/choice_tuning.h"
 #include "ibmfair/flow/time_scale.h"
-#include "ibmfair/flow/tuning.h"
 
 namespace ibmfair {
 
@@ -33,9 +33,9 @@ Points FlowSmoother::smooth(double cutoff) {
 
 void FlowSmoother::flow_to(double cutoff) {
   options_.total_time = time_in_flow_units(time_for_cutoff(cutoff), mesh_.X(), topology_, options_);
-  goes_on_ = time_ > 0 && options_.steps > tuning.cutoff.leg_steps;
+  goes_on_ = time_ > 0 && options_.steps > choice_tuning.cutoff.leg_steps;
   leg_.total_time = options_.total_time - (goes_on_ ? time_ : 0);
-  leg_.steps = goes_on_ ? tuning.cutoff.leg_steps : options_.steps;
+  leg_.steps = goes_on_ ? choice_tuning.cutoff.leg_steps : options_.steps;
   if (!goes_on_) {
     state_ = mesh_.X();
   }

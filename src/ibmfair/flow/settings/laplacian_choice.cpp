@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "ibmfair/flow/settings/added_noise.h"
+#include "ibmfair/flow/settings/choice_tuning.h"
 #include "ibmfair/flow/settings/trial_mesh.h"
-#include "ibmfair/flow/tuning.h"
 
 namespace ibmfair {
 
@@ -14,11 +14,11 @@ std::optional<CutoffChoice> choose_laplacian(const Points& X, const Topology& to
                                              const FlowOptions& first, const FlowOptions& other,
                                              const CutoffChoice& choice,
                                              const CutoffSearch& search) {
-  const TrialMesh mesh(
-      X, topology, fixed, other,
-      {std::min(search.sample.vertices, tuning.laplacian.sample), tuning.laplacian.felt_rings});
+  const TrialMesh mesh(X, topology, fixed, other,
+                       {std::min(search.sample.vertices, choice_tuning.laplacian.sample),
+                        choice_tuning.laplacian.felt_rings});
   const double variance = choice.noise * choice.noise;
-  const double start = tuning.laplacian.first_cutoff * choice.cutoff;
+  const double start = choice_tuning.laplacian.first_cutoff * choice.cutoff;
   const AddedNoise added(mesh, choice.noise_model(), mesh.options(), start);
   const auto trial = [&](NoisierFlows& flows, double cutoff) {
     if (search.observer) {
@@ -27,7 +27,7 @@ std::optional<CutoffChoice> choose_laplacian(const Points& X, const Topology& to
     return flows.trial(cutoff);
   };
   NoisierFlows flows(added, mesh.options());
-  const double hopeless = choice.best().risk + tuning.laplacian.hopeless * variance;
+  const double hopeless = choice.best().risk + choice_tuning.laplacian.hopeless * variance;
   CutoffChoice best = choice;
   best.trials = {trial(flows, start)};
   if (best.best().risk > hopeless) {
@@ -39,7 +39,7 @@ std::optional<CutoffChoice> choose_laplacian(const Points& X, const Topology& to
   best.cutoff = cutoff_of_least_risk(best.trials, false);
   NoisierFlows first_flows(added, mesh.here(first));
   const double chance =
-      tuning.laplacian.chance * variance / std::sqrt(static_cast<double>(added.counted()));
+      choice_tuning.laplacian.chance * variance / std::sqrt(static_cast<double>(added.counted()));
   if (!(best.best().risk < trial(first_flows, choice.cutoff).risk - chance)) {
     return std::nullopt;
   }

@@ -5,7 +5,7 @@
 #include <numbers>
 #include <vector>
 
-#include "ibmfair/flow/tuning.h"
+#include "ibmfair/flow/settings/choice_tuning.h"
 #include "ibmfair/mesh/geometry.h"
 
 namespace ibmfair {
@@ -15,8 +15,8 @@ namespace {
 double level_distance(const Eigen::VectorXd& coordinates, double mean_edge) {
   std::vector<double> sorted(coordinates.begin(), coordinates.end());
   std::sort(sorted.begin(), sorted.end());
-  const double least = tuning.noise.least_step * mean_edge;
-  const double rounding = tuning.noise.off_level * mean_edge;
+  const double least = choice_tuning.noise.least_step * mean_edge;
+  const double rounding = choice_tuning.noise.off_level * mean_edge;
   double distance = 0;
   for (std::size_t i = 1; i < sorted.size(); ++i) {
     const double gap = sorted[i] - sorted[i - 1];
@@ -27,7 +27,7 @@ double level_distance(const Eigen::VectorXd& coordinates, double mean_edge) {
       return 0;
     }
   }
-  if (!(sorted.back() - sorted.front() > (tuning.noise.least_levels - 1.5) * distance)) {
+  if (!(sorted.back() - sorted.front() > (choice_tuning.noise.least_levels - 1.5) * distance)) {
     return 0;
   }
   const bool on_levels = std::all_of(sorted.begin(), sorted.end(), [&](double x) {
@@ -53,7 +53,7 @@ Vec3 squared_normal(const Points& X, const Topology& topology) {
 
 double share_of_bent_hinges(const Points& X, const Topology& topology) {
   const Eigen::VectorXd angles = dihedral_angles(X, topology.H);
-  const double flat = std::numbers::pi - tuning.noise.bent;
+  const double flat = std::numbers::pi - choice_tuning.noise.bent;
   return static_cast<double>((angles.array() < flat).count()) /
          static_cast<double>(std::max<Eigen::Index>(angles.size(), 1));
 }
@@ -71,8 +71,8 @@ double level_step(const Points& X, const Topology& topology) {
   }
   const Vec3 normal = squared_normal(X, topology);
   const double along = (distance.array() > 0).select(normal.array(), 0.0).sum();
-  if (!(along > tuning.noise.along_axes &&
-        share_of_bent_hinges(X, topology) > tuning.noise.bent_hinges)) {
+  if (!(along > choice_tuning.noise.along_axes &&
+        share_of_bent_hinges(X, topology) > choice_tuning.noise.bent_hinges)) {
     return 0;
   }
   return std::sqrt(distance.cwiseAbs2().dot(normal) / along);

@@ -6,9 +6,9 @@
 #include "ibmfair/energy/mass_matrices.h"
 #include "ibmfair/flow/flow_passes.h"
 #include "ibmfair/flow/passes/linear_flow.h"
+#include "ibmfair/flow/settings/choice_tuning.h"
 #include "ibmfair/flow/steps/unknown_normals.h"
 #include "ibmfair/flow/time_scale.h"
-#include "ibmfair/flow/tuning.h"
 
 namespace ibmfair {
 namespace {
@@ -48,7 +48,8 @@ std::vector<double> LinearSmoother::series_for(int steps) const {
   const auto taken = [&](double rate) {
     return 1 - std::pow(1 + options_.total_time * rate / steps, -steps);
   };
-  return chebyshev_series(taken, largest_rate_, can_factor_ ? tuning.cutoff.most_terms : unlimited);
+  return chebyshev_series(taken, largest_rate_,
+                          can_factor_ ? choice_tuning.cutoff.most_terms : unlimited);
 }
 
 bool LinearSmoother::linearise(int steps) {

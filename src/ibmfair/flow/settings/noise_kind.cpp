@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 
-#include "ibmfair/flow/tuning.h"
+#include "ibmfair/flow/settings/choice_tuning.h"
 
 namespace ibmfair {
 namespace {
@@ -11,9 +11,9 @@ namespace {
 constexpr std::size_t first_bands = 3, last_band = 4;
 
 bool is_noise(const NoiseBand& band) {
-  return band.by_rms >= tuning.noise.least && band.evenness >= tuning.noise.even &&
-         band.by_rms >= tuning.noise.tails * band.by_median &&
-         band.by_rms <= tuning.noise.long_tails * band.by_median;
+  return band.by_rms >= choice_tuning.noise.least && band.evenness >= choice_tuning.noise.even &&
+         band.by_rms >= choice_tuning.noise.tails * band.by_median &&
+         band.by_rms <= choice_tuning.noise.long_tails * band.by_median;
 }
 
 }  // namespace
@@ -40,13 +40,14 @@ BandRange bands_of_correlated_noise(const std::vector<NoiseBand>& bands) {
   }
   const auto first = bands.begin();
   if (std::all_of(first, first + first_bands, is_noise)) {
-    const bool grows = bands[first_bands - 1].by_median > tuning.noise.growth * bands[0].by_median;
+    const bool grows =
+        bands[first_bands - 1].by_median > choice_tuning.noise.growth * bands[0].by_median;
     return grows ? BandRange{0, first_bands} : BandRange{};
   }
   const std::size_t end = std::min(bands.size(), last_band);
   for (std::size_t i = 2; i < end && !is_noise(bands[0]); ++i) {
     if (is_noise(bands[i - 1]) && is_noise(bands[i]) &&
-        bands[i].by_median > tuning.noise.later_growth * bands[i - 1].by_median) {
+        bands[i].by_median > choice_tuning.noise.later_growth * bands[i - 1].by_median) {
       return {i - 1, i + 1};
     }
   }
@@ -55,8 +56,8 @@ BandRange bands_of_correlated_noise(const std::vector<NoiseBand>& bands) {
 
 bool is_white(const std::vector<NoiseBand>& bands) {
   return bands.size() >= 2 &&
-         std::min(bands[0].evenness, bands[1].evenness) >= tuning.noise.white_even &&
-         bands[1].by_median <= tuning.noise.white_growth * bands[0].by_median;
+         std::min(bands[0].evenness, bands[1].evenness) >= choice_tuning.noise.white_even &&
+         bands[1].by_median <= choice_tuning.noise.white_growth * bands[0].by_median;
 }
 
 bool may_tell_more(const std::vector<NoiseBand>& bands) {

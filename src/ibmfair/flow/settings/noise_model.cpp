@@ -8,9 +8,9 @@
 #include <memory>
 
 #include "ibmfair/base/random_numbers.h"
+#include "ibmfair/flow/settings/choice_tuning.h"
 #include "ibmfair/flow/settings/ring_means.h"
 #include "ibmfair/flow/settings/trial_smoother.h"
-#include "ibmfair/flow/tuning.h"
 
 namespace ibmfair {
 namespace {
@@ -74,8 +74,8 @@ NoiseModel fit_noise_model(const TrialMesh& mesh, const std::vector<NoiseBand>& 
     last = taken;
   }
   const auto best = std::ranges::min_element(fits, {}, &Fit::spread);
-  if (best->mean() < tuning.noise.negligible ||
-      best->least_before < tuning.noise.shows * best->mean()) {
+  if (best->mean() < choice_tuning.noise.negligible ||
+      best->least_before < choice_tuning.noise.shows * best->mean()) {
     return {};
   }
   return {best->mean() * mesh.mean_edge_length(),

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "ibmfair/flow/fixed_vertices.h"
-#include "ibmfair/flow/tuning.h"
+#include "ibmfair/flow/settings/choice_tuning.h"
 #include "ibmfair/mesh/select.h"
 
 namespace ibmfair {
@@ -33,7 +33,7 @@ std::size_t grow(const Topology& topology, Index seed, std::size_t count,
 /// move. If a patch stays too small, another patch starts further on in the list.
 std::vector<std::uint8_t> sampled(const Topology& topology, const std::vector<Index>& free,
                                   std::size_t count) {
-  constexpr std::size_t patches = tuning.cutoff.patches;
+  constexpr std::size_t patches = choice_tuning.cutoff.patches;
   std::vector<std::uint8_t> taken(static_cast<std::size_t>(topology.vertex_count), 0);
   const std::size_t in_patch = (count + patches - 1) / patches;
   std::size_t all = 0;

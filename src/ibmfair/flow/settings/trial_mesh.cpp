@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "ibmfair/base/errors.h"
-#include "ibmfair/flow/tuning.h"
+#include "ibmfair/flow/settings/choice_tuning.h"
 #include "ibmfair/mesh/geometry.h"
 #include "ibmfair/mesh/select.h"
 
@@ -19,7 +19,8 @@ TrialMesh::TrialMesh(const Points& X, const Topology& topology,
       options_(options),
       mean_edge_length_(ibmfair::mean_edge_length(X, topology.E)) {
   options_.keep_volume = options_.keep_area = false;
-  if (std::count(fixed.begin(), fixed.end(), 0) > tuning.cutoff.many_more * sample.vertices) {
+  if (std::count(fixed.begin(), fixed.end(), 0) >
+      choice_tuning.cutoff.many_more * sample.vertices) {
     take_sample(sample);
   }
   if (!local_ && is_scattered(topology)) {
@@ -38,7 +39,7 @@ FlowOptions TrialMesh::here(FlowOptions other) const {
 void TrialMesh::take_sample(const SampleSize& size) {
   MeshSample sample = sample_of_mesh(X_, topology_, fixed_, options_, size);
   const auto inner = std::count(sample.inner.begin(), sample.inner.end(), 1);
-  if (static_cast<double>(inner) <= tuning.cutoff.least_inner * size.vertices) {
+  if (static_cast<double>(inner) <= choice_tuning.cutoff.least_inner * size.vertices) {
     return;
   }
   if (is_scattered(sample.mesh.topology)) {
