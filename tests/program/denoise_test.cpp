@@ -93,6 +93,17 @@ TEST_F(Denoise, TakesTheNoiseAndLeavesTheVolume) {
   }
 }
 
+/// The steps between the slices of a scanned bone are alike over some edges.
+TEST_F(Denoise, SmoothsTheSlicesOfAScanner) {
+  const Smoothed bone = smooth(project_file("data/femur.off"), {"--denoise"});
+  ASSERT_EQ(bone.exit_code, 0) << bone.err;
+  EXPECT_EQ(bone.report["cutoff_choice"]["kind"], "correlated");
+  EXPECT_GE(bone.report["cutoff_choice"]["correlated_edges"].get<double>(), 2);
+  EXPECT_TRUE(contains(bone.err, "edges apart is correlated")) << bone.err;
+  EXPECT_LT(bone.report["after"]["energy"].get<double>(),
+            0.2 * bone.report["before"]["energy"].get<double>());
+}
+
 TEST_F(Denoise, LeavesAMeshWithoutNoiseAsItIs) {
   const std::vector<std::pair<std::string, Words>> shapes{
       {"torus", {"--rows", "24", "--columns", "60"}},

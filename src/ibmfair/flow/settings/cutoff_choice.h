@@ -3,8 +3,8 @@
 // squared distance to the true shape (flow/settings/cutoff_trials.h).
 //
 // If the noise is correlated (flow/settings/noise_kind.h), the risks are those for a model of it
-// (flow/settings/noise_model.h). Steps between the slices of a scanner, which are not
-// everywhere, are not recognized as noise.
+// (flow/settings/noise_model.h). Steps between the slices of a scanner are taken for such noise
+// where they cover enough of the surface; in few places they count as detail.
 #pragma once
 
 #include <cstdint>
