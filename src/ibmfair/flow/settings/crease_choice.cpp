@@ -136,9 +136,7 @@ class CreaseSearch {
   }
 
   CutoffTrial trial(NoisierFlows& flows, double cutoff) const {
-    if (search_.observer) {
-      search_.observer(cutoff);
-    }
+    search_.tell(cutoff);
     return flows.trial(cutoff);
   }
 

@@ -29,9 +29,7 @@ void try_cutoffs(CutoffTrials& trials, const TrialMesh& mesh, const CutoffSearch
                  const Done& done) {
   for (double cutoff = choice_tuning.cutoff.shortest * mesh.mean_edge_length();;
        cutoff *= std::sqrt(2.0)) {
-    if (search.observer) {
-      search.observer(cutoff);
-    }
+    search.tell(cutoff);
     trials.run(cutoff);
     if (trials.know_noise() && done(std::sqrt(2.0) * cutoff)) {
       return;
@@ -46,9 +44,7 @@ void choose_by_added_noise(const TrialMesh& mesh, const CutoffSearch& search, do
   NoisierFlows flows(added, mesh.options());
   choice.trials = trials_around(
       [&](double cutoff) {
-        if (search.observer) {
-          search.observer(cutoff);
-        }
+        search.tell(cutoff);
         return flows.trial(cutoff);
       },
       {.start = first,

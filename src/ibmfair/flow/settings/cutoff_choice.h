@@ -41,6 +41,13 @@ struct CutoffSearch {
   TrialObserver observer = {};
   SampleSize sample = {choice_tuning.cutoff.sample, choice_tuning.cutoff.felt_rings};
 
+  /// Calls the observer, if there is one.
+  void tell(double cutoff) const {
+    if (observer) {
+      observer(cutoff);
+    }
+  }
+
   /// For flows with added noise: smaller if the noise is correlated, as many are tried then.
   SampleSize sample_for(const NoiseModel& noise) const;
 };

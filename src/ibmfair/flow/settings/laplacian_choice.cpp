@@ -21,9 +21,7 @@ std::optional<CutoffChoice> choose_laplacian(const Points& X, const Topology& to
   const double start = choice_tuning.laplacian.first_cutoff * choice.cutoff;
   const AddedNoise added(mesh, choice.noise_model(), mesh.options(), start);
   const auto trial = [&](NoisierFlows& flows, double cutoff) {
-    if (search.observer) {
-      search.observer(cutoff);
-    }
+    search.tell(cutoff);
     return flows.trial(cutoff);
   };
   NoisierFlows flows(added, mesh.options());
