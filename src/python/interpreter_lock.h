@@ -1,36 +1,25 @@
-// The interpreter's lock (GIL), released for long computations and taken again.
+// The interpreter's lock (GIL), released for long computations and taken again, and the end of the
+// interpreter, which waits for them.
 //
-// pybind11's own guards end the thread when the interpreter is shutting down, which would pass
-// through destructors and abort the process. A daemon thread waits here instead: the process ends
-// without it, as it ends without threads that wait in Python.
+// A daemon thread may still compute when the interpreter ends. It must not go on then: the process
+// destroys what the computation uses, and taking the lock would end the thread through destructors
+// (until Python 3.14), which aborts the process. So the interpreter first waits until every such
+// thread has left the computation; there the threads stay until the process ends, as daemon threads
+// do that wait in Python.
 #pragma once
-
-#include <chrono>
-#include <thread>
 
 #include <pybind11/pybind11.h>
 
 namespace ibmfair::python {
 
-inline void wait_if_interpreter_ends() {
-#if PY_VERSION_HEX >= 0x030d0000
-  const bool ends = Py_IsFinalizing() != 0;
-#else
-  const bool ends = _Py_IsFinalizing() != 0;
-#endif
-  while (ends) {
-    std::this_thread::sleep_for(std::chrono::hours(1));
-  }
-}
+/// Makes the end of the interpreter wait for computations. To be called once, by the module.
+void bind_interpreter_end();
 
-/// Releases the lock while this object exists.
+/// Releases the lock while this object exists: the thread computes.
 class Unlocked {
  public:
-  Unlocked() : state_(PyEval_SaveThread()) {}
-  ~Unlocked() {
-    wait_if_interpreter_ends();
-    PyEval_RestoreThread(state_);
-  }
+  Unlocked();
+  ~Unlocked();
   Unlocked(const Unlocked&) = delete;
   Unlocked& operator=(const Unlocked&) = delete;
 
@@ -38,16 +27,20 @@ class Unlocked {
   PyThreadState* state_;
 };
 
-/// Holds the lock while this object exists, on any thread.
+/// Takes the lock within a computation, while this object exists.
 class Locked {
  public:
-  Locked() : state_((wait_if_interpreter_ends(), PyGILState_Ensure())) {}
-  ~Locked() { PyGILState_Release(state_); }
+  Locked();
+  ~Locked();
   Locked(const Locked&) = delete;
   Locked& operator=(const Locked&) = delete;
 
  private:
   PyGILState_STATE state_;
 };
+
+/// Calls a Python function, as long as it may take: the interpreter does not wait for it at its
+/// end, and leaves the thread in it. The lock must be held. Throws error_already_set.
+pybind11::object call(const pybind11::object& function, const pybind11::tuple& arguments);
 
 }  // namespace ibmfair::python

@@ -70,7 +70,7 @@ void RunListener::ask(const commands::ProgressState* state) {
       throw py::error_already_set();
     }
     if (tells) {
-      progress_(state->stage, state->share);
+      call(progress_, py::make_tuple(state->stage, state->share));
     }
   } catch (py::error_already_set& error) {
     ends_ = true;

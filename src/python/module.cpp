@@ -4,6 +4,7 @@
 #include "commands/command_line.h"
 #include "ibmfair/base/instruction_set.h"
 #include "ibmfair/base/version.h"
+#include "interpreter_lock.h"
 
 PYBIND11_MODULE(_core, module) {
   using namespace ibmfair;
@@ -14,6 +15,7 @@ PYBIND11_MODULE(_core, module) {
       "usage",
       [] { return commands::CommandLine().parse({"--json-usage"}).value_or(std::string()); },
       "The options of all commands as JSON: what `ibmfair --json-usage` prints.");
+  python::bind_interpreter_end();
   python::bind_errors(module);
   python::bind_commands(module);
   python::bind_flow(module);

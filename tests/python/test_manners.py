@@ -144,19 +144,52 @@ def test_ctrl_c_while_a_flow_is_prepared():
     assert run.stdout == "interrupted\n", run.stderr
 
 
-def test_threads_that_are_left_behind_do_not_disturb_the_end():
+LEFT_BEHIND = """
+    import threading, time, ibmfair
+    V, F = ibmfair.make("icosphere", subdivide=5, noise=0.1)
+    def work():
+        while True:
+            {call}
+    for _ in range(2):
+        threading.Thread(target=work, daemon=True).start()
+    time.sleep(0.3)
+"""
+
+
+@pytest.mark.parametrize("call", ["ibmfair.smooth(V, F)", "ibmfair.denoise(V, F)", "ibmfair.energy(V, F)",
+                                  "ibmfair.Flow(V, F).step()",
+                                  "ibmfair.smooth(V, F, progress=lambda *_: time.sleep(0.06))"])
+def test_threads_that_are_left_behind_do_not_disturb_the_end(call):
+    script = textwrap.dedent(LEFT_BEHIND).format(call=call)
+    for _ in range(4):
+        run = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, timeout=300)
+        assert (run.returncode, run.stderr) == (0, "")
+
+
+def test_a_function_called_at_the_end_may_compute():
     script = """
-        import threading, ibmfair
-        V, F = ibmfair.make("icosphere", subdivide=5, noise=0.1)
-        def work():
-            while True:
-                ibmfair.smooth(V, F)
-        for _ in range(2):
-            threading.Thread(target=work, daemon=True).start()
-        threading.Event().wait(0.3)
+        import atexit, ibmfair
+        V, F = ibmfair.make("icosphere", subdivide=3)
+        late = atexit.register(lambda: print(len(ibmfair.smooth(V, F)[0])))
+        class Kept:
+            def __del__(self, smooth=ibmfair.smooth): smooth(V, F); print("kept")
+        kept = Kept()
     """
     run = subprocess.run([sys.executable, "-c", textwrap.dedent(script)], capture_output=True,
-                         text=True, timeout=300)
+                         text=True, timeout=60)
+    assert (run.returncode, run.stdout) == (0, "642\nkept\n"), run.stderr
+
+
+def test_a_child_process_does_not_wait_for_threads_of_its_parent():
+    script = textwrap.dedent(LEFT_BEHIND).format(call="ibmfair.smooth(V, F, steps=50)") + textwrap.dedent("""
+        import atexit, os
+        child = os.fork()
+        if child == 0:
+            atexit._run_exitfuncs()
+            os._exit(7)  # TBB's own end may wait for its threads, which the child does not have
+        assert os.waitstatus_to_exitcode(os.waitpid(child, 0)[1]) == 7
+    """)
+    run = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, timeout=60)
     assert (run.returncode, run.stderr) == (0, "")
 
 
@@ -171,28 +204,28 @@ def test_the_default_ctrl_c_is_that_of_python(tmp_path):
     assert signal.getsignal(signal.SIGTERM) == signal.SIG_DFL
 
 
-def test_the_overhead_of_a_call_is_below_a_millisecond(tmp_path, monkeypatch):
-    """What a call takes beyond the run of the command on a mesh of 10k vertices."""
+def test_the_overhead_of_a_call_is_small(tmp_path, monkeypatch):
+    """What a call takes beyond the run of the command on a mesh of 10k vertices, in shares of the run,
+    as processors differ."""
     program("make", "icosphere", "--subdivide", "5", tmp_path / "mesh.ply")
     mesh = ibmfair.read(tmp_path / "mesh.ply")
     V, F = mesh.V, np.array(mesh.F)
     assert 10000 <= len(V) < 11000
-    command = []
+    commands, overheads = [], []
 
     def run(*arguments):
         result = core_run(*arguments)
-        command.append(result["seconds"])
+        commands.append(result["seconds"])
         return result
 
     core_run = _core.run
     monkeypatch.setattr(_core, "run", run)
-    overheads = []
     for _ in range(40):
         start = time.perf_counter()
         ibmfair.smooth(V, F, steps=4)
-        overheads.append(time.perf_counter() - start - command.pop())
-    print(f"overhead of a call: {1e3 * min(overheads):.2f} ms")
-    assert min(overheads) < 1e-3
+        overheads.append(time.perf_counter() - start - commands[-1])
+    print(f"overhead of a call: {1e3 * min(overheads):.2f} ms of {1e3 * min(commands):.1f} ms")
+    assert min(overheads) < 0.06 * min(commands)
 
 
 @pytest.mark.skipif(not os.path.exists("/proc/self/statm"), reason="no /proc")
