@@ -31,7 +31,8 @@ Vec3 centroid(const Points& X, const Topology& topology, Index t) {
 
 /// A ray from a triangle into the solid, as long as the thickest wall.
 struct Ray {
-  Vec3 start, direction;  // the direction has unit length, or is zero without a wall to look for
+  Index position = -1;  // of the triangle in the list of those whose walls are asked for
+  Vec3 start = Vec3::Zero(), direction = Vec3::Zero();  // of unit length, or zero if there is none
 };
 
 /// Where a ray meets a triangle.
@@ -68,7 +69,11 @@ class WallFinder {
         area_vectors_(vertex_area_vectors(X, topology)) {}
 
   std::vector<Wall> find() {
+    std::vector<Wall> walls(triangles_.size());
     cast_rays();
+    if (rays_.empty()) {
+      return walls;
+    }
     const BoxGrid grid(boxes_of_rays());
     constexpr std::int64_t block = 4096;
     const std::int64_t count = topology_.F.rows();
@@ -76,12 +81,11 @@ class WallFinder {
     run_tasks(std::ssize(meetings), count >= worth_sharing, [&](std::int64_t i) {
       meet(grid, i * block, std::min(count, (i + 1) * block), meetings[i]);
     });
-    std::vector<Wall> walls(triangles_.size());
     for (const auto& some : meetings) {
       for (const Meeting& meeting : some) {
-        if (meeting.distance < walls[meeting.ray].thickness) {
-          walls[meeting.ray] = {meeting.distance, meeting.triangle,
-                                Vec3(1 - meeting.u - meeting.v, meeting.u, meeting.v)};
+        if (Wall& wall = walls[rays_[meeting.ray].position]; meeting.distance < wall.thickness) {
+          wall = {meeting.distance, meeting.triangle,
+                  Vec3(1 - meeting.u - meeting.v, meeting.u, meeting.v)};
         }
       }
     }
@@ -89,15 +93,23 @@ class WallFinder {
   }
 
  private:
+  /// From the triangles of closed components. Empty boxes of other rays would make the cells of the
+  /// grid tiny.
   void cast_rays() {
     const std::vector<int> sign = outward_signs(X_, topology_);
-    rays_.resize(triangles_.size());
+    const auto sign_at = [&](Index t) {
+      const Index component = topology_.component[topology_.F(t, 0)];
+      return component < 0 ? 0 : sign[component];
+    };
+    for (std::size_t i = 0; i < triangles_.size(); ++i) {
+      if (sign_at(triangles_[i]) != 0) {
+        rays_.emplace_back().position = static_cast<Index>(i);
+      }
+    }
     parallel_for(std::ssize(rays_), [&](std::int64_t i) {
-      const Index t = triangles_[i], component = topology_.component[topology_.F(t, 0)];
+      const Index t = triangles_[rays_[i].position];
       rays_[i].start = centroid(X_, topology_, t);
-      rays_[i].direction = component < 0
-                               ? Vec3(Vec3::Zero())
-                               : Vec3(-sign[component] * mean_normal(area_vectors_, topology_, t));
+      rays_[i].direction = -sign_at(t) * mean_normal(area_vectors_, topology_, t);
     });
   }
 
@@ -122,7 +134,7 @@ class WallFinder {
                  c = X_.row(topology_.F(t, 2));
       grid.find(BoxGrid::Box(a).extend(b).extend(c), found);
       for (const Index i : found) {
-        if (triangles_[i] == t || rays_[i].direction.isZero() || !faces_against(i, t)) {
+        if (start_of(i) == t || rays_[i].direction.isZero() || !faces_against(i, t)) {
           continue;
         }
         Meeting meeting = meeting_of(rays_[i], a, b, c);
@@ -138,10 +150,13 @@ class WallFinder {
   /// Whether triangle t faces the way that ray i goes, as the other side of a wall does.
   bool faces_against(Index i, Index t) const {
     const Index component = topology_.component[topology_.F(t, 0)];
-    return component == topology_.component[topology_.F(triangles_[i], 0)] &&
+    return component == topology_.component[topology_.F(start_of(i), 0)] &&
            mean_normal(area_vectors_, topology_, t)
-                   .dot(mean_normal(area_vectors_, topology_, triangles_[i])) < facing;
+                   .dot(mean_normal(area_vectors_, topology_, start_of(i))) < facing;
   }
+
+  /// The triangle from which ray i starts.
+  Index start_of(Index i) const { return triangles_[rays_[i].position]; }
 
   const Points& X_;
   const Topology& topology_;
