@@ -257,8 +257,8 @@ class Planner {
     FlowOptions options = plan_.flow;
     keep_creases(options);
     set_relaxation(options);
-    if (const auto creases = choose_creases(input_.X, input_.topology, fixed, options, plan_.flow,
-                                            *plan_.choice, search)) {
+    if (const auto creases =
+            choose_creases(input_.X, input_.topology, fixed, options, *plan_.choice, search)) {
       options.sharp_angle = creases->sharp_angle;
       plan_.flow = options;
       plan_.creases = {creases->sharp_angle, *plan_.choice};

@@ -274,9 +274,8 @@ TEST(CreaseChoice, KeepsThoseOfPolyhedra) {
       const NoisyPolyhedron noisy(shape, noise);
       const auto fixed = fixed_vertices(noisy.state.topology, BoundaryCondition::fixed);
       const CutoffChoice without = choice_for(noisy.state, 2, without_creases());
-      const auto creases =
-          choose_creases(noisy.state.X, noisy.state.topology, fixed, keeping_creases(0),
-                         without_creases(), without, {.largest = 2});
+      const auto creases = choose_creases(noisy.state.X, noisy.state.topology, fixed,
+                                          keeping_creases(0), without, {.largest = 2});
       ASSERT_TRUE(creases);
       EXPECT_EQ(creases->cutoff.noise, without.noise);
       const double left =
@@ -291,9 +290,8 @@ TEST(CreaseChoice, KeepsThoseOfACubeUnderNoiseThatFoldsTriangles) {
   const NoisyPolyhedron noisy("cube", 0.5);
   const auto fixed = fixed_vertices(noisy.state.topology, BoundaryCondition::fixed);
   const CutoffChoice without = choice_for(noisy.state, 2, without_creases());
-  const auto creases =
-      choose_creases(noisy.state.X, noisy.state.topology, fixed, keeping_creases(0),
-                     without_creases(), without, {.largest = 2});
+  const auto creases = choose_creases(noisy.state.X, noisy.state.topology, fixed,
+                                      keeping_creases(0), without, {.largest = 2});
   ASSERT_TRUE(creases);
   const double left =
       noisy.squared_error_after(creases->cutoff.cutoff, keeping_creases(creases->sharp_angle));
@@ -312,8 +310,8 @@ TEST(CreaseChoice, KeepsBluntOnes) {
   add_noise(noisy.X, 0.1 * mean_edge_length(truth.X, truth.topology.E), 3);
   const auto fixed = fixed_vertices(truth.topology, BoundaryCondition::fixed);
   const CutoffChoice without = choice_for(noisy, 1, without_creases());
-  const auto creases = choose_creases(noisy.X, noisy.topology, fixed, keeping_creases(0),
-                                      without_creases(), without, {.largest = 1});
+  const auto creases =
+      choose_creases(noisy.X, noisy.topology, fixed, keeping_creases(0), without, {.largest = 1});
   ASSERT_TRUE(creases);
   const double edge = mean_edge_length(noisy.X, noisy.topology.E);
   const auto tilt = [&](double cutoff, const FlowOptions& options) {
@@ -328,7 +326,7 @@ TEST(CreaseChoice, FindsNoneInSmoothShapes) {
     const auto fixed = fixed_vertices(noisy.state.topology, BoundaryCondition::fixed);
     const CutoffChoice without = choice_for(noisy.state, noisy.diagonal / 2, without_creases());
     EXPECT_FALSE(choose_creases(noisy.state.X, noisy.state.topology, fixed, keeping_creases(0),
-                                without_creases(), without, {.largest = noisy.diagonal / 2}))
+                                without, {.largest = noisy.diagonal / 2}))
         << noisy.name;
   }
 }

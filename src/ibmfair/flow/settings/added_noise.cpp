@@ -1,7 +1,6 @@
 #include "ibmfair/flow/settings/added_noise.h"
 
 #include <algorithm>
-#include <numbers>
 #include <utility>
 
 #include "ibmfair/base/parallel.h"
@@ -43,27 +42,6 @@ Points noise_on(const TrialMesh& mesh, const Unknowns& unknowns, const Points& n
   return correlated_noise(noise, rings, mesh.topology(), unknowns);
 }
 
-/// The pairs of positions in `counted`, a list of unknowns, whose vertices an edge joins.
-Edges neighbours_among(const std::vector<Index>& counted, const Unknowns& unknowns,
-                       const Topology& topology) {
-  std::vector<Index> position(topology.stars.size(), -1);
-  for (std::size_t i = 0; i < counted.size(); ++i) {
-    position[unknowns.vertex[counted[i]]] = static_cast<Index>(i);
-  }
-  Edges pairs(topology.E.rows(), 2);
-  Index count = 0;
-  for (const auto& edge : topology.E.rowwise()) {
-    if (position[edge[0]] >= 0 && position[edge[1]] >= 0) {
-      pairs.row(count++) << position[edge[0]], position[edge[1]];
-    }
-  }
-  return pairs.topRows(count);
-}
-
-double mean_square(const Eigen::VectorXd& values) {
-  return values.squaredNorm() / static_cast<double>(values.size());
-}
-
 double total_time(double cutoff, const TrialMesh& mesh, const FlowOptions& options) {
   return time_in_flow_units(time_for_cutoff(cutoff), mesh.X(), mesh.topology(), options);
 }
@@ -77,7 +55,7 @@ AddedNoise::AddedNoise(const TrialMesh& mesh, const NoiseModel& noise, FlowOptio
       rings_(vertex_rings(mesh.topology())),
       unknowns_(mesh.fixed()),
       counted_(counted_unknowns(mesh, unknowns_)),
-      neighbours_(neighbours_among(counted_, unknowns_, mesh.topology())),
+      differences_(counted_, unknowns_, mesh.topology()),
       normals_(unknown_normals(with_filtered_normals(mesh.X(), mesh.topology(), mesh.fixed()),
                                mesh.topology(), unknowns_)) {
   const double deviation = std::max(choice_tuning.cutoff.added_noise * noise.deviation,
@@ -88,7 +66,7 @@ AddedNoise::AddedNoise(const TrialMesh& mesh, const NoiseModel& noise, FlowOptio
   starts_[1] = 2 * mesh.X() - starts_[0];
   added_ = heights(starts_[0], mesh.X());
   if (noise.rings > 0) {
-    slope_share_ = mean_square(differences(added_)) / mean_square(added_);
+    slope_share_ = mean_square(differences_(added_)) / mean_square(added_);
   }
   options.total_time = total_time(cutoff, mesh, options);
   parallel_tasks(2, [&](std::int64_t i) {
@@ -100,11 +78,11 @@ AddedNoise::AddedNoise(const TrialMesh& mesh, const NoiseModel& noise, FlowOptio
 
 CutoffTrial AddedNoise::trial(double cutoff, const std::array<Points, 2>& ends) const {
   const std::array moves{heights(ends[0], mesh_.X()), heights(ends[1], mesh_.X())};
-  const std::array slopes{differences(moves[0]), differences(moves[1])};
+  const std::array slopes{differences_(moves[0]), differences_(moves[1])};
   const double variance = noise_.deviation * noise_.deviation;
   return {.cutoff = cutoff,
           .risk = risk(variance, added_, moves),
-          .slope_risk = risk(slope_share_ * variance, differences(added_), slopes) / slope_share_,
+          .slope_risk = risk(slope_share_ * variance, differences_(added_), slopes) / slope_share_,
           .slope_weight = noise_.rings > 0 ? choice_tuning.noise.slopes : 0};
 }
 
@@ -115,11 +93,6 @@ double AddedNoise::risk(double variance, const Eigen::VectorXd& added,
   const double squared_moves = mean_square(moves[0]) / 2 + mean_square(moves[1]) / 2;
   const double trace = added.dot(moves[0] - moves[1]) / added.squaredNorm() / 2;
   return squared_moves + variance * (2 * trace - 1);
-}
-
-/// Of neighbours, over the root of two, so that those of white noise have its variance.
-Eigen::VectorXd AddedNoise::differences(const Eigen::VectorXd& heights) const {
-  return std::numbers::sqrt2 / 2 * (heights(neighbours_.col(0)) - heights(neighbours_.col(1)));
 }
 
 /// Of the counted unknowns.

@@ -26,6 +26,7 @@
 #include "ibmfair/base/compressed_rows.h"
 #include "ibmfair/base/types.h"
 #include "ibmfair/energy/unknowns.h"
+#include "ibmfair/flow/settings/height_differences.h"
 #include "ibmfair/flow/settings/noise_model.h"
 #include "ibmfair/flow/settings/risk_curve.h"
 #include "ibmfair/flow/settings/trial_mesh.h"
@@ -57,7 +58,6 @@ class AddedNoise {
 
  private:
   Eigen::VectorXd heights(const Points& Y, const Points& over) const;
-  Eigen::VectorXd differences(const Eigen::VectorXd& heights) const;
   double risk(double variance, const Eigen::VectorXd& added,
               const std::array<Eigen::VectorXd, 2>& moves) const;
 
@@ -66,8 +66,8 @@ class AddedNoise {
   const CompressedRows rings_;
   Unknowns unknowns_;
   std::vector<Index> counted_;  // unknowns whose vertices are counted
-  Edges neighbours_;            // pairs of them, as positions in counted_, that edges join
-  Points normals_;              // #unknowns x 3, of the mesh with filtered normals
+  HeightDifferences differences_;
+  Points normals_;  // #unknowns x 3, of the mesh with filtered normals
   std::array<Points, 2> starts_, after_first_stage_;
   Eigen::VectorXd added_;   // heights of the noise added
   double slope_share_ = 1;  // of half the mean squared slope of the noise in its variance

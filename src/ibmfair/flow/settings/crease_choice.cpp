@@ -18,10 +18,8 @@ double shape_risk(const CutoffTrial& trial) {
 
 class CreaseSearch {
  public:
-  CreaseSearch(const TrialMesh& mesh, const FlowOptions& bending, const CutoffChoice& without,
-               const CutoffSearch& search)
+  CreaseSearch(const TrialMesh& mesh, const CutoffChoice& without, const CutoffSearch& search)
       : mesh_(mesh),
-        bending_(bending),
         without_(without),
         search_(search),
         start_(std::max(choice_tuning.creases.first_cutoff * mesh.mean_edge_length(),
@@ -31,17 +29,17 @@ class CreaseSearch {
   /// Whether a choice leaves less than this share of what is left without creases, and by at least
   /// `least` (length^2) less. If distances alone do not tell, slopes count as well. If the noise is
   /// correlated, both count, and any difference: it hides most of what creases gain.
-  bool is_below(const CreaseChoice& choice, double share, double least = 0) {
-    const CutoffTrial& with = choice.cutoff.best();
+  bool is_below(const CreaseChoice& choice, double share, double least = 0) const {
+    const CutoffTrial &with = choice.cutoff.best(), &without = without_.best();
     if (without_.noise_rings > 0) {
-      return with.total() < without_.best().total();
+      return with.total() < without.total();
     }
-    const auto below = [&](double with_creases, double without) {
-      return with_creases < share * without && with_creases < without - least;
+    const auto below = [&](double with_creases, double without_creases) {
+      return with_creases < share * without_creases && with_creases < without_creases - least;
     };
-    const double without = without_.best().risk;
-    return below(with.risk, without) || (with.risk < choice_tuning.creases.hopeless * without &&
-                                         below(shape_risk(with), shape_risk(trial_without())));
+    return below(with.risk, without.risk) ||
+           (with.risk < choice_tuning.creases.hopeless * without.risk &&
+            below(shape_risk(with), shape_risk(without)));
   }
 
   /// The differences of risks (length^2) that may be chance.
@@ -125,36 +123,23 @@ class CreaseSearch {
     return options;
   }
 
-  /// Of the choice without creases, with the same added noise.
-  const CutoffTrial& trial_without() {
-    if (!trial_without_) {
-      const AddedNoise added(mesh_, without_.noise_model(), mesh_.here(bending_), without_.cutoff);
-      NoisierFlows flows(added, mesh_.here(bending_));
-      trial_without_ = trial(flows, without_.cutoff);
-    }
-    return *trial_without_;
-  }
-
   CutoffTrial trial(NoisierFlows& flows, double cutoff) const {
     search_.tell(cutoff);
     return flows.trial(cutoff);
   }
 
   const TrialMesh& mesh_;
-  const FlowOptions& bending_;
   const CutoffChoice& without_;
   const CutoffSearch& search_;
   const double start_;  // the first cut-off, length
   const AddedNoise added_;
-  std::optional<CutoffTrial> trial_without_;
 };
 
 }  // namespace
 
 std::optional<CreaseChoice> choose_creases(const Points& X, const Topology& topology,
                                            const std::vector<std::uint8_t>& fixed,
-                                           const FlowOptions& keeping, const FlowOptions& bending,
-                                           const CutoffChoice& without,
+                                           const FlowOptions& keeping, const CutoffChoice& without,
                                            const CutoffSearch& search) {
   // Where the flow without creases may leave nothing, creases cannot be found to leave less.
   const double least = std::max(choice_tuning.creases.least_risk * without.noise * without.noise,
@@ -163,7 +148,7 @@ std::optional<CreaseChoice> choose_creases(const Points& X, const Topology& topo
     return std::nullopt;
   }
   const TrialMesh mesh(X, topology, fixed, keeping, search.sample_for(without.noise_model()));
-  CreaseSearch creases(mesh, bending, without, search);
+  const CreaseSearch creases(mesh, without, search);
   CreaseChoice best = creases.with_first_angle();
   if (!creases.is_below(best, choice_tuning.creases.some_share)) {
     return std::nullopt;

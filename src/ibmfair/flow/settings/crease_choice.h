@@ -20,13 +20,13 @@ struct CreaseChoice {
 };
 
 /// Compares flows that keep creases, with `keeping` except for the angle, with `without`, the
-/// choice for the options `bending` without creases. Returns the choice with the least risk if it
-/// is clearly below the risk of that choice; otherwise nothing. Beginning with one angle, smaller
-/// ones are tried as long as they do not raise the risk, or larger ones as long as they reduce it.
-/// Throws the exceptions of choose_cutoff.
+/// choice for flows without creases. Returns the choice with the least risk if it is clearly below
+/// the risk of that choice; otherwise nothing. Beginning with one angle, smaller ones are tried as
+/// long as they do not raise the risk, or larger ones as long as they reduce it. Throws the
+/// exceptions of choose_cutoff.
 std::optional<CreaseChoice> choose_creases(const Points& X, const Topology& topology,
                                            const std::vector<std::uint8_t>& fixed,
-                                           const FlowOptions& keeping, const FlowOptions& bending,
-                                           const CutoffChoice& without, const CutoffSearch& search);
+                                           const FlowOptions& keeping, const CutoffChoice& without,
+                                           const CutoffSearch& search);
 
 }  // namespace ibmfair

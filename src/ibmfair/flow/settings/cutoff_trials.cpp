@@ -19,7 +19,22 @@ double median(Eigen::VectorXd values) {
 }
 
 double rms(const Eigen::VectorXd& values) {
-  return std::sqrt(values.squaredNorm() / static_cast<double>(values.size()));
+  return std::sqrt(mean_square(values));
+}
+
+/// tr F / n, estimated by what F takes away of noise.
+double trace_of(const Points& noise, const Points& taken) {
+  return 1 - noise.cwiseProduct(taken).sum() / noise.squaredNorm();
+}
+
+/// The ratio of tr F at a cut-off to that at a shorter one, by H. Weyl's law for the number of
+/// modes on a surface, which holds if the edges are short compared with the cut-offs; of heights
+/// and of slopes, in whose square a mode counts by the square of its frequency.
+double fall_of_heights(double shorter, double longer) {
+  return std::pow(shorter / longer, 2);
+}
+double fall_of_slopes(double shorter, double longer) {
+  return std::pow(shorter / longer, 4);
 }
 
 }  // namespace
@@ -30,6 +45,7 @@ CutoffTrials::CutoffTrials(const TrialMesh& mesh, double noise)
       mean_edge_(mean_edge_length(mesh.X(), topology_.E)),
       unknowns_(mesh.fixed()),
       counted_(counted_unknowns(mesh, unknowns_)),
+      differences_(counted_, unknowns_, topology_),
       smoother_(make_trial_smoother(mesh, unknowns_)),
       white_noise_(white_noise(unknowns_.size())),
       noise_(noise),
@@ -38,22 +54,25 @@ CutoffTrials::CutoffTrials(const TrialMesh& mesh, double noise)
 void CutoffTrials::run(double cutoff) {
   const Points end = smoother_->smooth(cutoff);
   const Points normals = unknown_normals(end, topology_, unknowns_);
+  const Eigen::VectorXd height = heights_along(normals, end, mesh_.X(), unknowns_)(counted_);
+  Outcome outcome{cutoff, {mean_square(height)}, {mean_square(differences_(height))}};
   Points taken;  // of white noise
-  double trace = 0;
   if (trace_falls_) {
-    trace = trace_by_law(cutoff);
+    const Outcome& last = outcomes_.back();
+    outcome.on_heights.trace = last.on_heights.trace * fall_of_heights(last.cutoff, cutoff);
+    outcome.on_slopes.trace = last.on_slopes.trace * fall_of_slopes(last.cutoff, cutoff);
   } else {
     taken = smoother_->taken_of(white_noise_)(counted_, Eigen::all);
     const Points noise = white_noise_(counted_, Eigen::all);
-    trace = 1 - noise.cwiseProduct(taken).sum() / noise.squaredNorm();
-    trace_falls_ = falls_by_law(cutoff, trace);
+    outcome.on_heights.trace = trace_of(noise, taken);
+    outcome.on_slopes.trace = trace_of(differences_(noise), differences_(taken));
+    trace_falls_ = falls_by_law(cutoff, outcome.on_heights.trace);
   }
-  const Eigen::VectorXd height = heights_along(normals, end, mesh_.X(), unknowns_)(counted_);
   add_band(cutoff, normals, end, taken);
   if (!knows_noise_ && outcomes_.size() == choice_tuning.cutoff.noise_trial) {
     estimate_noise(height, taken);
   }
-  outcomes_.push_back({cutoff, height.squaredNorm() / static_cast<double>(height.size()), trace});
+  outcomes_.push_back(outcome);
 }
 
 /// `taken`: of the counted white noise, or empty if unknown.
@@ -106,21 +125,20 @@ std::vector<CutoffTrial> CutoffTrials::risks() const {
   const double variance = noise_ * noise_;
   std::vector<CutoffTrial> risks;
   for (const Outcome& o : outcomes_) {
-    risks.push_back({.cutoff = o.cutoff, .risk = o.squared_move + variance * (2 * o.trace - 1)});
+    risks.push_back({.cutoff = o.cutoff,
+                     .risk = o.on_heights.risk(variance),
+                     .slope_risk = o.on_slopes.risk(variance)});
   }
   return risks;
 }
 
-/// tr F / n extrapolated from the last outcome by H. Weyl's law for the number of modes on a
-/// surface, which holds if the edges are short compared with the cut-off.
-double CutoffTrials::trace_by_law(double cutoff) const {
-  const Outcome& last = outcomes_.back();
-  return last.trace * std::pow(last.cutoff / cutoff, 2);
-}
-
 bool CutoffTrials::falls_by_law(double cutoff, double trace) const {
-  return !outcomes_.empty() && cutoff >= choice_tuning.cutoff.law_edges * mean_edge_ &&
-         std::abs(trace - trace_by_law(cutoff)) < choice_tuning.cutoff.near_law * trace;
+  if (outcomes_.empty() || cutoff < choice_tuning.cutoff.law_edges * mean_edge_) {
+    return false;
+  }
+  const Outcome& last = outcomes_.back();
+  const double by_law = last.on_heights.trace * fall_of_heights(last.cutoff, cutoff);
+  return std::abs(trace - by_law) < choice_tuning.cutoff.near_law * trace;
 }
 
 }  // namespace ibmfair

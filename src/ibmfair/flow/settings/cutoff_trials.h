@@ -13,6 +13,8 @@
 // which the flow with a short cut-off moves the vertices, over the distance by which it moves white
 // noise.
 //
+// The same holds for differences of neighbouring heights in place of heights.
+//
 // F z is computed by the flow linearised at the end state (trial_smoother.h). Flows that keep
 // creases are no such smoothers: flow/settings/added_noise.h estimates their risk.
 #pragma once
@@ -22,6 +24,7 @@
 #include <vector>
 
 #include "ibmfair/energy/unknowns.h"
+#include "ibmfair/flow/settings/height_differences.h"
 #include "ibmfair/flow/settings/noise_kind.h"
 #include "ibmfair/flow/settings/risk_curve.h"
 #include "ibmfair/flow/settings/trial_mesh.h"
@@ -59,16 +62,21 @@ class CutoffTrials {
   std::vector<CutoffTrial> risks() const;
 
  private:
+  /// What a smoother does to heights, or to their differences between neighbours.
+  struct Effect {
+    double squared_move = 0;  // mean square
+    double trace = 0;         // tr F / n
+
+    double risk(double variance) const { return squared_move + variance * (2 * trace - 1); }
+  };
   /// The result of a flow with one cut-off.
   struct Outcome {
     double cutoff;
-    double squared_move;  // mean of the squared moves along the normals
-    double trace;         // tr F / n
+    Effect on_heights, on_slopes;
   };
 
   void add_band(double cutoff, const Points& normals, const Points& end, const Points& taken);
   void estimate_noise(const Eigen::VectorXd& height, const Points& taken);
-  double trace_by_law(double cutoff) const;
   bool falls_by_law(double cutoff, double trace) const;
 
   const TrialMesh& mesh_;
@@ -76,12 +84,13 @@ class CutoffTrials {
   const double mean_edge_;
   Unknowns unknowns_;
   std::vector<Index> counted_;  // unknowns whose vertices are counted
+  const HeightDifferences differences_;
   const std::unique_ptr<TrialSmoother> smoother_;
   Points white_noise_;  // #unknowns x 3: three vectors take little longer to smooth than one
   std::vector<Outcome> outcomes_;
   std::vector<NoiseBand> bands_;
   Points end_, taken_;        // of the last trial: the mesh with twicing, the white noise removed
-  bool trace_falls_ = false;  // tr F follows Weyl's law from here on (trace_by_law)
+  bool trace_falls_ = false;  // tr F follows Weyl's law from here on
   double noise_;
   double noise_doubt_ = 0;  // standard error of noise^2, over noise^2
   bool knows_noise_;

@@ -13,10 +13,9 @@ namespace ibmfair {
 /// the variance of the noise where all of it is left. They may be negative by chance if the true
 /// values are close to 0.
 struct CutoffTrial {
-  double cutoff = 0;  ///< length
-  double risk = 0;    ///< length^2
-  /// Length^2. NaN if it was not estimated: flow/settings/cutoff_trials.h does not.
-  double slope_risk = std::numeric_limits<double>::quiet_NaN();
+  double cutoff = 0;        ///< length
+  double risk = 0;          ///< length^2
+  double slope_risk = 0;    ///< length^2
   double slope_weight = 0;  ///< ratio; of `slope_risk` beside `risk` in the choice of a cut-off
 
   /// What the choice of a cut-off makes least, length^2.
