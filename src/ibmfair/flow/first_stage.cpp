@@ -5,6 +5,7 @@
 
 #include "ibmfair/base/parallel.h"
 #include "ibmfair/flow/part_measures.h"
+#include "ibmfair/flow/steps/fold_free_move.h"
 #include "ibmfair/flow/time_scale.h"
 #include "ibmfair/flow/tuning.h"
 #include "ibmfair/mesh/geometry.h"
@@ -26,6 +27,10 @@ double mean_turn(const FlowProblem& problem) {
       });
   const double turn = parts.sum(sums[0]), count = parts.sum(sums[1]);
   return count > 0 ? turn / count : 0;
+}
+
+bool has_folds(const Points& X, const Topology& topology) {
+  return std::ranges::count(folded_hinges(X, topology), 1) > 0;
 }
 
 }  // namespace
@@ -71,8 +76,15 @@ void filter_normals(FlowProblem& stage) {
   const Points& start = stage.start();
   const Points fitted = with_filtered_normals(start, stage.topology, stage.fixed);
   const auto& vertex = stage.unknowns.vertex;
-  Points Y;
-  stage.displace(fitted(vertex, Eigen::all) - start(vertex, Eigen::all), Y);
+  Points move = fitted(vertex, Eigen::all) - start(vertex, Eigen::all), Y;
+  stage.displace(move, Y);
+  // The filter removes most of the folds of strong noise, and makes some new ones, which the flow
+  // removes. Without strong noise, it only folds slivers over.
+  if (!has_folds(start, stage.topology) && has_folds(Y, stage.topology)) {
+    const FoldWatch folds(start, stage.topology);
+    displace_without_folds(stage, folds, move, Y,
+                           [&stage](const Points& X) { return stage.energy_at(X); });
+  }
   stage.move_to(Y);
 }
 
