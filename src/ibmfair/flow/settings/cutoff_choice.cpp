@@ -12,9 +12,9 @@ namespace {
 
 /// Whether longer cut-offs are not expected to reduce the risk.
 bool is_enough(const std::vector<CutoffTrial>& trials, double noise) {
-  const double variance = noise * noise, last = trials.back().risk;
-  return last - trials[least_risk(trials)].risk > choice_tuning.cutoff.clear_rise * variance ||
-         (trials.size() > 2 && std::abs(trials[trials.size() - 3].risk - last) <=
+  const double variance = noise * noise, last = trials.back().total();
+  return last - trials[least_risk(trials)].total() > choice_tuning.cutoff.clear_rise * variance ||
+         (trials.size() > 2 && std::abs(trials[trials.size() - 3].total() - last) <=
                                    choice_tuning.cutoff.small_gain * variance);
 }
 
@@ -37,21 +37,15 @@ void try_cutoffs(CutoffTrials& trials, const TrialMesh& mesh, const CutoffSearch
   }
 }
 
-/// Completes the choice by one of the cut-offs around `first` (length), for its noise.
-void choose_by_added_noise(const TrialMesh& mesh, const CutoffSearch& search, double first,
-                           CutoffChoice& choice) {
-  const AddedNoise added(mesh, choice.noise_model(), mesh.options(), first);
-  NoisierFlows flows(added, mesh.options());
-  choice.trials = trials_around(
-      [&](double cutoff) {
-        search.tell(cutoff);
-        return flows.trial(cutoff);
-      },
-      {.start = first,
-       .shortest = choice_tuning.cutoff.shortest * mesh.mean_edge_length(),
-       .largest = search.largest,
-       .tolerance = choice_tuning.cutoff.small_gain * choice.noise * choice.noise});
-  choice.cutoff = cutoff_of_least_risk(choice.trials, mesh.options().sharp_angle > 0);
+/// Completes the choice for noise that is known to be correlated.
+void choose_for_known_noise(const TrialMesh& mesh, const CutoffSearch& search,
+                            CutoffChoice& choice) {
+  CutoffTrials trials(mesh, choice.noise_model());
+  try_cutoffs(trials, mesh, search, [&](double next) {
+    choice.trials = trials.risks();
+    return is_enough(choice.trials, choice.noise) || next > search.largest;
+  });
+  choice.cutoff = cutoff_of_least_risk(choice.trials, false);
 }
 
 /// If the noise is correlated, the choice has no cut-off yet.
@@ -91,7 +85,19 @@ CutoffChoice choose_with_creases(const TrialMesh& mesh, const CutoffSearch& sear
     choice.trials = {{.cutoff = choice.cutoff}};
     return choice;
   }
-  choose_by_added_noise(mesh, search, choice_tuning.creases.first_cutoff * edge, choice);
+  const double first = choice_tuning.creases.first_cutoff * edge;
+  const AddedNoise added(mesh, choice.noise_model(), mesh.options(), first);
+  NoisierFlows flows(added, mesh.options());
+  choice.trials = trials_around(
+      [&](double cutoff) {
+        search.tell(cutoff);
+        return flows.trial(cutoff);
+      },
+      {.start = first,
+       .shortest = choice_tuning.cutoff.shortest * edge,
+       .largest = search.largest,
+       .tolerance = choice_tuning.cutoff.small_gain * choice.noise * choice.noise});
+  choice.cutoff = cutoff_of_least_risk(choice.trials, true);
   return choice;
 }
 
@@ -111,8 +117,7 @@ CutoffChoice choose_cutoff(const Points& X, const Topology& topology,
   CutoffChoice choice = choose_without_creases(mesh, search);
   if (choice.noise_rings > 0) {
     const TrialMesh less(X, topology, fixed, options, search.sample_for(choice.noise_model()));
-    const double first = choice_tuning.noise.first_cutoff * less.mean_edge_length();
-    choose_by_added_noise(less, search, first, choice);
+    choose_for_known_noise(less, search, choice);
   }
   return choice;
 }

@@ -27,6 +27,11 @@ double trace_of(const Points& noise, const Points& taken) {
   return 1 - noise.cwiseProduct(taken).sum() / noise.squaredNorm();
 }
 
+/// Of half the mean squared slope of noise in its variance.
+double slope_share(const Points& noise, const HeightDifferences& differences) {
+  return mean_square(differences(noise).reshaped()) / mean_square(noise.reshaped());
+}
+
 /// The ratio of tr F at a cut-off to that at a shorter one, by H. Weyl's law for the number of
 /// modes on a surface, which holds if the edges are short compared with the cut-offs; of heights
 /// and of slopes, in whose square a mode counts by the square of its frequency.
@@ -39,7 +44,7 @@ double fall_of_slopes(double shorter, double longer) {
 
 }  // namespace
 
-CutoffTrials::CutoffTrials(const TrialMesh& mesh, double noise)
+CutoffTrials::CutoffTrials(const TrialMesh& mesh, const NoiseModel& noise)
     : mesh_(mesh),
       topology_(mesh.topology()),
       mean_edge_(mean_edge_length(mesh.X(), topology_.E)),
@@ -47,35 +52,40 @@ CutoffTrials::CutoffTrials(const TrialMesh& mesh, double noise)
       counted_(counted_unknowns(mesh, unknowns_)),
       differences_(counted_, unknowns_, topology_),
       smoother_(make_trial_smoother(mesh, unknowns_)),
-      white_noise_(white_noise(unknowns_.size())),
       noise_(noise),
-      knows_noise_(noise > 0) {}
+      is_given_(noise.deviation > 0),
+      unit_noise_(
+          correlated_noise(white_noise(unknowns_.size()), noise.rings, topology_, unknowns_)),
+      slope_share_(
+          noise.rings == 0 ? 1 : slope_share(unit_noise_(counted_, Eigen::all), differences_)) {}
 
 void CutoffTrials::run(double cutoff) {
   const Points end = smoother_->smooth(cutoff);
   const Points normals = unknown_normals(end, topology_, unknowns_);
   const Eigen::VectorXd height = heights_along(normals, end, mesh_.X(), unknowns_)(counted_);
   Outcome outcome{cutoff, {mean_square(height)}, {mean_square(differences_(height))}};
-  Points taken;  // of white noise
+  Points taken;  // of the noise
   if (trace_falls_) {
     const Outcome& last = outcomes_.back();
     outcome.on_heights.trace = last.on_heights.trace * fall_of_heights(last.cutoff, cutoff);
     outcome.on_slopes.trace = last.on_slopes.trace * fall_of_slopes(last.cutoff, cutoff);
   } else {
-    taken = smoother_->taken_of(white_noise_)(counted_, Eigen::all);
-    const Points noise = white_noise_(counted_, Eigen::all);
+    taken = smoother_->taken_of(unit_noise_)(counted_, Eigen::all);
+    const Points noise = unit_noise_(counted_, Eigen::all);
     outcome.on_heights.trace = trace_of(noise, taken);
     outcome.on_slopes.trace = trace_of(differences_(noise), differences_(taken));
-    trace_falls_ = falls_by_law(cutoff, outcome.on_heights.trace);
+    trace_falls_ = noise_.rings == 0 && falls_by_law(cutoff, outcome.on_heights.trace);
   }
-  add_band(cutoff, normals, end, taken);
-  if (!knows_noise_ && outcomes_.size() == choice_tuning.cutoff.noise_trial) {
-    estimate_noise(height, taken);
+  if (!is_given_) {
+    add_band(cutoff, normals, end, taken);
+    if (outcomes_.size() == choice_tuning.cutoff.noise_trial) {
+      estimate_noise(height, taken);
+    }
   }
   outcomes_.push_back(outcome);
 }
 
-/// `taken`: of the counted white noise, or empty if unknown.
+/// `taken`: of the counted noise, or empty if unknown.
 void CutoffTrials::add_band(double cutoff, const Points& normals, const Points& end,
                             const Points& taken) {
   const bool first = bands_.empty();
@@ -107,27 +117,27 @@ void CutoffTrials::estimate_noise(const Eigen::VectorXd& height, const Points& t
                   std::all_of(bands_.begin(), bands_.end(), [](const NoiseBand& band) {
                     return band.evenness >= choice_tuning.noise.even;
                   });
-  noise_ = has_outliers_ ? by_rms : by_median;
+  noise_.deviation = has_outliers_ ? by_rms : by_median;
   // As many independent heights as there are modes in them. The square of a standard deviation by
   // the median scatters by 2.33 over the root of their number.
   const double count = white.squaredNorm() / 3;
   const double fourth = height.array().pow(4).mean() / std::pow(rms(height), 4);
   noise_doubt_ = has_outliers_ ? std::sqrt((fourth - 1) / count) : 2.33 / std::sqrt(count);
-  knows_noise_ = true;
 }
 
 double CutoffTrials::risk_error() const {
   const double chance = std::sqrt(2 / static_cast<double>(counted_.size()));
-  return noise_ * noise_ * std::hypot(noise_doubt_, chance);
+  return noise() * noise() * std::hypot(noise_doubt_, chance);
 }
 
 std::vector<CutoffTrial> CutoffTrials::risks() const {
-  const double variance = noise_ * noise_;
+  const double variance = noise() * noise();
   std::vector<CutoffTrial> risks;
   for (const Outcome& o : outcomes_) {
     risks.push_back({.cutoff = o.cutoff,
                      .risk = o.on_heights.risk(variance),
-                     .slope_risk = o.on_slopes.risk(variance)});
+                     .slope_risk = o.on_slopes.risk(slope_share_ * variance) / slope_share_,
+                     .slope_weight = noise_.rings > 0 ? choice_tuning.noise.slopes : 0});
   }
   return risks;
 }

@@ -24,8 +24,10 @@
 #include <vector>
 
 #include "ibmfair/energy/unknowns.h"
+#include "ibmfair/flow/settings/choice_tuning.h"
 #include "ibmfair/flow/settings/height_differences.h"
 #include "ibmfair/flow/settings/noise_kind.h"
+#include "ibmfair/flow/settings/noise_model.h"
 #include "ibmfair/flow/settings/risk_curve.h"
 #include "ibmfair/flow/settings/trial_mesh.h"
 #include "ibmfair/flow/settings/trial_smoother.h"
@@ -35,18 +37,20 @@ namespace ibmfair {
 
 class CutoffTrials {
  public:
-  /// `mesh` must outlive this object; the sharp angle of its options is not used. `noise`: its
-  /// standard deviation along the normals, length; 0: estimated in the second trial. Throws BadMesh
-  /// if no counted vertex moves.
-  explicit CutoffTrials(const TrialMesh& mesh, double noise = 0);
+  /// `mesh` must outlive this object; the sharp angle of its options is not used. `noise`: if its
+  /// deviation is 0, it is taken for white, and the deviation is estimated in the second trial.
+  /// Throws BadMesh if no counted vertex moves.
+  explicit CutoffTrials(const TrialMesh& mesh, const NoiseModel& noise = {});
 
   /// Runs a trial. Cut-offs (length) must increase from trial to trial. Throws the exceptions of
   /// the flow.
   void run(double cutoff);
 
   /// Whether the noise is known. A known noise may be 0.
-  bool know_noise() const { return knows_noise_; }
-  double noise() const { return noise_; }
+  bool know_noise() const {
+    return is_given_ || outcomes_.size() > choice_tuning.cutoff.noise_trial;
+  }
+  double noise() const { return noise_.deviation; }
   /// The standard error of the risks, length^2, the same for all trials: by chance, the noise of
   /// this mesh is a little stronger or weaker than its standard deviation says, and that is known
   /// only from so many vertices. What is systematically wrong is not in it: detail that is taken
@@ -55,7 +59,7 @@ class CutoffTrials {
   /// Whether the noise has outliers. False if the noise was given.
   bool has_outliers() const { return has_outliers_; }
 
-  /// What the trials removed, one after the other.
+  /// What the trials removed, one after the other. Empty if the noise was given.
   const std::vector<NoiseBand>& bands() const { return bands_; }
 
   /// The risks of all trials. Precondition: the noise is known.
@@ -86,14 +90,15 @@ class CutoffTrials {
   std::vector<Index> counted_;  // unknowns whose vertices are counted
   const HeightDifferences differences_;
   const std::unique_ptr<TrialSmoother> smoother_;
-  Points white_noise_;  // #unknowns x 3: three vectors take little longer to smooth than one
+  NoiseModel noise_;
+  const bool is_given_;       // the noise
+  Points unit_noise_;         // #unknowns x 3: three vectors take little longer to smooth than one
+  const double slope_share_;  // of half the mean squared slope of the noise in its variance
   std::vector<Outcome> outcomes_;
   std::vector<NoiseBand> bands_;
-  Points end_, taken_;        // of the last trial: the mesh with twicing, the white noise removed
+  Points end_, taken_;        // of the last trial: the mesh with twicing, the noise removed
   bool trace_falls_ = false;  // tr F follows Weyl's law from here on
-  double noise_;
-  double noise_doubt_ = 0;  // standard error of noise^2, over noise^2
-  bool knows_noise_;
+  double noise_doubt_ = 0;    // standard error of noise^2, over noise^2
   bool has_outliers_ = false;
 };
 
