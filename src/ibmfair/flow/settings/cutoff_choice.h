@@ -48,7 +48,7 @@ struct CutoffSearch {
     }
   }
 
-  /// For flows with added noise: smaller if the noise is correlated, as many are tried then.
+  /// If the noise is correlated, the sample is smaller, because the cut-offs are longer.
   SampleSize sample_for(const NoiseModel& noise) const;
 };
 
