@@ -149,8 +149,7 @@ void Jacobian::solve(const Points& B, Points& Y) {
 bool Jacobian::solve_before_rival(const Points& B, Points& Y) {
   const double all = rival_->forecast(shape(), iterations_).seconds;
   grace_ = std::min(grace_, tuning.solver.most_grace * all);
-  const int left = shape().solves_left();
-  double seconds = left > 0 ? all / left + grace_ : std::numeric_limits<double>::infinity();
+  double seconds = all / shape().solves_left() + grace_;
   const bool solved = solver_->solve_within(seconds, B, Y);
   grace_ = std::min(grace_, seconds);
   return solved;

@@ -68,7 +68,8 @@ struct JacobianShape {
     if (options.on_stage) options.on_stage(stage);
   }
 
-  int solves_left() const { return std::max(0, options.solves() - report.solves); }
+  /// At least one: guarded flows may need more solves than planned.
+  int solves_left() const { return std::max(1, options.solves() - report.solves); }
 };
 
 /// The estimated number of conjugate gradient iterations of a solve that starts from zero, with the
