@@ -77,12 +77,12 @@ void filter_normals(FlowProblem& stage) {
   const Points fitted = with_filtered_normals(start, stage.topology, stage.fixed);
   const auto& vertex = stage.unknowns.vertex;
   Points move = fitted(vertex, Eigen::all) - start(vertex, Eigen::all), Y;
-  stage.displace(move, Y);
   // The filter removes most of the folds of strong noise, and makes some new ones, which the flow
   // removes. Without strong noise, it only folds slivers over.
-  if (!has_folds(start, stage.topology) && has_folds(Y, stage.topology)) {
-    const FoldWatch folds(start, stage.topology);
-    displace_without_folds(stage, folds, move, Y,
+  if (has_folds(start, stage.topology)) {
+    stage.displace(move, Y);
+  } else {
+    displace_without_folds(stage, FoldWatch(start, stage.topology), move, Y,
                            [&stage](const Points& X) { return stage.energy_at(X); });
   }
   stage.move_to(Y);

@@ -13,8 +13,8 @@
 // which the flow with a short cut-off moves the vertices, over the distance by which it moves white
 // noise.
 //
-// The same holds for differences of neighbouring heights in place of heights, and for correlated
-// noise, if z has the same correlations.
+// This estimate of the risk also holds for differences of neighbouring heights in place of heights,
+// and for correlated noise, if z has its correlations.
 //
 // F z is computed by the flow linearised at the end state (trial_smoother.h). Flows that keep
 // creases are no such smoothers: flow/settings/added_noise.h estimates their risk.

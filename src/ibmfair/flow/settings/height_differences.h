@@ -21,8 +21,8 @@ class HeightDifferences {
   HeightDifferences(const std::vector<Index>& counted, const Unknowns& unknowns,
                     const Topology& topology);
 
-  /// The differences of heights, one row per listed unknown, over the root of two: so those of
-  /// independent heights have their mean square.
+  /// The differences over the root of two, so that those of independent heights have the mean
+  /// square of the heights; one row per pair. `heights`: one row per listed unknown.
   template <class Heights>
   typename Heights::PlainObject operator()(const Heights& heights) const {
     return std::numbers::sqrt2 / 2 *
