@@ -72,7 +72,7 @@ std::string cutoff_lines(const SmoothPlan& plan, bool detailed) {
     if (const auto& creases = plan.creases) {
       text += fmt::format("  {:<16}edges of more than {:.0f} degrees are kept{}\n", "creases",
                           degrees(creases->sharp_angle),
-                          tells_distance(*plan.choice)
+                          tells_distance(creases->without)
                               ? fmt::format("; without that the error would be {:.3g} mean edge "
                                             "lengths",
                                             expected_distance(creases->without.best()) / edge)
@@ -116,7 +116,9 @@ void add_cutoff_choice(const SmoothPlan& plan, Report& report) {
   }
   if (const auto& creases = plan.creases) {
     json["keep_sharp"] = degrees(creases->sharp_angle);
-    json["distance_expected_without"] = expected_distance(creases->without.best());
+    if (tells_distance(creases->without)) {
+      json["distance_expected_without"] = expected_distance(creases->without.best());
+    }
   }
 }
 

@@ -100,8 +100,9 @@ std::string denoising_text() {
       "instead:\n"
       "  {} --keep-sharp ANGLE\n"
       "with the angle that leaves the least error. Steps of voxels or of rounded\n"
-      "heights are smoothed by the default cut-off. Where there are no sharp edges\n"
-      "and this leaves less error, it uses\n"
+      "coordinates are smoothed by the default cut-off, or by less and keeping sharp\n"
+      "edges if it would move vertices further than the steps explain. Where there\n"
+      "are no sharp edges and this leaves less error, it uses\n"
       "  --laplacian {}\n"
       "An outline that is more jagged than the noise keeps most of its shape.\n",
       words(&DefaultValue::value), words(&DefaultValue::with_creases, &DefaultValue::value),

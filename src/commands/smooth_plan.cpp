@@ -18,6 +18,7 @@
 #include "ibmfair/flow/settings/laplacian_choice.h"
 #include "ibmfair/flow/settings/level_steps.h"
 #include "ibmfair/flow/settings/no_noise.h"
+#include "ibmfair/flow/settings/steps_choice.h"
 #include "ibmfair/flow/settings/thin_walls.h"
 #include "ibmfair/flow/time_scale.h"
 #include "ibmfair/flow/tuning.h"
@@ -239,13 +240,13 @@ class Planner {
       progress_.begin(
           fmt::format("try a cut-off of {:.1f} edges", cutoff / plan_.mean_edge_length));
     };
+    const CutoffSearch search{.largest = plan_.diagonal / 2, .observer = tell};
     if (const double step = arguments_.finds_creases ? level_step(input_.X, input_.topology) : 0;
         step > 0) {
-      smooth_steps(step);
+      smooth_steps(step, search);
       return;
     }
     const std::vector<std::uint8_t> fixed = fixed_for_choice();
-    const CutoffSearch search{.largest = plan_.diagonal / 2, .observer = tell};
     plan_.choice = choose_cutoff(input_.X, input_.topology, fixed, plan_.flow, search);
     if (arguments_.denoise && is_without_noise(input_.X, input_.topology, *plan_.choice)) {
       leave_as_it_is();
@@ -286,13 +287,10 @@ class Planner {
     plan_.flow.total_time = 0;
   }
 
-  /// Smooths by the default cut-off. The errors of coordinates on levels are too regular to
-  /// estimate what a cut-off leaves, and hinges at steps would be taken for creases.
-  void smooth_steps(double step) {
-    plan_.choice.emplace();
-    plan_.choice->kind = NoiseKind::steps;
-    plan_.choice->noise = step / std::sqrt(12.0);  // of numbers rounded to multiples of the step
-    plan_.choice->cutoff = default_cutoff_edges * plan_.mean_edge_length;
+  /// Smooths by the default cut-off, or by less if that would move the vertices further than the
+  /// steps explain. The errors of coordinates on levels are too regular to estimate what a cut-off
+  /// leaves, and hinges at steps would be taken for creases.
+  void smooth_steps(double step, const CutoffSearch& search) {
     if (arguments_.chooses_steps) {
       plan_.flow.steps = reference_defaults.steps;
     }
@@ -301,6 +299,17 @@ class Planner {
     }
     keep_creases(plan_.flow);
     set_relaxation(plan_.flow);
+    const StepsChoice chosen =
+        choose_for_steps(input_.X, input_.topology, plan_.fixed, plan_.flow, step,
+                         {.cutoff = default_cutoff_edges * plan_.mean_edge_length}, search);
+    plan_.choice.emplace();
+    plan_.choice->kind = NoiseKind::steps;
+    plan_.choice->noise = step / std::sqrt(12.0);  // of numbers rounded to multiples of the step
+    plan_.choice->cutoff = chosen.cutoff;
+    if (chosen.sharp_angle > 0) {
+      plan_.flow.sharp_angle = chosen.sharp_angle;
+      plan_.creases = {chosen.sharp_angle, *plan_.choice};
+    }
   }
 
   void project_directions() {

@@ -122,9 +122,14 @@ std::string remark_on_noise(const SmoothPlan& plan) {
                                                   degrees(plan.flow.sharp_angle))
                                     : "");
     case NoiseKind::steps:
-      return "the vertices are on few levels, like those of voxels or of rounded heights, so that "
-             "the error left cannot be estimated; the steps between the levels are smoothed by the "
-             "default cut-off (--cutoff LENGTH overrides this)";
+      return fmt::format(
+          "the vertices are on few levels, like those of voxels or of rounded heights, so that the "
+          "error left cannot be estimated; the steps between the levels are smoothed {} (--cutoff "
+          "LENGTH overrides this)",
+          plan.creases
+              ? "as far as steps explain the moves: longer cut-offs, or not keeping edges, "
+                "would remove parts of the shape"
+              : "by the default cut-off");
     case NoiseKind::independent:
       break;
   }

@@ -38,8 +38,9 @@ struct CutoffTuning {
   double added_noise = 0.3, least_added = 1e-5;
 };
 
-/// The kind of the noise (flow/settings/noise_kind.h, level_steps.h). The limits are about midway
-/// between the figures of the kinds on the meshes of `tools/denoise_table --pairs` and
+/// The kind of the noise (flow/settings/noise_kind.h, level_steps.h, steps_choice.h). The limits
+/// are about midway between the figures of the kinds on the meshes of `tools/denoise_table --pairs`
+/// and
 /// `--correlated`, noisy and not, all of which were seen when the limits were chosen.
 struct NoiseTuning {
   /// Ratio; the least evenness of noise. That of independent noise is 0.57 or more in the first
@@ -88,6 +89,11 @@ struct NoiseTuning {
   /// Steps. Mean edge lengths: the least step (smaller ones are like independent noise), and how
   /// far off a level a coordinate may be. Count: levels on an axis, at least. Not measured.
   double least_step = 0.3, off_level = 1e-4, least_levels = 8;
+  /// The errors of steps (flow/settings/steps_choice.h). Steps: the largest error that is likely;
+  /// ratio of the vertices: at most so many may move further. All but one vertex in a thousand of
+  /// voxel balls, ellipsoids and tori move by at most 1.2 steps, of voxel boxes, cylinders and
+  /// slabs by 2.3 or more if their creases are not kept. Radians: the sharp angle for creases.
+  double largest_error = 1.3, beyond_error = 0.001, creases_of_steps = radians(20);
   /// Ratios: of the normals' squared components along the axes with levels, and of bent hinges
   /// (radians), at least. A cube of 10 x 10 squares on each side has 7 % of bent hinges. Not
   /// measured.
