@@ -62,6 +62,22 @@ void add_outliers(State& state, double deviation) {
   }
 }
 
+/// A random number with the standard deviation 1.
+using Distribution = double (*)(RandomNumbers&);
+
+/// Two distributions with lighter tails than a normal one: uniform, and -1 or 1.
+constexpr Distribution light_tails[] = {
+    [](RandomNumbers& random) { return std::sqrt(12.0) * (random.uniform() - 0.5); },
+    [](RandomNumbers& random) { return random.uniform() < 0.5 ? -1.0 : 1.0; }};
+
+void add_noise_like(Distribution distribution, State& state, double deviation) {
+  RandomNumbers random(5);
+  const double scale = deviation * edge_of(state);
+  for (double& x : state.X.reshaped()) {
+    x += scale * distribution(random);
+  }
+}
+
 CutoffChoice choice_for(const State& state) {
   return choose_cutoff(
       state.X, state.topology, fixed_vertices(state.topology, BoundaryCondition::fixed),
@@ -73,6 +89,23 @@ TEST(NoiseKind, IsIndependentOfNormalNoiseOfAnyStrength) {
     for (State state : {ball(), torus()}) {
       add_noise(state.X, deviation * edge_of(state), 3);
       EXPECT_EQ(choice_for(state).kind, NoiseKind::independent) << deviation;
+    }
+  }
+}
+
+TEST(NoiseKind, IsIndependentOfLightTailsWhoseStandardDeviationIsFound) {
+  for (const Distribution distribution : light_tails) {
+    for (const double deviation : {0.1, 0.2, 0.3, 0.5}) {
+      for (State state : {ball(), torus()}) {
+        const double edge = edge_of(state);
+        add_noise_like(distribution, state, deviation);
+        const CutoffChoice choice = choice_for(state);
+        EXPECT_EQ(choice.kind, NoiseKind::independent) << deviation;
+        EXPECT_NEAR(choice.noise, deviation * edge, 0.1 * deviation * edge);
+      }
+      State cube(make_shape("cube", {.subdivide = 5}));
+      add_noise_like(distribution, cube, deviation);
+      EXPECT_EQ(choice_for(cube).kind, NoiseKind::independent) << deviation;
     }
   }
 }

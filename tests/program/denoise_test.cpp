@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "ibmfair/base/random_numbers.h"
 #include "ibmfair/io/mesh_file.h"
 #include "ibmfair/mesh/geometry.h"
 #include "ibmfair/mesh/topology.h"
@@ -182,6 +183,28 @@ TEST_F(Denoise, KeepsCreasesWhereThatLeavesLess) {
   const Smoothed told = smooth(input, {"--denoise", "--keep-sharp", "20"});
   EXPECT_FALSE(told.report["cutoff_choice"].contains("keep_sharp"));
   EXPECT_LT(degrees_off(), 1);
+}
+
+TEST_F(Denoise, KeepsCreasesUnderNoiseWithLightTails) {
+  const Mesh cube = make_shape("cube", {.subdivide = 5});
+  const Triangles F = triangulate(cube).F;
+  const std::string truth = files_ / "truth.ply", input = files_ / "uniform.ply";
+  write_mesh(cube, truth);
+  for (const double deviation : {0.2, 0.4}) {
+    Mesh noisy = cube;
+    RandomNumbers random(1);
+    const double edge = mean_edge_length(cube.X, build_topology(cube.X, F).E);
+    for (double& x : noisy.X.reshaped()) {
+      x += std::sqrt(12.0) * deviation * edge * (random.uniform() - 0.5);
+    }
+    write_mesh(noisy, input, {.overwrite = true});
+    const Smoothed denoised = smooth(input, {"--denoise"});
+    ASSERT_EQ(denoised.exit_code, 0) << denoised.err;
+    EXPECT_TRUE(denoised.report["cutoff_choice"].contains("keep_sharp")) << denoised.err;
+    const Words compare{"compare", files_ / "out.ply", truth, "--json"};
+    const json compared = json::parse(run_program(compare).out);
+    EXPECT_LT(compared["face_normal_degrees"]["mean"].get<double>(), 2) << deviation;
+  }
 }
 
 TEST_F(Denoise, DoesTheSameInABatch) {

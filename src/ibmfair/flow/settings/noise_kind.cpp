@@ -46,8 +46,10 @@ BandRange bands_of_correlated_noise(const std::vector<NoiseBand>& bands) {
   }
   const std::size_t end = std::min(bands.size(), last_band);
   for (std::size_t i = 2; i < end && !is_noise(bands[0]); ++i) {
+    const double before = bands[i - 1].by_median;
     if (is_noise(bands[i - 1]) && is_noise(bands[i]) &&
-        bands[i].by_median > choice_tuning.noise.later_growth * bands[i - 1].by_median) {
+        before > choice_tuning.noise.growth * bands[0].by_median &&
+        bands[i].by_median > choice_tuning.noise.later_growth * before) {
       return {i - 1, i + 1};
     }
   }

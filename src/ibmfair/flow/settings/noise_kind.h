@@ -44,7 +44,8 @@ struct BandRange {
 /// The bands that show that the noise is correlated; empty if it is not. That is so if the first
 /// three bands, from the shortest cut-off upward, are of noise that grows with the cut-off; or, as
 /// noise that is correlated over several edges hardly shows in the shortest bands, if the first one
-/// is not of noise, but two successive later ones are. `bands`: from the shortest cut-off upward.
+/// is not of noise, but two successive later ones are, and are of more noise than the first one.
+/// `bands`: from the shortest cut-off upward.
 BandRange bands_of_correlated_noise(const std::vector<NoiseBand>& bands);
 
 /// Whether the first two bands are like those of white noise: even, and equally strong.
