@@ -11,6 +11,7 @@
 #include "ibmfair/flow/settings/evenness.h"
 #include "ibmfair/flow/settings/level_steps.h"
 #include "ibmfair/flow/settings/noise_kind.h"
+#include "ibmfair/flow/steps/unknown_normals.h"
 #include "ibmfair/mesh/geometry.h"
 #include "ibmfair/shapes/noise.h"
 #include "ibmfair/shapes/shapes.h"
@@ -106,6 +107,43 @@ TEST(NoiseKind, IsIndependentOfLightTailsWhoseStandardDeviationIsFound) {
       State cube(make_shape("cube", {.subdivide = 5}));
       add_noise_like(distribution, cube, deviation);
       EXPECT_EQ(choice_for(cube).kind, NoiseKind::independent) << deviation;
+    }
+  }
+}
+
+/// The root mean square of the moves from one state to another along the normals of the first.
+double rms_along_normals(const State& from, const State& to) {
+  const Unknowns unknowns(fixed_vertices(from.topology, BoundaryCondition::fixed));
+  const Eigen::VectorXd heights =
+      heights_along(unknown_normals(from.X, from.topology, unknowns), to.X, from.X, unknowns);
+  return std::sqrt(heights.squaredNorm() / static_cast<double>(heights.size()));
+}
+
+/// How strong noise is at the point x of a shape in [-1, 1]^3.
+using Strength = Vec3 (*)(const Vec3& x);
+
+constexpr Strength uneven_strengths[] = {
+    [](const Vec3& /*x*/) { return Vec3(0, 0, 1); },  // along one axis only
+    [](const Vec3& x) -> Vec3 { return Vec3::Constant(1 + x[0]); },
+    [](const Vec3& x) -> Vec3 { return Vec3::Constant(x[0] > 0 ? 1 : 0); }};
+
+TEST(NoiseKind, IsIndependentOfUnevenNoiseWhoseStandardDeviationIsFound) {
+  for (const Strength strength : uneven_strengths) {
+    for (const double deviation : {0.1, 0.3}) {
+      for (const State& exact : {ball(), torus()}) {
+        State state = exact;
+        Points noise = Points::Zero(state.X.rows(), 3);
+        add_noise(noise, deviation * edge_of(exact), 3);
+        for (Index v = 0; v < state.X.rows(); ++v) {
+          const Vec3 x = exact.X.row(v) / exact.X.cwiseAbs().maxCoeff();
+          state.X.row(v) += noise.row(v).cwiseProduct(strength(x).transpose());
+        }
+        const double rms = rms_along_normals(exact, state);
+        const CutoffChoice choice = choice_for(state);
+        EXPECT_EQ(choice.kind, NoiseKind::independent) << deviation;
+        EXPECT_NEAR(choice.noise, rms, 0.15 * rms) << deviation;
+        EXPECT_GT(choice.cutoff, 6 * edge_of(exact)) << deviation;
+      }
     }
   }
 }

@@ -118,13 +118,26 @@ void CutoffTrials::estimate_noise(const Eigen::VectorXd& height, const Points& t
                     return band.evenness >= choice_tuning.noise.even;
                   });
   // Creases enlarge the mean square more than the median; light tails enlarge the median: that of
-  // uniform noise would give a standard deviation that is too large by an eighth.
-  noise_.deviation = has_outliers_ ? by_rms : std::min(by_median, by_rms);
+  // uniform noise would give a standard deviation that is too large by an eighth. Heavy tails, and
+  // noise that is not equally strong everywhere, make the median too small.
+  const double typical = std::min(by_median, by_rms), white_part = white_deviation();
+  const bool by_mean_square = has_outliers_ || white_part > typical;
+  noise_.deviation = has_outliers_ ? by_rms : std::max(typical, white_part);
   // As many independent heights as there are modes in them. The square of a standard deviation by
   // the median scatters by 2.33 over the root of their number.
   const double count = white.squaredNorm() / 3;
   const double fourth = height.array().pow(4).mean() / std::pow(rms(height), 4);
-  noise_doubt_ = has_outliers_ ? std::sqrt((fourth - 1) / count) : 2.33 / std::sqrt(count);
+  noise_doubt_ = by_mean_square ? std::sqrt((fourth - 1) / count) : 2.33 / std::sqrt(count);
+}
+
+/// The standard deviation (length) of the white part of the first two bands, of any distribution
+/// and wherever it is. White noise has the same mean square in both, and details of a shape have a
+/// larger one in the second: of the first mean square, as much is left out as the growth tells.
+double CutoffTrials::white_deviation() const {
+  const double first = std::pow(bands_[0].by_rms, 2), second = std::pow(bands_[1].by_rms, 2);
+  const double growth = std::pow(choice_tuning.noise.growth_of_details, 2);
+  const double details = std::max(second - first, 0.0) / (growth - 1);
+  return mean_edge_ * std::sqrt(std::max(first - details, 0.0));
 }
 
 double CutoffTrials::risk_error() const {

@@ -82,6 +82,7 @@ class CutoffTrials {
 
   void add_band(double cutoff, const Points& normals, const Points& end, const Points& taken);
   void estimate_noise(const Eigen::VectorXd& height, const Points& taken);
+  double white_deviation() const;
   bool falls_by_law(double cutoff, double trace) const;
 
   const TrialMesh& mesh_;
