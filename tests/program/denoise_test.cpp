@@ -207,6 +207,27 @@ TEST_F(Denoise, KeepsCreasesUnderNoiseWithLightTails) {
   }
 }
 
+TEST_F(Denoise, RemovesNoiseThatIsOnlyOnOneHalf) {
+  const Mesh cube = make_shape("cube", {.subdivide = 5});
+  const Triangles F = triangulate(cube).F;
+  const double edge = mean_edge_length(cube.X, build_topology(cube.X, F).E);
+  const std::string truth = files_ / "truth.ply", input = files_ / "half.ply";
+  write_mesh(cube, truth);
+  Mesh noisy = cube;
+  RandomNumbers random(1);
+  for (Eigen::Index v = 0; v < cube.X.rows(); ++v) {
+    for (Eigen::Index axis = 0; axis < 3 && cube.X(v, 0) > 0; ++axis) {
+      noisy.X(v, axis) += 0.2 * edge * random.normal();
+    }
+  }
+  write_mesh(noisy, input);
+  const Smoothed denoised = smooth(input, {"--denoise"});
+  ASSERT_EQ(denoised.exit_code, 0) << denoised.err;
+  const Words compare{"compare", files_ / "out.ply", truth, "--json"};
+  const json compared = json::parse(run_program(compare).out);
+  EXPECT_LT(compared["face_normal_degrees"]["mean"].get<double>(), 1.5);
+}
+
 TEST_F(Denoise, DoesTheSameInABatch) {
   const std::string input = noisy("cube", {"--subdivide", "4", "--noise", "0.2"});
   ASSERT_EQ(run_program({"smooth", input, files_ / "one.ply", "--denoise"}).exit_code, 0);

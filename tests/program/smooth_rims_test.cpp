@@ -87,9 +87,9 @@ TEST_F(SmoothRims, DenoiseRemovesTheNoiseOfRimsAsElsewhere) {
     const double clean = jaggedness(truth.X, truth.topology);
     EXPECT_LT(jaggedness(denoised, truth.topology) - clean,
               (jaggedness(noisy, truth.topology) - clean) / 5);
-    // A curve has fewer vertices to average over than a surface.
+    // A curve has fewer vertices to average over than a surface, above all with long cut-offs.
     EXPECT_LT(off_cylinder(denoised, truth.topology, false),
-              2.1 * off_cylinder(denoised, truth.topology, true));
+              2.4 * off_cylinder(denoised, truth.topology, true));
     EXPECT_LT(off_cylinder(denoised, truth.topology, false),
               0.35 * off_cylinder(noisy, truth.topology, false));
     // As before, on request.

@@ -115,6 +115,10 @@ struct NoiseTuning {
   /// hinge turns by. Parts with planes have 0.34 or more, noisy meshes at most 0.001, or 0.06 if
   /// half of the vertices are outliers.
   double flat_hinges = 0.3, flat = radians(0.01);
+  /// Ratio; more vertices than this have no flat hinge if noise is only in some places. It is 0.3
+  /// and more for noise along one axis, or on one half, of benchmark parts, and 0 for coarse parts
+  /// without noise, whose details are as short as noise.
+  double bent_vertices = 0.2;
 };
 
 /// The choice of creases (flow/settings/crease_choice.h). Risks are in variances of the noise,

@@ -59,6 +59,7 @@ CutoffChoice choose_without_creases(const TrialMesh& mesh, const CutoffSearch& s
     return enough || next > search.largest;
   });
   choice.risk_error = trials.risk_error();
+  choice.white_noise = trials.white_deviation();
   choice.looks_white = is_white(trials.bands());
   if (trials.has_outliers()) {
     choice.kind = NoiseKind::outliers;

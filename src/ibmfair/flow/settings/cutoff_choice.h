@@ -25,6 +25,7 @@ struct CutoffChoice {
   double noise = 0;     ///< standard deviation along the normals, length
   int noise_rings = 0;  ///< NoiseModel::rings
   NoiseKind kind = NoiseKind::independent;
+  double white_noise = 0;           ///< CutoffTrials::white_deviation, length; 0 with creases
   bool looks_white = false;         ///< `is_white` of noise_kind.h; false with creases
   std::vector<CutoffTrial> trials;  ///< with increasing cut-off
   double risk_error = 0;            ///< standard error of their risks, length^2

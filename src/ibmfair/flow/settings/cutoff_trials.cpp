@@ -130,9 +130,8 @@ void CutoffTrials::estimate_noise(const Eigen::VectorXd& height, const Points& t
   noise_doubt_ = by_mean_square ? std::sqrt((fourth - 1) / count) : 2.33 / std::sqrt(count);
 }
 
-/// The standard deviation (length) of the white part of the first two bands, of any distribution
-/// and wherever it is. White noise has the same mean square in both, and details of a shape have a
-/// larger one in the second: of the first mean square, as much is left out as the growth tells.
+/// White noise has the same mean square in both bands, and details of a shape have a larger one in
+/// the second: of the first mean square, as much is left out as the growth tells.
 double CutoffTrials::white_deviation() const {
   const double first = std::pow(bands_[0].by_rms, 2), second = std::pow(bands_[1].by_rms, 2);
   const double growth = std::pow(choice_tuning.noise.growth_of_details, 2);

@@ -52,6 +52,9 @@ class CutoffTrials {
     return is_given_ || outcomes_.size() > choice_tuning.cutoff.noise_trial;
   }
   double noise() const { return noise_.deviation; }
+  /// The standard deviation (length) of the white part of the first two bands, of any distribution
+  /// and wherever it is. Precondition: the noise is known, and was not given.
+  double white_deviation() const;
   /// The standard error of the risks, length^2, the same for all trials: by chance, the noise of
   /// this mesh is a little stronger or weaker than its standard deviation says, and that is known
   /// only from so many vertices. What is systematically wrong is not in it: detail that is taken
@@ -82,7 +85,6 @@ class CutoffTrials {
 
   void add_band(double cutoff, const Points& normals, const Points& end, const Points& taken);
   void estimate_noise(const Eigen::VectorXd& height, const Points& taken);
-  double white_deviation() const;
   bool falls_by_law(double cutoff, double trace) const;
 
   const TrialMesh& mesh_;
