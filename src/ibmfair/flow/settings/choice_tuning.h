@@ -40,8 +40,7 @@ struct CutoffTuning {
 
 /// The kind of the noise (flow/settings/noise_kind.h, level_steps.h, steps_choice.h). The limits
 /// are about midway between the figures of the kinds on the meshes of `tools/denoise_table --pairs`
-/// and
-/// `--correlated`, noisy and not, all of which were seen when the limits were chosen.
+/// and `--correlated`, noisy and not, all of which were seen when the limits were chosen.
 struct NoiseTuning {
   /// Ratio; the least evenness of noise. That of independent noise is 0.57 or more in the first
   /// three bands, that of a depth camera 0.54. The least of a shape's three bands is at most 0.3 on
@@ -61,6 +60,9 @@ struct NoiseTuning {
   /// second cut-off removes; from here on there are outliers. It is at most 1.16 for normal noise,
   /// and 1.47 and more for impulsive noise.
   double outliers = 1.3;
+  /// The same ratio of noise with light tails, at most. It is 0.99 or more for normal noise, and
+  /// 0.91 or less for uniform noise.
+  double light_tails = 0.95;
   /// Ratio; the most by which the standard deviation by the mean square may grow from the first
   /// band to the second if there are outliers, as they are independent. It is 1.04 for impulsive
   /// noise, and 1.41 for the edges of an icosahedron without noise, which else has the figures of

@@ -5,6 +5,7 @@
 
 #include "ibmfair/flow/settings/choice_tuning.h"
 #include "ibmfair/flow/settings/evenness.h"
+#include "ibmfair/flow/settings/linear_smoother.h"
 #include "ibmfair/flow/settings/noise_model.h"
 #include "ibmfair/flow/steps/unknown_normals.h"
 #include "ibmfair/mesh/geometry.h"
@@ -119,8 +120,11 @@ void CutoffTrials::estimate_noise(const Eigen::VectorXd& height, const Points& t
                   });
   // Creases enlarge the mean square more than the median; light tails enlarge the median: that of
   // uniform noise would give a standard deviation that is too large by an eighth. Heavy tails, and
-  // noise that is not equally strong everywhere, make the median too small.
-  const double typical = std::min(by_median, by_rms), white_part = white_deviation();
+  // noise that is not equally strong everywhere, make the median too small. The linearised flow
+  // does not tell light tails well enough if the flow itself is not linear.
+  const bool has_light_tails =
+      is_linear(mesh_.options()) && by_rms < choice_tuning.noise.light_tails * by_median;
+  const double typical = has_light_tails ? by_rms : by_median, white_part = white_deviation();
   const bool by_mean_square = has_outliers_ || white_part > typical;
   noise_.deviation = has_outliers_ ? by_rms : std::max(typical, white_part);
   // As many independent heights as there are modes in them. The square of a standard deviation by

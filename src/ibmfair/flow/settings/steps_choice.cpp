@@ -1,5 +1,6 @@
 #include "ibmfair/flow/settings/steps_choice.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "ibmfair/energy/unknowns.h"
@@ -21,7 +22,7 @@ double share_moved_beyond(double distance, const Points& X, const Topology& topo
   const Eigen::VectorXd heights =
       heights_along(unknown_normals(end, topology, unknowns), end, X, unknowns);
   return static_cast<double>((heights.array().abs() > distance).count()) /
-         static_cast<double>(heights.size());
+         static_cast<double>(std::max<Eigen::Index>(heights.size(), 1));
 }
 
 }  // namespace
