@@ -301,7 +301,7 @@ class Planner {
     set_relaxation(plan_.flow);
     const StepsChoice chosen =
         choose_for_steps(input_.X, input_.topology, plan_.fixed, plan_.flow, step,
-                         {.cutoff = default_cutoff_edges * plan_.mean_edge_length}, search);
+                         default_cutoff_edges * plan_.mean_edge_length, search);
     plan_.choice.emplace();
     plan_.choice->kind = NoiseKind::steps;
     plan_.choice->noise = step / std::sqrt(12.0);  // of numbers rounded to multiples of the step

@@ -60,8 +60,8 @@ struct NoiseTuning {
   /// second cut-off removes; from here on there are outliers. It is at most 1.16 for normal noise,
   /// and 1.47 and more for impulsive noise.
   double outliers = 1.3;
-  /// The same ratio of noise with light tails, at most. It is 0.99 or more for normal noise, and
-  /// 0.91 or less for uniform noise.
+  /// Ratio of the standard deviation by the mean square to that by the median; noise with light
+  /// tails has less. It is 0.99 or more for normal noise, and at most 0.94 for uniform noise.
   double light_tails = 0.95;
   /// Ratio; the most by which the standard deviation by the mean square may grow from the first
   /// band to the second if there are outliers, as they are independent. It is 1.04 for impulsive

@@ -29,7 +29,7 @@ double share_moved_beyond(double distance, const Points& X, const Topology& topo
 
 StepsChoice choose_for_steps(const Points& X, const Topology& topology,
                              const std::vector<std::uint8_t>& fixed, const FlowOptions& options,
-                             double step, const StepsChoice& longest, const CutoffSearch& search) {
+                             double step, double longest, const CutoffSearch& search) {
   const NoiseTuning& noise = choice_tuning.noise;
   FlowOptions trial = options;
   trial.keep_volume = trial.keep_area = false;
@@ -40,7 +40,7 @@ StepsChoice choose_for_steps(const Points& X, const Topology& topology,
     return share_moved_beyond(noise.largest_error * step, X, topology, fixed, trial) <=
            noise.beyond_error;
   };
-  StepsChoice choice = longest;
+  StepsChoice choice{.cutoff = longest};
   if (is_explained(choice)) {
     return choice;
   }

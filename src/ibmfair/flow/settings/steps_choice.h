@@ -20,12 +20,12 @@ struct StepsChoice {
   double sharp_angle = 0;  ///< FlowOptions::sharp_angle; 0 if no creases are kept
 };
 
-/// The smoothest flow that steps of the distance `step` (length) explain: to the cut-off
-/// `longest.cutoff` with its sharp angle; else to that cut-off with creases; else to the longest of
-/// the shorter ones with creases; if none is explained, the shortest one. `options` must be able to
-/// keep creases; their sharp angle and total time are not used. Throws the exceptions of the flow.
+/// The smoothest flow that steps of the distance `step` (length) explain: to the cut-off `longest`
+/// (length) without creases; else to that cut-off with creases; else to the longest of the shorter
+/// ones with creases; if none is explained, the shortest one. `options` must be able to keep
+/// creases; their sharp angle and total time are not used. Throws the exceptions of the flow.
 StepsChoice choose_for_steps(const Points& X, const Topology& topology,
                              const std::vector<std::uint8_t>& fixed, const FlowOptions& options,
-                             double step, const StepsChoice& longest, const CutoffSearch& search);
+                             double step, double longest, const CutoffSearch& search);
 
 }  // namespace ibmfair
