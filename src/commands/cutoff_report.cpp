@@ -45,7 +45,8 @@ std::string addition_for(const CutoffChoice& choice) {
     case NoiseKind::outliers:
       return ", with outliers";
     case NoiseKind::correlated:
-      return fmt::format(", correlated over about {:.0f} edges", choice.noise_model().reach());
+      return fmt::format(", correlated over about {:.0f} edges{}", choice.noise.reach(),
+                         choice.noise.white_share > 0 ? ", with independent noise" : "");
     case NoiseKind::steps:
       return ", steps between levels";
     case NoiseKind::independent:
@@ -67,7 +68,7 @@ std::string cutoff_lines(const SmoothPlan& plan, bool detailed) {
     text += fmt::format("  {:<16}{}\n", "cut-off", length_text(plan.cutoff, edge));
   }
   if (plan.choice) {
-    text += fmt::format("  {:<16}{}{}\n", "noise", length_text(plan.choice->noise, edge),
+    text += fmt::format("  {:<16}{}{}\n", "noise", length_text(plan.choice->noise.deviation, edge),
                         addition_for(*plan.choice));
     if (const auto& creases = plan.creases) {
       text += fmt::format("  {:<16}edges of more than {:.0f} degrees are kept{}\n", "creases",
@@ -104,11 +105,12 @@ void add_cutoff_choice(const SmoothPlan& plan, Report& report) {
   }
   ordered_json& json = report.figures["cutoff_choice"];
   json = {{"cutoff", plan.choice->cutoff},
-          {"noise", plan.choice->noise},
+          {"noise", plan.choice->noise.deviation},
           {"kind", name_of(plan.choice->kind)},
           {"trials", trials}};
   if (plan.choice->kind == NoiseKind::correlated) {
-    json["correlated_edges"] = plan.choice->noise_model().reach();
+    json["correlated_edges"] = plan.choice->noise.reach();
+    json["independent_share"] = plan.choice->noise.white_share;
   }
   if (tells_distance(*plan.choice)) {
     json["distance_expected"] = expected_distance(plan.choice->best());

@@ -150,7 +150,7 @@ class Planner {
   void plan_rims() {
     plan_.rims = RimFairing{.cutoff = plan_.cutoff,
                             .twicing = std::max(1, plan_.flow.twicing),
-                            .noise = plan_.choice ? plan_.choice->noise : 0,
+                            .noise = plan_.choice ? plan_.choice->noise.deviation : 0,
                             .max_move = plan_.flow.max_move};
   }
 
@@ -258,6 +258,11 @@ class Planner {
     FlowOptions options = plan_.flow;
     keep_creases(options);
     set_relaxation(options);
+    if (const NoiseModel mixed = plan_.choice->mixed_noise;
+        mixed.deviation > 0 &&
+        !creases_explain_bands(input_.X, input_.topology, fixed, options, *plan_.choice, search)) {
+      plan_.choice = choose_cutoff_for(mixed, input_.X, input_.topology, fixed, plan_.flow, search);
+    }
     if (const auto creases =
             choose_creases(input_.X, input_.topology, fixed, options, *plan_.choice, search)) {
       options.sharp_angle = creases->sharp_angle;
@@ -304,7 +309,8 @@ class Planner {
                          default_cutoff_edges * plan_.mean_edge_length, search);
     plan_.choice.emplace();
     plan_.choice->kind = NoiseKind::steps;
-    plan_.choice->noise = step / std::sqrt(12.0);  // of numbers rounded to multiples of the step
+    plan_.choice->noise.deviation =
+        step / std::sqrt(12.0);  // of numbers rounded to multiples of the step
     plan_.choice->cutoff = chosen.cutoff;
     if (chosen.sharp_angle > 0) {
       plan_.flow.sharp_angle = chosen.sharp_angle;

@@ -117,7 +117,7 @@ std::string remark_on_noise(const SmoothPlan& plan) {
           "the noise of vertices up to about {:.0f} edges apart is correlated, so that the error "
           "left cannot be estimated; its long waves cannot be told from detail, and stay{} (a "
           "longer --cutoff LENGTH removes more)",
-          plan.choice->noise_model().reach(),
+          plan.choice->noise.reach(),
           plan.flow.sharp_angle > 0 ? fmt::format(", as do edges of more than {:.0f} degrees",
                                                   degrees(plan.flow.sharp_angle))
                                     : "");

@@ -11,10 +11,12 @@
 #include "ibmfair/flow/settings/evenness.h"
 #include "ibmfair/flow/settings/level_steps.h"
 #include "ibmfair/flow/settings/noise_kind.h"
+#include "ibmfair/flow/settings/noise_model.h"
 #include "ibmfair/flow/steps/unknown_normals.h"
 #include "ibmfair/mesh/geometry.h"
 #include "ibmfair/shapes/noise.h"
 #include "ibmfair/shapes/shapes.h"
+#include "support/correlated_noise.h"
 #include "support/states.h"
 
 namespace ibmfair::test {
@@ -26,29 +28,6 @@ State ball() {
 
 State torus() {
   return State(make_shape("torus", {.ratio = 2.5, .rows = 40}));
-}
-
-double edge_of(const State& state) {
-  return mean_edge_length(state.X, state.topology.E);
-}
-
-/// Noise of this standard deviation (mean edge lengths) that is averaged over each vertex and its
-/// neighbours `passes` times.
-void add_correlated_noise(State& state, double deviation, int passes) {
-  Points noise = Points::Zero(state.X.rows(), 3);
-  add_noise(noise, 1, 3);
-  const CompressedRows rings = vertex_rings(state.topology);
-  for (int pass = 0; pass < passes; ++pass) {
-    const Points last = noise;
-    for (Index v = 0; v < rings.size(); ++v) {
-      for (const Index neighbour : rings[v]) {
-        noise.row(v) += last.row(neighbour);
-      }
-      noise.row(v) /= static_cast<double>(rings[v].size() + 1);
-    }
-  }
-  const double rms = std::sqrt(noise.squaredNorm() / static_cast<double>(noise.size()));
-  state.X += deviation * edge_of(state) / rms * noise;
 }
 
 /// Moves one vertex in five by noise of this standard deviation (mean edge lengths).
@@ -102,7 +81,7 @@ TEST(NoiseKind, IsIndependentOfLightTailsWhoseStandardDeviationIsFound) {
         add_noise_like(distribution, state, deviation);
         const CutoffChoice choice = choice_for(state);
         EXPECT_EQ(choice.kind, NoiseKind::independent) << deviation;
-        EXPECT_NEAR(choice.noise, deviation * edge, 0.1 * deviation * edge);
+        EXPECT_NEAR(choice.noise.deviation, deviation * edge, 0.1 * deviation * edge);
       }
       State cube(make_shape("cube", {.subdivide = 5}));
       add_noise_like(distribution, cube, deviation);
@@ -141,7 +120,7 @@ TEST(NoiseKind, IsIndependentOfUnevenNoiseWhoseStandardDeviationIsFound) {
         const double rms = rms_along_normals(exact, state);
         const CutoffChoice choice = choice_for(state);
         EXPECT_EQ(choice.kind, NoiseKind::independent) << deviation;
-        EXPECT_NEAR(choice.noise, rms, 0.15 * rms) << deviation;
+        EXPECT_NEAR(choice.noise.deviation, rms, 0.15 * rms) << deviation;
         EXPECT_GT(choice.cutoff, 6 * edge_of(exact)) << deviation;
       }
     }
@@ -175,9 +154,9 @@ TEST(NoiseModel, TellsHowStrongCorrelatedNoiseIsAndHowFarItReaches) {
       const double edge = edge_of(state);
       add_correlated_noise(state, deviation, passes);
       const CutoffChoice choice = choice_for(state);
-      EXPECT_EQ(choice.noise_rings, passes);
-      EXPECT_NEAR(choice.noise, deviation * edge, 0.12 * deviation * edge);
-      EXPECT_NEAR(choice.noise_model().reach(), 2 * std::sqrt(passes), 1e-12);
+      EXPECT_EQ(choice.noise.rings, passes);
+      EXPECT_NEAR(choice.noise.deviation, deviation * edge, 0.12 * deviation * edge);
+      EXPECT_NEAR(choice.noise.reach(), 2 * std::sqrt(passes), 1e-12);
     }
   }
 }
@@ -191,6 +170,51 @@ TEST(NoiseKind, CorrelatedNoiseIsFoundOnACube) {
   }
 }
 
+TEST(NoiseModel, TellsWhiteNoiseFromTheCorrelatedNoiseThatIsMixedWithIt) {
+  for (const double deviation : {0.1, 0.2}) {
+    for (State state : {ball(), torus()}) {
+      SCOPED_TRACE(deviation);
+      const double whole = std::sqrt(2.0) * deviation * edge_of(state);
+      add_mixed_noise(state, deviation);
+      const NoiseModel noise = choice_for(state).mixed_noise;
+      EXPECT_NEAR(noise.deviation, whole, 0.2 * whole);
+      EXPECT_GE(noise.rings, 1);
+      EXPECT_NEAR(noise.white_share, 0.5, 0.15);
+    }
+  }
+}
+
+TEST(NoiseModel, OfWhiteNoiseIsNoMixture) {
+  for (const double deviation : {0.05, 0.1, 0.2, 0.4}) {
+    for (State state : {ball(), torus()}) {
+      add_noise(state.X, deviation * edge_of(state), 3);
+      EXPECT_EQ(choice_for(state).mixed_noise.deviation, 0) << deviation;
+    }
+  }
+}
+
+TEST(NoiseModel, NoiseLikeItHasItsStandardDeviationAndCorrelations) {
+  const State state = ball();
+  const Unknowns unknowns(std::vector<std::uint8_t>(state.X.rows(), 0));
+  const Points white = white_noise(unknowns.size());
+  const auto likeness = [&](const NoiseModel& model) {  // of neighbours
+    const Points noise = noise_like(model, white, state.topology, unknowns);
+    EXPECT_NEAR(noise.squaredNorm() / static_cast<double>(noise.size()), 1, 0.03);
+    double sum = 0;
+    for (const auto& edge : state.topology.E.rowwise()) {
+      sum += noise.row(edge[0]).dot(noise.row(edge[1]));
+    }
+    return sum / static_cast<double>(3 * state.topology.E.rows());
+  };
+  const double whole = likeness({.deviation = 1, .rings = 2});
+  EXPECT_NEAR(likeness({.deviation = 1, .rings = 0}), 0, 0.03);
+  EXPECT_GT(whole, 0.7);
+  for (const double share : {0.25, 0.5, 0.75}) {
+    EXPECT_NEAR(likeness({.deviation = 1, .rings = 2, .white_share = share}), (1 - share) * whole,
+                0.03);
+  }
+}
+
 TEST(NoiseKind, OutliersCountInTheStandardDeviation) {
   for (const double deviation : {0.5, 1.0}) {
     for (State state : {ball(), torus()}) {
@@ -200,8 +224,8 @@ TEST(NoiseKind, OutliersCountInTheStandardDeviation) {
       // One vertex in five has the whole variance, the others none. The normals of a mesh with
       // strong noise are tilted, so that heights along them are smaller than the noise.
       const double whole = std::sqrt(0.2) * deviation * edge_of(state);
-      EXPECT_LT(choice.noise, 1.1 * whole) << deviation;
-      EXPECT_GT(choice.noise, 0.7 * whole) << deviation;
+      EXPECT_LT(choice.noise.deviation, 1.1 * whole) << deviation;
+      EXPECT_GT(choice.noise.deviation, 0.7 * whole) << deviation;
     }
   }
 }

@@ -49,7 +49,7 @@ Points averaged(const Points& X, const Topology& topology) {
 struct NoisySphere {
   explicit NoisySphere(int rings) : model{0.2 * edge, rings} {
     add_noise(Y, 1, 5);
-    Y = truth.X + model.deviation * correlated_noise(Y, rings, truth.topology, Unknowns(fixed));
+    Y = truth.X + model.deviation * noise_like(model, Y, truth.topology, Unknowns(fixed));
   }
 
   double variance() const { return model.deviation * model.deviation; }

@@ -15,6 +15,7 @@
 #include "ibmfair/mesh/geometry.h"
 #include "ibmfair/mesh/topology.h"
 #include "ibmfair/shapes/shapes.h"
+#include "support/correlated_noise.h"
 #include "support/files.h"
 #include "support/mesh_io.h"
 #include "support/run_program.h"
@@ -225,6 +226,39 @@ TEST_F(Denoise, RemovesNoiseThatIsOnlyOnOneHalf) {
   const Smoothed denoised = smooth(input, {"--denoise"});
   ASSERT_EQ(denoised.exit_code, 0) << denoised.err;
   EXPECT_LT(degrees_off(truth), 1.5);
+}
+
+/// Half of the noise of scanners is often independent, and half correlated. Of a shape without
+/// creases and one with them, at most a fifth of the normals' error is left.
+TEST_F(Denoise, RemovesIndependentNoiseThatIsMixedWithCorrelatedNoise) {
+  const std::string truth = files_ / "truth.ply", input = files_ / "mixed.ply";
+  for (const Mesh& shape : {make_shape("torus", {.ratio = 2.5, .rows = 48, .columns = 120}),
+                            make_shape("cube", {.subdivide = 5})}) {
+    State state(shape);
+    Mesh mesh = mesh_from_triangles(state.X, state.topology.F);
+    write_mesh(mesh, truth, {.overwrite = true});
+    add_mixed_noise(state, 0.2);
+    mesh.X = state.X;
+    write_mesh(mesh, input, {.overwrite = true});
+    smooth(input, {"--steps", "0"});
+    const double before = degrees_off(truth);
+    const Smoothed denoised = smooth(input, {"--denoise"});
+    ASSERT_EQ(denoised.exit_code, 0) << denoised.err;
+    const json& choice = denoised.report["cutoff_choice"];
+    EXPECT_EQ(choice["kind"], "correlated") << denoised.err;
+    EXPECT_NEAR(choice["independent_share"], 0.5, 0.25);
+    EXPECT_TRUE(contains(denoised.err, "with independent noise")) << denoised.err;
+    EXPECT_LT(degrees_off(truth), 0.2 * before) << denoised.err;
+  }
+}
+
+/// In long bands, the edges of a small cube look like noise.
+TEST_F(Denoise, FindsIndependentNoiseOnACube) {
+  for (const char* deviation : {"0.1", "0.2", "0.3", "0.4"}) {
+    const std::string cube = noisy("cube", {"--subdivide", "5", "--noise", deviation});
+    const Smoothed denoised = smooth(cube, {"--denoise"});
+    EXPECT_EQ(denoised.report["cutoff_choice"]["kind"], "independent") << denoised.err;
+  }
 }
 
 TEST_F(Denoise, DoesTheSameInABatch) {

@@ -87,7 +87,7 @@ TEST(CutoffChoice, TellsTheNoiseAndTheErrorsAndLeavesLittleMoreThanTheBestCutoff
       options.relax = laplacian != std::string("umbrella");
       options.twicing = twicing;
       const CutoffChoice choice = choice_for(noisy.state, noisy.diagonal / 2, options);
-      EXPECT_NEAR(choice.noise, noisy.noise, 0.15 * noisy.noise);
+      EXPECT_NEAR(choice.noise.deviation, noisy.noise, 0.15 * noisy.noise);
       const double variance = noisy.noise * noisy.noise;
       double least = variance;
       for (const CutoffTrial& trial : choice.trials) {
@@ -110,7 +110,7 @@ TEST(CutoffChoice, SaysHowSureItIsOfTheErrors) {
       const CutoffChoice choice = choice_for(noisy.state, noisy.diagonal / 2, options);
       const double left = noisy.squared_error_after(choice.best().cutoff, options);
       EXPECT_NEAR(choice.best().risk, left, 2 * choice.risk_error);
-      EXPECT_LT(choice.risk_error, 0.15 * choice.noise * choice.noise);
+      EXPECT_LT(choice.risk_error, 0.15 * choice.noise.variance());
     }
   }
 }
@@ -121,7 +121,7 @@ TEST(CutoffChoice, FindsAndTakesNextToNothingWithoutNoise) {
                       std::make_unique<ExactTorus>(Vec3::Zero(), 1, 0.4), 0);
     const FlowOptions options{.laplacian = laplacian, .relax = false};
     const CutoffChoice choice = choice_for(clean.state, clean.diagonal / 2, options);
-    EXPECT_LT(choice.noise, 0.01 * clean.edge) << laplacian;
+    EXPECT_LT(choice.noise.deviation, 0.01 * clean.edge) << laplacian;
     EXPECT_LT(std::sqrt(clean.squared_error_after(choice.cutoff, options)), 0.01 * clean.edge)
         << laplacian;
   }
@@ -133,7 +133,7 @@ TEST(CutoffChoice, IsMadeForAPlane) {
     FlowOptions options;
     options.sharp_angle = angle;
     const CutoffChoice choice = choice_for(plane, 1, options);
-    EXPECT_EQ(choice.noise, 0) << angle;
+    EXPECT_EQ(choice.noise.deviation, 0) << angle;
     EXPECT_EQ(choice.best().risk, 0) << angle;
   }
 }
@@ -170,7 +170,7 @@ TEST(CutoffChoice, ASampleTellsAboutWhatTheWholeMeshTells) {
   };
   const CutoffChoice whole = choice(noisy.state.topology.vertex_count), sample = choice(50'000);
   EXPECT_NE(sample.cutoff, whole.cutoff);
-  EXPECT_NEAR(sample.noise, whole.noise, 0.03 * whole.noise);
+  EXPECT_NEAR(sample.noise.deviation, whole.noise.deviation, 0.03 * whole.noise.deviation);
   EXPECT_LE(std::sqrt(noisy.squared_error_after(sample.cutoff, options)),
             1.25 * std::sqrt(noisy.squared_error_after(whole.cutoff, options)));
 }
@@ -236,7 +236,7 @@ TEST(CutoffChoice, ComparesWhatIsLeftWhereCreasesAreKept) {
       const NoisyPolyhedron noisy(shape, noise);
       const FlowOptions options = keeping_creases(0.35);
       const CutoffChoice choice = choice_for(noisy.state, 2, options);
-      EXPECT_NEAR(choice.noise, noisy.noise, 0.2 * noisy.noise);
+      EXPECT_NEAR(choice.noise.deviation, noisy.noise, 0.2 * noisy.noise);
       const double variance = noisy.noise * noisy.noise;
       const double at_best = noisy.squared_error_after(choice.best().cutoff, options);
       double least = at_best;
@@ -277,7 +277,7 @@ TEST(CreaseChoice, KeepsThoseOfPolyhedra) {
       const auto creases = choose_creases(noisy.state.X, noisy.state.topology, fixed,
                                           keeping_creases(0), without, {.largest = 2});
       ASSERT_TRUE(creases);
-      EXPECT_EQ(creases->cutoff.noise, without.noise);
+      EXPECT_EQ(creases->cutoff.noise.deviation, without.noise.deviation);
       const double left =
           noisy.squared_error_after(creases->cutoff.cutoff, keeping_creases(creases->sharp_angle));
       const double left_without = noisy.squared_error_after(without.cutoff, without_creases());

@@ -29,8 +29,10 @@ std::pair<Vec3, Vec3> tangents_at(Index v, const Vec3& normal, const TrialMesh& 
 }
 
 /// Noise of the standard deviation 1 in every direction, one row per unknown. It turns with the
-/// mesh, so that choices do not depend on its orientation. `normals`: of the unknowns.
-Points noise_on(const TrialMesh& mesh, const Unknowns& unknowns, const Points& normals, int rings) {
+/// mesh, so that choices do not depend on its orientation. `normals`: of the unknowns; `model`: the
+/// correlations.
+Points noise_on(const TrialMesh& mesh, const Unknowns& unknowns, const Points& normals,
+                const NoiseModel& model) {
   RandomNumbers random(1);
   Points noise(unknowns.size(), 3);
   for (Index u = 0; u < unknowns.size(); ++u) {
@@ -39,7 +41,7 @@ Points noise_on(const TrialMesh& mesh, const Unknowns& unknowns, const Points& n
     const double x = random.normal(), y = random.normal(), z = random.normal();
     noise.row(u) = x * along + y * across + z * normal;
   }
-  return correlated_noise(noise, rings, mesh.topology(), unknowns);
+  return noise_like(model, noise, mesh.topology(), unknowns);
 }
 
 double total_time(double cutoff, const TrialMesh& mesh, const FlowOptions& options) {
@@ -62,10 +64,10 @@ AddedNoise::AddedNoise(const TrialMesh& mesh, const NoiseModel& noise, FlowOptio
                                     choice_tuning.cutoff.least_added * mesh.mean_edge_length());
   starts_[0] = mesh.X();
   starts_[0](unknowns_.vertex, Eigen::all) +=
-      deviation * noise_on(mesh, unknowns_, normals_, noise.rings);
+      deviation * noise_on(mesh, unknowns_, normals_, noise);
   starts_[1] = 2 * mesh.X() - starts_[0];
   added_ = heights(starts_[0], mesh.X());
-  if (noise.rings > 0) {
+  if (!noise.is_white()) {
     slope_share_ = mean_square(differences_(added_)) / mean_square(added_);
   }
   options.total_time = total_time(cutoff, mesh, options);
@@ -83,7 +85,7 @@ CutoffTrial AddedNoise::trial(double cutoff, const std::array<Points, 2>& ends) 
   return {.cutoff = cutoff,
           .risk = risk(variance, added_, moves),
           .slope_risk = risk(slope_share_ * variance, differences_(added_), slopes) / slope_share_,
-          .slope_weight = noise_.rings > 0 ? choice_tuning.noise.slopes : 0};
+          .slope_weight = noise_.is_white() ? 0 : choice_tuning.noise.slopes};
 }
 
 /// Of what was added to the two meshes, and how their flows have moved the mesh: heights, or

@@ -75,6 +75,26 @@ struct NoiseTuning {
   /// Ratio; the same from one of two later bands to the next. It is 1.8 and more for noise that is
   /// averaged twice or more over one ring.
   double later_growth = 1.5;
+  /// Ratio; of the standard deviation in a band to that in the first, at least, for more than white
+  /// noise to be in it.
+  double mixed_growth = 1.4;
+  /// Ratios; the evenness of white noise, and the least one of what a band has beyond it, for that
+  /// to be noise as well. It is 0.5 and more for correlated noise as strong as the white noise, on
+  /// scans and shapes without creases, and at most 0.47 for their details.
+  double evenness_of_white = 0.75, even_rest = 0.48;
+  /// Ratio; of the weight of the last band to that of the others in the fit of a mixture. Details
+  /// of the shape enlarge that band most.
+  double last_weight = 0.3;
+  /// Logarithm of a ratio; bands that differ more from those of correlated noise alone may be of a
+  /// mixture. It is 0.08 to 0.12 without white noise, and 0.17 to 0.28 with a third or half as much
+  /// of it.
+  double good_fit = 0.14;
+  /// Ratio; of the variance of a mixture that is not white, at least. Round shapes have that little
+  /// of even detail.
+  double correlated_share = 0.1;
+  /// The sum of squares (ratios) by which a mixture of noise over more rings must fit better. It is
+  /// 0.013 and more for the true number of rings on spheres and scans.
+  double better_fit = 0.012;
   /// Ratio; of the noise that a model makes in shorter bands than those that it was fitted to, at
   /// least so much must be there. It is 0.28 or more with noise, and 0 for flat facets.
   double shows = 0.2;
@@ -140,6 +160,10 @@ struct CreaseTuning {
   /// faces with noise of 0.1; smooth shapes are further from having any: 1.4 to 5 times as much
   /// risk with creases as without, 1.0 to 2.9 times by distances alone.
   double slopes = 2;
+  /// Risk: the least rise from half the first cut-off to it if the noise is a mixture, over the
+  /// square of the ratio of its correlated variance to its white one. It is 0.004 and more for
+  /// mixtures, and at most 0.0008 for parts with white noise.
+  double rise_with_correlated = 0.002;
   double chance = 2;            ///< risk; differences over the root of the number of vertices
   double first_cutoff = 5.657;  ///< mean edge lengths; the first cut-off to try
   double least_risk = 0.01;     ///< risk; below, no creases are looked for

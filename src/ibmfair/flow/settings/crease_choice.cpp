@@ -23,15 +23,15 @@ class CreaseSearch {
         without_(without),
         search_(search),
         start_(std::max(choice_tuning.creases.first_cutoff * mesh.mean_edge_length(),
-                        without.noise_rings > 0 ? without.cutoff : 0)),
-        added_(mesh, without.noise_model(), with(choice_tuning.creases.first_angle), start_) {}
+                        !without.noise.is_white() ? without.cutoff : 0)),
+        added_(mesh, without.noise, with(choice_tuning.creases.first_angle), start_) {}
 
   /// Whether a choice leaves less than this share of what is left without creases, and by at least
   /// `least` (length^2) less. If distances alone do not tell, slopes count as well. If the noise is
   /// correlated, both count, and any difference: it hides most of what creases gain.
   bool is_below(const CreaseChoice& choice, double share, double least = 0) const {
     const CutoffTrial &with = choice.cutoff.best(), &without = without_.best();
-    if (without_.noise_rings > 0) {
+    if (!without_.noise.is_white()) {
       return with.total() < without.total();
     }
     const auto below = [&](double with_creases, double without_creases) {
@@ -44,7 +44,7 @@ class CreaseSearch {
 
   /// The differences of risks (length^2) that may be chance.
   double chance() const {
-    return choice_tuning.creases.chance * without_.noise * without_.noise /
+    return choice_tuning.creases.chance * without_.noise.variance() /
            std::sqrt(static_cast<double>(added_.counted()));
   }
 
@@ -54,7 +54,7 @@ class CreaseSearch {
     NoisierFlows flows(added_, with(choice_tuning.creases.first_angle));
     // Creases allow longer cut-offs than without; with correlated noise much longer ones.
     const double hopeless =
-        without_.noise_rings > 0 ? std::numeric_limits<double>::infinity() : without_.best().risk;
+        !without_.noise.is_white() ? std::numeric_limits<double>::infinity() : without_.best().risk;
     choice.cutoff.trials = trials_around([&](double cutoff) { return trial(flows, cutoff); },
                                          {.start = start_,
                                           .shortest = without_.cutoff / std::pow(2.0, 0.25),
@@ -65,13 +65,21 @@ class CreaseSearch {
     return choice;
   }
 
+  /// By how much more the first angle leaves at the first cut-off than at half of it, in variances
+  /// of the noise.
+  double rise_from_half_the_cutoff() const {
+    NoisierFlows flows(added_, with(choice_tuning.creases.first_angle));
+    const double at_half = trial(flows, start_ / 2).total();
+    return (trial(flows, start_).total() - at_half) / without_.noise.variance();
+  }
+
   /// Goes on to blunter angles as long as none leaves more of the distance: of two that leave about
   /// the same, the blunter one keeps more of the mesh. If the first of them leaves clearly more,
   /// slopes included, goes on to sharper ones as long as each leaves clearly less. All are tried at
   /// the cut-off of the first. With a blunter angle, which keeps more, the best cut-off is longer:
   /// about as the angle to the power -0.2 on benchmark shapes.
   void try_other_angles(CreaseChoice& best) const {
-    const double clear = choice_tuning.creases.clear_gain * without_.noise * without_.noise;
+    const double clear = choice_tuning.creases.clear_gain * without_.noise.variance();
     const double before = best.sharp_angle;
     const CutoffTrial first = best.cutoff.best();
     std::optional<CutoffTrial> blunter;
@@ -112,9 +120,7 @@ class CreaseSearch {
     return trial(flows, last);
   }
 
-  double tolerance() const {
-    return choice_tuning.cutoff.small_gain * without_.noise * without_.noise;
-  }
+  double tolerance() const { return choice_tuning.cutoff.small_gain * without_.noise.variance(); }
 
   /// The options that keep creases of more than this angle (degrees).
   FlowOptions with(double angle) const {
@@ -142,12 +148,12 @@ std::optional<CreaseChoice> choose_creases(const Points& X, const Topology& topo
                                            const FlowOptions& keeping, const CutoffChoice& without,
                                            const CutoffSearch& search) {
   // Where the flow without creases may leave nothing, creases cannot be found to leave less.
-  const double least = std::max(choice_tuning.creases.least_risk * without.noise * without.noise,
-                                without.risk_error);
+  const double least =
+      std::max(choice_tuning.creases.least_risk * without.noise.variance(), without.risk_error);
   if (!(without.best().risk > least)) {
     return std::nullopt;
   }
-  const TrialMesh mesh(X, topology, fixed, keeping, search.sample_for(without.noise_model()));
+  const TrialMesh mesh(X, topology, fixed, keeping, search.sample_for(without.noise));
   const CreaseSearch creases(mesh, without, search);
   CreaseChoice best = creases.with_first_angle();
   if (!creases.is_below(best, choice_tuning.creases.some_share)) {
@@ -158,6 +164,15 @@ std::optional<CreaseChoice> choose_creases(const Points& X, const Topology& topo
     return std::nullopt;
   }
   return best;
+}
+
+bool creases_explain_bands(const Points& X, const Topology& topology,
+                           const std::vector<std::uint8_t>& fixed, const FlowOptions& keeping,
+                           const CutoffChoice& without, const CutoffSearch& search) {
+  const TrialMesh mesh(X, topology, fixed, keeping, search.sample_for(without.noise));
+  const double white = without.mixed_noise.white_share, ratio = (1 - white) / white;
+  return CreaseSearch(mesh, without, search).rise_from_half_the_cutoff() <
+         choice_tuning.creases.rise_with_correlated * ratio * ratio;
 }
 
 }  // namespace ibmfair

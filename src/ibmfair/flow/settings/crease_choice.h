@@ -29,4 +29,12 @@ std::optional<CreaseChoice> choose_creases(const Points& X, const Topology& topo
                                            const FlowOptions& keeping, const CutoffChoice& without,
                                            const CutoffSearch& search);
 
+/// Whether what looks like a mixture of independent and correlated noise
+/// (CutoffChoice::mixed_noise) is of creases. If the noise is independent, flows that keep creases
+/// hardly leave more with a long cut-off than with a short one; otherwise they seem to leave
+/// clearly more. The arguments are those of choose_creases.
+bool creases_explain_bands(const Points& X, const Topology& topology,
+                           const std::vector<std::uint8_t>& fixed, const FlowOptions& keeping,
+                           const CutoffChoice& without, const CutoffSearch& search);
+
 }  // namespace ibmfair

@@ -10,9 +10,9 @@
 namespace ibmfair {
 namespace {
 
-/// Whether longer cut-offs are not expected to reduce the risk.
-bool is_enough(const std::vector<CutoffTrial>& trials, double noise) {
-  const double variance = noise * noise, last = trials.back().total();
+/// Whether longer cut-offs are not expected to reduce the risk. `variance`: of the noise.
+bool is_enough(const std::vector<CutoffTrial>& trials, double variance) {
+  const double last = trials.back().total();
   return last - trials[least_risk(trials)].total() > choice_tuning.cutoff.clear_rise * variance ||
          (trials.size() > 2 && std::abs(trials[trials.size() - 3].total() - last) <=
                                    choice_tuning.cutoff.small_gain * variance);
@@ -37,25 +37,14 @@ void try_cutoffs(CutoffTrials& trials, const TrialMesh& mesh, const CutoffSearch
   }
 }
 
-/// Completes the choice for noise that is known to be correlated.
-void choose_for_known_noise(const TrialMesh& mesh, const CutoffSearch& search,
-                            CutoffChoice& choice) {
-  CutoffTrials trials(mesh, choice.noise_model());
-  try_cutoffs(trials, mesh, search, [&](double next) {
-    choice.trials = trials.risks();
-    return is_enough(choice.trials, choice.noise) || next > search.largest;
-  });
-  choice.cutoff = cutoff_of_least_risk(choice.trials, false);
-}
-
 /// If the noise is correlated, the choice has no cut-off yet.
 CutoffChoice choose_without_creases(const TrialMesh& mesh, const CutoffSearch& search) {
   CutoffTrials trials(mesh);
   CutoffChoice choice;
   try_cutoffs(trials, mesh, search, [&](double next) {
-    choice.noise = trials.noise();
+    choice.noise.deviation = trials.noise();
     choice.trials = trials.risks();
-    const bool enough = is_enough(choice.trials, choice.noise) && !looks_further(trials);
+    const bool enough = is_enough(choice.trials, choice.noise.variance()) && !looks_further(trials);
     return enough || next > search.largest;
   });
   choice.risk_error = trials.risk_error();
@@ -65,9 +54,10 @@ CutoffChoice choose_without_creases(const TrialMesh& mesh, const CutoffSearch& s
     choice.kind = NoiseKind::outliers;
   } else if (const NoiseModel model = fit_noise_model(mesh, trials.bands()); model.deviation > 0) {
     choice.kind = NoiseKind::correlated;
-    choice.noise = model.deviation;
-    choice.noise_rings = model.rings;
+    choice.noise = model;
     return choice;
+  } else {
+    choice.mixed_noise = fit_mixed_noise(mesh, trials.bands());
   }
   choice.cutoff = cutoff_of_least_risk(choice.trials, false);
   return choice;
@@ -77,17 +67,17 @@ CutoffChoice choose_with_creases(const TrialMesh& mesh, const CutoffSearch& sear
   CutoffTrials trials(mesh);
   try_cutoffs(trials, mesh, search, [](double) { return true; });
   CutoffChoice choice;
-  choice.noise = trials.noise();
+  choice.noise.deviation = trials.noise();
   choice.risk_error = trials.risk_error();
   choice.kind = trials.has_outliers() ? NoiseKind::outliers : NoiseKind::independent;
   const double edge = mesh.mean_edge_length();
-  if (choice.noise == 0) {
+  if (choice.noise.deviation == 0) {
     choice.cutoff = choice_tuning.cutoff.shortest * edge;
     choice.trials = {{.cutoff = choice.cutoff}};
     return choice;
   }
   const double first = choice_tuning.creases.first_cutoff * edge;
-  const AddedNoise added(mesh, choice.noise_model(), mesh.options(), first);
+  const AddedNoise added(mesh, choice.noise, mesh.options(), first);
   NoisierFlows flows(added, mesh.options());
   choice.trials = trials_around(
       [&](double cutoff) {
@@ -97,7 +87,7 @@ CutoffChoice choose_with_creases(const TrialMesh& mesh, const CutoffSearch& sear
       {.start = first,
        .shortest = choice_tuning.cutoff.shortest * edge,
        .largest = search.largest,
-       .tolerance = choice_tuning.cutoff.small_gain * choice.noise * choice.noise});
+       .tolerance = choice_tuning.cutoff.small_gain * choice.noise.variance()});
   choice.cutoff = cutoff_of_least_risk(choice.trials, true);
   return choice;
 }
@@ -116,15 +106,31 @@ CutoffChoice choose_cutoff(const Points& X, const Topology& topology,
     return choose_with_creases(mesh, search);
   }
   CutoffChoice choice = choose_without_creases(mesh, search);
-  if (choice.noise_rings > 0) {
-    const TrialMesh less(X, topology, fixed, options, search.sample_for(choice.noise_model()));
-    choose_for_known_noise(less, search, choice);
+  if (!choice.noise.is_white()) {
+    const CutoffChoice longer =
+        choose_cutoff_for(choice.noise, X, topology, fixed, options, search);
+    choice.cutoff = longer.cutoff;
+    choice.trials = longer.trials;
   }
   return choice;
 }
 
+CutoffChoice choose_cutoff_for(const NoiseModel& noise, const Points& X, const Topology& topology,
+                               const std::vector<std::uint8_t>& fixed, const FlowOptions& options,
+                               const CutoffSearch& search) {
+  const TrialMesh mesh(X, topology, fixed, options, search.sample_for(noise));
+  CutoffTrials trials(mesh, noise);
+  CutoffChoice choice{.noise = noise, .kind = NoiseKind::correlated};
+  try_cutoffs(trials, mesh, search, [&](double next) {
+    choice.trials = trials.risks();
+    return is_enough(choice.trials, noise.variance()) || next > search.largest;
+  });
+  choice.cutoff = cutoff_of_least_risk(choice.trials, false);
+  return choice;
+}
+
 SampleSize CutoffSearch::sample_for(const NoiseModel& noise) const {
-  return noise.rings == 0 ? sample
+  return noise.is_white() ? sample
                           : SampleSize{std::min(sample.vertices, choice_tuning.noise.sample),
                                        choice_tuning.noise.felt_rings};
 }

@@ -21,17 +21,18 @@
 namespace ibmfair {
 
 struct CutoffChoice {
-  double cutoff = 0;    ///< length
-  double noise = 0;     ///< standard deviation along the normals, length
-  int noise_rings = 0;  ///< NoiseModel::rings
+  double cutoff = 0;  ///< length
+  NoiseModel noise;
   NoiseKind kind = NoiseKind::independent;
+  /// The mixture of white and correlated noise that may be there instead of independent noise, if
+  /// creases do not explain what looks like it (crease_choice.h); with a deviation of 0 if none.
+  NoiseModel mixed_noise = {};
   double white_noise = 0;           ///< CutoffTrials::white_deviation, length; 0 with creases
   bool looks_white = false;         ///< `is_white` of noise_kind.h; false with creases
   std::vector<CutoffTrial> trials;  ///< with increasing cut-off
   double risk_error = 0;            ///< standard error of their risks, length^2
 
   const CutoffTrial& best() const;  ///< the trial with the least risk
-  NoiseModel noise_model() const { return {noise, noise_rings}; }
 };
 
 /// Called before each trial.
@@ -63,5 +64,10 @@ struct CutoffSearch {
 CutoffChoice choose_cutoff(const Points& X, const Topology& topology,
                            const std::vector<std::uint8_t>& fixed, const FlowOptions& options,
                            const CutoffSearch& search);
+
+/// The same for correlated noise that is known, and flows without creases.
+CutoffChoice choose_cutoff_for(const NoiseModel& noise, const Points& X, const Topology& topology,
+                               const std::vector<std::uint8_t>& fixed, const FlowOptions& options,
+                               const CutoffSearch& search);
 
 }  // namespace ibmfair

@@ -55,10 +55,9 @@ CutoffTrials::CutoffTrials(const TrialMesh& mesh, const NoiseModel& noise)
       smoother_(make_trial_smoother(mesh, unknowns_)),
       noise_(noise),
       is_given_(noise.deviation > 0),
-      unit_noise_(
-          correlated_noise(white_noise(unknowns_.size()), noise.rings, topology_, unknowns_)),
+      unit_noise_(noise_like(noise, white_noise(unknowns_.size()), topology_, unknowns_)),
       slope_share_(
-          noise.rings == 0 ? 1 : slope_share(unit_noise_(counted_, Eigen::all), differences_)) {}
+          noise.is_white() ? 1 : slope_share(unit_noise_(counted_, Eigen::all), differences_)) {}
 
 void CutoffTrials::run(double cutoff) {
   const Points end = smoother_->smooth(cutoff);
@@ -75,7 +74,7 @@ void CutoffTrials::run(double cutoff) {
     const Points noise = unit_noise_(counted_, Eigen::all);
     outcome.on_heights.trace = trace_of(noise, taken);
     outcome.on_slopes.trace = trace_of(differences_(noise), differences_(taken));
-    trace_falls_ = noise_.rings == 0 && falls_by_law(cutoff, outcome.on_heights.trace);
+    trace_falls_ = noise_.is_white() && falls_by_law(cutoff, outcome.on_heights.trace);
   }
   if (!is_given_) {
     add_band(cutoff, normals, end, taken);
@@ -155,7 +154,7 @@ std::vector<CutoffTrial> CutoffTrials::risks() const {
     risks.push_back({.cutoff = o.cutoff,
                      .risk = o.on_heights.risk(variance),
                      .slope_risk = o.on_slopes.risk(slope_share_ * variance) / slope_share_,
-                     .slope_weight = noise_.rings > 0 ? choice_tuning.noise.slopes : 0});
+                     .slope_weight = noise_.is_white() ? 0 : choice_tuning.noise.slopes});
   }
   return risks;
 }

@@ -17,9 +17,9 @@ std::optional<CutoffChoice> choose_laplacian(const Points& X, const Topology& to
   const TrialMesh mesh(X, topology, fixed, other,
                        {std::min(search.sample.vertices, choice_tuning.laplacian.sample),
                         choice_tuning.laplacian.felt_rings});
-  const double variance = choice.noise * choice.noise;
+  const double variance = choice.noise.variance();
   const double start = choice_tuning.laplacian.first_cutoff * choice.cutoff;
-  const AddedNoise added(mesh, choice.noise_model(), mesh.options(), start);
+  const AddedNoise added(mesh, choice.noise, mesh.options(), start);
   const auto trial = [&](NoisierFlows& flows, double cutoff) {
     search.tell(cutoff);
     return flows.trial(cutoff);

@@ -39,7 +39,8 @@ bool is_without_noise(const Points& X, const Topology& topology, const CutoffCho
   const double edge = mean_edge_length(X, topology.E);
   const double negligible =
       choice.looks_white ? choice_tuning.noise.negligible_white : choice_tuning.noise.negligible;
-  const bool too_little = choice.kind == NoiseKind::independent && choice.noise < negligible * edge;
+  const bool too_little =
+      choice.kind == NoiseKind::independent && choice.noise.deviation < negligible * edge;
   if (too_little || choice.kind == NoiseKind::outliers) {
     return too_little;
   }

@@ -7,6 +7,8 @@
 #include <limits>
 #include <memory>
 
+#include <Eigen/QR>
+
 #include "ibmfair/base/random_numbers.h"
 #include "ibmfair/flow/settings/choice_tuning.h"
 #include "ibmfair/flow/settings/ring_means.h"
@@ -40,6 +42,41 @@ struct Fit {
   double mean() const { return std::exp(sum_of_logs / count); }
 };
 
+/// What the models of correlated noise of the standard deviation 1 make of the first bands: the rms
+/// height, #bands x #models.
+Eigen::ArrayX3d bands_of_models(const TrialMesh& mesh, const std::vector<NoiseBand>& bands,
+                                std::size_t count) {
+  const Unknowns unknowns(mesh.fixed());
+  const std::vector<Index> counted = counted_unknowns(mesh, unknowns);
+  const Points white = white_noise(unknowns.size());
+  Points noise(unknowns.size(), 3);  // a model in each column
+  for (std::size_t m = 0; m < correlated_rings.size(); ++m) {
+    noise.col(static_cast<Eigen::Index>(m)) =
+        noise_like({1, correlated_rings[m]}, white, mesh.topology(), unknowns).col(0);
+  }
+  const std::unique_ptr<TrialSmoother> smoother = make_trial_smoother(mesh, unknowns);
+  Eigen::ArrayX3d expected(static_cast<Eigen::Index>(count), 3);
+  Points last = Points::Zero(static_cast<Eigen::Index>(counted.size()), 3);
+  for (std::size_t i = 0; i < count; ++i) {
+    smoother->smooth(bands[i].cutoff);
+    const Points taken = smoother->taken_of(noise)(counted, Eigen::all);
+    expected.row(static_cast<Eigen::Index>(i)) = rms_of_columns(taken - last).transpose();
+    last = taken;
+  }
+  return expected;
+}
+
+/// The x >= 0 with the least |A x - b|.
+Eigen::Vector2d non_negative_least_squares(const Eigen::MatrixX2d& A, const Eigen::VectorXd& b) {
+  const Eigen::Vector2d x = A.colPivHouseholderQr().solve(b);
+  for (const int i : {0, 1}) {
+    if (x[i] < 0) {
+      return A.col(1 - i).dot(b) / A.col(1 - i).squaredNorm() * Eigen::Vector2d::Unit(1 - i);
+    }
+  }
+  return x;
+}
+
 }  // namespace
 
 NoiseModel fit_noise_model(const TrialMesh& mesh, const std::vector<NoiseBand>& bands) {
@@ -47,39 +84,62 @@ NoiseModel fit_noise_model(const TrialMesh& mesh, const std::vector<NoiseBand>& 
   if (range.empty()) {
     return {};
   }
-  const Unknowns unknowns(mesh.fixed());
-  const std::vector<Index> counted = counted_unknowns(mesh, unknowns);
-  const Points white = white_noise(unknowns.size());
-  Points noise(unknowns.size(), 3);  // a model in each column
-  for (std::size_t m = 0; m < correlated_rings.size(); ++m) {
-    noise.col(static_cast<Eigen::Index>(m)) =
-        correlated_noise(white, correlated_rings[m], mesh.topology(), unknowns).col(0);
-  }
-  const std::unique_ptr<TrialSmoother> smoother = make_trial_smoother(mesh, unknowns);
+  const Eigen::ArrayX3d expected = bands_of_models(mesh, bands, range.end);
   std::array<Fit, correlated_rings.size()> fits;
-  Points last = Points::Zero(static_cast<Eigen::Index>(counted.size()), 3);
   for (std::size_t i = 0; i < range.end; ++i) {
-    smoother->smooth(bands[i].cutoff);
-    const Points taken = smoother->taken_of(noise)(counted, Eigen::all);
-    const Eigen::Array3d expected = rms_of_columns(taken - last);
     for (std::size_t m = 0; m < fits.size(); ++m) {
-      const double ratio =
-          bands[i].by_median * bands[i].white / expected[static_cast<Eigen::Index>(m)];
+      const double ratio = bands[i].by_median * bands[i].white /
+                           expected(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(m));
       if (i >= range.begin) {
         fits[m].add(ratio);
       } else {
         fits[m].least_before = std::min(fits[m].least_before, ratio);
       }
     }
-    last = taken;
   }
   const auto best = std::ranges::min_element(fits, {}, &Fit::spread);
   if (best->mean() < choice_tuning.noise.negligible ||
       best->least_before < choice_tuning.noise.shows * best->mean()) {
     return {};
   }
+  if (best->spread() > choice_tuning.noise.good_fit) {
+    if (const NoiseModel mixed = fit_mixed_noise(mesh, bands); mixed.deviation > 0) {
+      return mixed;
+    }
+  }
   return {best->mean() * mesh.mean_edge_length(),
           correlated_rings[static_cast<std::size_t>(best - fits.begin())]};
+}
+
+NoiseModel fit_mixed_noise(const TrialMesh& mesh, const std::vector<NoiseBand>& bands) {
+  const BandRange range = bands_of_mixed_noise(bands);
+  if (range.empty()) {
+    return {};
+  }
+  const Eigen::ArrayX3d expected = bands_of_models(mesh, bands, range.end);
+  const Eigen::Index count = expected.rows();
+  Eigen::ArrayXd seen(count), white(count), weights = Eigen::ArrayXd::Ones(count);
+  for (Eigen::Index i = 0; i < count; ++i) {
+    white[i] = bands[static_cast<std::size_t>(i)].white;
+    seen[i] = bands[static_cast<std::size_t>(i)].by_median * white[i];
+  }
+  weights[count - 1] = choice_tuning.noise.last_weight;
+  double least = std::numeric_limits<double>::infinity();
+  NoiseModel best;
+  for (std::size_t m = 0; m < correlated_rings.size(); ++m) {
+    Eigen::MatrixX2d A(count, 2);  // relative mean squares
+    A << weights * (white / seen).square(),
+        weights * (expected.col(static_cast<Eigen::Index>(m)) / seen).square();
+    const Eigen::Vector2d variances = non_negative_least_squares(A, weights);
+    const double error = (A * variances - weights.matrix()).squaredNorm();
+    // Details of the shape only enlarge longer bands, so that too many rings fit them.
+    if (error < least - choice_tuning.noise.better_fit) {
+      least = error;
+      best = {std::sqrt(variances.sum()) * mesh.mean_edge_length(), correlated_rings[m],
+              variances[0] / variances.sum()};
+    }
+  }
+  return best.white_share < 1 - choice_tuning.noise.correlated_share ? best : NoiseModel();
 }
 
 Points white_noise(Index count) {
@@ -91,13 +151,22 @@ Points white_noise(Index count) {
   return z;
 }
 
-Points correlated_noise(const Points& white, int rings, const Topology& topology,
-                        const Unknowns& unknowns) {
-  if (rings == 0) {
+Points noise_like(const NoiseModel& model, const Points& white, const Topology& topology,
+                  const Unknowns& unknowns) {
+  if (model.is_white()) {
     return white;
   }
-  const Points noise = ring_means(white, topology, unknowns, rings);
-  return std::sqrt(static_cast<double>(noise.size()) / noise.squaredNorm()) * noise;
+  Points noise = ring_means(white, topology, unknowns, model.rings);
+  noise *=
+      std::sqrt((1 - model.white_share) * static_cast<double>(noise.size()) / noise.squaredNorm());
+  if (model.white_share > 0) {
+    // The white noise of vertices far away in the list is independent of that around a vertex.
+    const Eigen::Index half = white.rows() / 2, rest = white.rows() - half;
+    const double scale = std::sqrt(model.white_share);
+    noise.topRows(rest) += scale * white.bottomRows(rest);
+    noise.bottomRows(half) += scale * white.topRows(half);
+  }
+  return noise;
 }
 
 }  // namespace ibmfair

@@ -15,26 +15,36 @@
 namespace ibmfair {
 
 struct NoiseModel {
-  double deviation = 0;  ///< standard deviation along the normals, length
-  int rings = 0;         ///< how often means over one ring were taken; 0 for white noise
+  double deviation = 0;    ///< standard deviation along the normals, length
+  int rings = 0;           ///< how often means over one ring were taken; 0 for white noise
+  double white_share = 0;  ///< of the variance, if `rings` is not 0: of white noise added to it
+
+  bool is_white() const { return rings == 0; }
+  double variance() const { return deviation * deviation; }
 
   /// About how many edges apart heights are still alike: twice the standard deviation of the
   /// weights with which the white noise around a vertex adds up.
   double reach() const { return 2 * std::sqrt(static_cast<double>(rings)); }
 };
 
-/// The model that fits the bands of correlated noise best, or none, with a deviation of 0, if there
+/// The model that fits the bands of correlated noise best, mixed with white noise only if it does
+/// not fit well without; or none, with a deviation of 0, if there
 /// are no such bands, if there is next to no noise, or if there is less in shorter bands than the
 /// model makes there: the shape has no noise then, but even detail. Throws the exceptions of the
 /// flow.
 NoiseModel fit_noise_model(const TrialMesh& mesh, const std::vector<NoiseBand>& bands);
 
+/// The mixture of white and correlated noise that fits the bands best, by least squares, if they
+/// may show one (`bands_of_mixed_noise`) and enough of it is correlated; else none, with a
+/// deviation of 0. Throws the exceptions of the flow.
+NoiseModel fit_mixed_noise(const TrialMesh& mesh, const std::vector<NoiseBand>& bands);
+
 /// White noise of the standard deviation 1, `count` x 3. Deterministic.
 Points white_noise(Index count);
 
-/// White noise of the standard deviation 1, one row per unknown, made correlated over so many rings
-/// (NoiseModel), with the same standard deviation.
-Points correlated_noise(const Points& white, int rings, const Topology& topology,
-                        const Unknowns& unknowns);
+/// Noise of the standard deviation 1 that is correlated as that of the model. `white`: white noise
+/// of the standard deviation 1, one row per unknown.
+Points noise_like(const NoiseModel& model, const Points& white, const Topology& topology,
+                  const Unknowns& unknowns);
 
 }  // namespace ibmfair
