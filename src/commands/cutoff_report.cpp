@@ -84,11 +84,12 @@ std::string cutoff_lines(const SmoothPlan& plan, bool detailed) {
                           error_left(*plan.choice, edge));
     }
     if (detailed) {
-      text += fmt::format("  {:<16}{:>7}{:>17}  mean edge lengths\n", "tried", "cut-off",
-                          "distance left");
+      const bool tells = tells_distance(*plan.choice);
+      text += fmt::format("  {:<16}{:>7}{}  mean edge lengths\n", "tried", "cut-off",
+                          tells ? "    distance left" : "");
       for (const CutoffTrial& trial : plan.choice->trials) {
-        text += fmt::format("  {:<16}{:>7.3g}{:>17.3g}\n", "", trial.cutoff / edge,
-                            expected_distance(trial) / edge);
+        text += fmt::format("  {:<16}{:>7.3g}{}\n", "", trial.cutoff / edge,
+                            tells ? fmt::format("{:>17.3g}", expected_distance(trial) / edge) : "");
       }
     }
   }

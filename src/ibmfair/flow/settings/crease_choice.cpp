@@ -23,7 +23,7 @@ class CreaseSearch {
         without_(without),
         search_(search),
         start_(std::max(choice_tuning.creases.first_cutoff * mesh.mean_edge_length(),
-                        !without.noise.is_white() ? without.cutoff : 0)),
+                        without.noise.is_white() ? 0 : without.cutoff)),
         added_(mesh, without.noise, with(choice_tuning.creases.first_angle), start_) {}
 
   /// Whether a choice leaves less than this share of what is left without creases, and by at least
@@ -54,7 +54,7 @@ class CreaseSearch {
     NoisierFlows flows(added_, with(choice_tuning.creases.first_angle));
     // Creases allow longer cut-offs than without; with correlated noise much longer ones.
     const double hopeless =
-        !without_.noise.is_white() ? std::numeric_limits<double>::infinity() : without_.best().risk;
+        without_.noise.is_white() ? without_.best().risk : std::numeric_limits<double>::infinity();
     choice.cutoff.trials = trials_around([&](double cutoff) { return trial(flows, cutoff); },
                                          {.start = start_,
                                           .shortest = without_.cutoff / std::pow(2.0, 0.25),

@@ -1,9 +1,9 @@
 // How strong noise is, and over how many rings it is correlated.
 //
-// The model: white noise of which the mean over each vertex and its neighbours was taken some
-// times, as averaging filters and the correlated pixels of depth cameras do. What successive
-// cut-offs remove of such noise is known for every number of times, and what they remove of the
-// mesh is compared with it.
+// The model: white noise, and over it white noise of which the mean over each vertex and its
+// neighbours was taken some times, as averaging filters and the correlated pixels of depth cameras
+// do. What successive cut-offs remove of such noise is known for every number of times, and what
+// they remove of the mesh is compared with it.
 #pragma once
 
 #include <cmath>
