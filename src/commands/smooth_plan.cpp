@@ -258,13 +258,16 @@ class Planner {
     FlowOptions options = plan_.flow;
     keep_creases(options);
     set_relaxation(options);
-    if (const NoiseModel mixed = plan_.choice->mixed_noise;
-        mixed.deviation > 0 &&
-        !creases_explain_bands(input_.X, input_.topology, fixed, options, *plan_.choice, search)) {
-      plan_.choice = choose_cutoff_for(mixed, input_.X, input_.topology, fixed, plan_.flow, search);
+    const auto find_creases = [&] {
+      return choose_creases(input_.X, input_.topology, fixed, options, *plan_.choice, search);
+    };
+    CreaseFindings found = find_creases();
+    if (found.noise_is_mixed) {
+      plan_.choice = choose_cutoff_for(plan_.choice->mixed_noise, input_.X, input_.topology, fixed,
+                                       plan_.flow, search);
+      found = find_creases();
     }
-    if (const auto creases =
-            choose_creases(input_.X, input_.topology, fixed, options, *plan_.choice, search)) {
+    if (const auto& creases = found.choice) {
       options.sharp_angle = creases->sharp_angle;
       plan_.flow = options;
       plan_.creases = {creases->sharp_angle, *plan_.choice};

@@ -275,7 +275,8 @@ TEST(CreaseChoice, KeepsThoseOfPolyhedra) {
       const auto fixed = fixed_vertices(noisy.state.topology, BoundaryCondition::fixed);
       const CutoffChoice without = choice_for(noisy.state, 2, without_creases());
       const auto creases = choose_creases(noisy.state.X, noisy.state.topology, fixed,
-                                          keeping_creases(0), without, {.largest = 2});
+                                          keeping_creases(0), without, {.largest = 2})
+                               .choice;
       ASSERT_TRUE(creases);
       EXPECT_EQ(creases->cutoff.noise.deviation, without.noise.deviation);
       const double left =
@@ -291,7 +292,8 @@ TEST(CreaseChoice, KeepsThoseOfACubeUnderNoiseThatFoldsTriangles) {
   const auto fixed = fixed_vertices(noisy.state.topology, BoundaryCondition::fixed);
   const CutoffChoice without = choice_for(noisy.state, 2, without_creases());
   const auto creases = choose_creases(noisy.state.X, noisy.state.topology, fixed,
-                                      keeping_creases(0), without, {.largest = 2});
+                                      keeping_creases(0), without, {.largest = 2})
+                           .choice;
   ASSERT_TRUE(creases);
   const double left =
       noisy.squared_error_after(creases->cutoff.cutoff, keeping_creases(creases->sharp_angle));
@@ -311,7 +313,8 @@ TEST(CreaseChoice, KeepsBluntOnes) {
   const auto fixed = fixed_vertices(truth.topology, BoundaryCondition::fixed);
   const CutoffChoice without = choice_for(noisy, 1, without_creases());
   const auto creases =
-      choose_creases(noisy.X, noisy.topology, fixed, keeping_creases(0), without, {.largest = 1});
+      choose_creases(noisy.X, noisy.topology, fixed, keeping_creases(0), without, {.largest = 1})
+          .choice;
   ASSERT_TRUE(creases);
   const double edge = mean_edge_length(noisy.X, noisy.topology.E);
   const auto tilt = [&](double cutoff, const FlowOptions& options) {
@@ -325,9 +328,10 @@ TEST(CreaseChoice, FindsNoneInSmoothShapes) {
   for (const Noisy& noisy : noisy_shapes()) {
     const auto fixed = fixed_vertices(noisy.state.topology, BoundaryCondition::fixed);
     const CutoffChoice without = choice_for(noisy.state, noisy.diagonal / 2, without_creases());
-    EXPECT_FALSE(choose_creases(noisy.state.X, noisy.state.topology, fixed, keeping_creases(0),
-                                without, {.largest = noisy.diagonal / 2}))
-        << noisy.name;
+    const CreaseFindings found =
+        choose_creases(noisy.state.X, noisy.state.topology, fixed, keeping_creases(0), without,
+                       {.largest = noisy.diagonal / 2});
+    EXPECT_FALSE(found.choice) << noisy.name;
   }
 }
 

@@ -24,7 +24,8 @@ class CreaseSearch {
         search_(search),
         start_(std::max(choice_tuning.creases.first_cutoff * mesh.mean_edge_length(),
                         without.noise.is_white() ? 0 : without.cutoff)),
-        added_(mesh, without.noise, with(choice_tuning.creases.first_angle), start_) {}
+        added_(mesh, without.noise, with(choice_tuning.creases.first_angle), start_),
+        first_flows_(added_, with(choice_tuning.creases.first_angle)) {}
 
   /// Whether a choice leaves less than this share of what is left without creases, and by at least
   /// `least` (length^2) less. If distances alone do not tell, slopes count as well. If the noise is
@@ -48,29 +49,32 @@ class CreaseSearch {
            std::sqrt(static_cast<double>(added_.counted()));
   }
 
+  /// Whether the noise is a mixture, because creases do not explain what looks like one.
+  bool finds_mixed_noise() {
+    NoisierFlows shorter(added_, with(choice_tuning.creases.first_angle));
+    const double rise = first_trial().total() - trial(shorter, start_ / 2).total();
+    const double white = without_.mixed_noise.white_share, ratio = (1 - white) / white;
+    return rise >=
+           choice_tuning.creases.rise_with_correlated * ratio * ratio * without_.noise.variance();
+  }
+
   /// The best cut-off for the first angle.
-  CreaseChoice with_first_angle() const {
+  CreaseChoice with_first_angle() {
     CreaseChoice choice{radians(choice_tuning.creases.first_angle), without_};
-    NoisierFlows flows(added_, with(choice_tuning.creases.first_angle));
     // Creases allow longer cut-offs than without; with correlated noise much longer ones.
     const double hopeless =
         without_.noise.is_white() ? without_.best().risk : std::numeric_limits<double>::infinity();
-    choice.cutoff.trials = trials_around([&](double cutoff) { return trial(flows, cutoff); },
-                                         {.start = start_,
-                                          .shortest = without_.cutoff / std::pow(2.0, 0.25),
-                                          .largest = search_.largest,
-                                          .hopeless = hopeless,
-                                          .tolerance = tolerance()});
+    const auto try_cutoff = [&](double cutoff) {
+      return cutoff == start_ ? first_trial() : trial(first_flows_, cutoff);
+    };
+    choice.cutoff.trials =
+        trials_around(try_cutoff, {.start = start_,
+                                   .shortest = without_.cutoff / std::pow(2.0, 0.25),
+                                   .largest = search_.largest,
+                                   .hopeless = hopeless,
+                                   .tolerance = tolerance()});
     choice.cutoff.cutoff = cutoff_of_least_risk(choice.cutoff.trials, true);
     return choice;
-  }
-
-  /// By how much more the first angle leaves at the first cut-off than at half of it, in variances
-  /// of the noise.
-  double rise_from_half_the_cutoff() const {
-    NoisierFlows flows(added_, with(choice_tuning.creases.first_angle));
-    const double at_half = trial(flows, start_ / 2).total();
-    return (trial(flows, start_).total() - at_half) / without_.noise.variance();
   }
 
   /// Goes on to blunter angles as long as none leaves more of the distance: of two that leave about
@@ -129,6 +133,14 @@ class CreaseSearch {
     return options;
   }
 
+  /// Of the first angle and the first cut-off.
+  const CutoffTrial& first_trial() {
+    if (!first_trial_) {
+      first_trial_ = trial(first_flows_, start_);
+    }
+    return *first_trial_;
+  }
+
   CutoffTrial trial(NoisierFlows& flows, double cutoff) const {
     search_.tell(cutoff);
     return flows.trial(cutoff);
@@ -139,40 +151,40 @@ class CreaseSearch {
   const CutoffSearch& search_;
   const double start_;  // the first cut-off, length
   const AddedNoise added_;
+  NoisierFlows first_flows_;  // with the first angle
+  std::optional<CutoffTrial> first_trial_;
 };
 
 }  // namespace
 
-std::optional<CreaseChoice> choose_creases(const Points& X, const Topology& topology,
-                                           const std::vector<std::uint8_t>& fixed,
-                                           const FlowOptions& keeping, const CutoffChoice& without,
-                                           const CutoffSearch& search) {
+CreaseFindings choose_creases(const Points& X, const Topology& topology,
+                              const std::vector<std::uint8_t>& fixed, const FlowOptions& keeping,
+                              const CutoffChoice& without, const CutoffSearch& search) {
   // Where the flow without creases may leave nothing, creases cannot be found to leave less.
   const double least =
       std::max(choice_tuning.creases.least_risk * without.noise.variance(), without.risk_error);
-  if (!(without.best().risk > least)) {
-    return std::nullopt;
+  const bool may_gain = without.best().risk > least;
+  const bool may_be_mixed = without.mixed_noise.deviation > 0;
+  if (!may_gain && !may_be_mixed) {
+    return {};
   }
   const TrialMesh mesh(X, topology, fixed, keeping, search.sample_for(without.noise));
-  const CreaseSearch creases(mesh, without, search);
+  CreaseSearch creases(mesh, without, search);
+  if (may_be_mixed && creases.finds_mixed_noise()) {
+    return {.noise_is_mixed = true, .choice = std::nullopt};
+  }
+  if (!may_gain) {
+    return {};
+  }
   CreaseChoice best = creases.with_first_angle();
   if (!creases.is_below(best, choice_tuning.creases.some_share)) {
-    return std::nullopt;
+    return {};
   }
   creases.try_other_angles(best);
   if (!creases.is_below(best, choice_tuning.creases.clear_share, creases.chance())) {
-    return std::nullopt;
+    return {};
   }
-  return best;
-}
-
-bool creases_explain_bands(const Points& X, const Topology& topology,
-                           const std::vector<std::uint8_t>& fixed, const FlowOptions& keeping,
-                           const CutoffChoice& without, const CutoffSearch& search) {
-  const TrialMesh mesh(X, topology, fixed, keeping, search.sample_for(without.noise));
-  const double white = without.mixed_noise.white_share, ratio = (1 - white) / white;
-  return CreaseSearch(mesh, without, search).rise_from_half_the_cutoff() <
-         choice_tuning.creases.rise_with_correlated * ratio * ratio;
+  return {.choice = best};
 }
 
 }  // namespace ibmfair

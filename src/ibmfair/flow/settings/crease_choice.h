@@ -19,22 +19,23 @@ struct CreaseChoice {
   CutoffChoice cutoff;
 };
 
-/// Compares flows that keep creases, with `keeping` except for the angle, with `without`, the
-/// choice for flows without creases. Returns the choice with the least risk if it is clearly below
-/// the risk of that choice; otherwise nothing. Beginning with one angle, smaller ones are tried as
-/// long as they do not raise the risk, or larger ones as long as they reduce it. Throws the
-/// exceptions of choose_cutoff.
-std::optional<CreaseChoice> choose_creases(const Points& X, const Topology& topology,
-                                           const std::vector<std::uint8_t>& fixed,
-                                           const FlowOptions& keeping, const CutoffChoice& without,
-                                           const CutoffSearch& search);
+struct CreaseFindings {
+  /// Whether the noise is CutoffChoice::mixed_noise, as creases do not explain what looks like it.
+  /// Nothing else is chosen then.
+  bool noise_is_mixed = false;
+  std::optional<CreaseChoice> choice;
+};
 
-/// Whether what looks like a mixture of independent and correlated noise
-/// (CutoffChoice::mixed_noise) is of creases. If the noise is independent, flows that keep creases
-/// hardly leave more with a long cut-off than with a short one; otherwise they seem to leave
-/// clearly more. The arguments are those of choose_creases.
-bool creases_explain_bands(const Points& X, const Topology& topology,
-                           const std::vector<std::uint8_t>& fixed, const FlowOptions& keeping,
-                           const CutoffChoice& without, const CutoffSearch& search);
+/// Compares flows that keep creases, with `keeping` except for the angle, with `without`, the
+/// choice for flows without creases. Finds the choice with the least risk if it is clearly below
+/// the risk of that choice; otherwise nothing. Beginning with one angle, smaller ones are tried as
+/// long as they do not raise the risk, or larger ones as long as they reduce it.
+///
+/// If the noise may be mixed, the first angle tells: if the noise is independent, it hardly leaves
+/// more with a long cut-off than with a short one; otherwise it seems to leave clearly more.
+/// Throws the exceptions of choose_cutoff.
+CreaseFindings choose_creases(const Points& X, const Topology& topology,
+                              const std::vector<std::uint8_t>& fixed, const FlowOptions& keeping,
+                              const CutoffChoice& without, const CutoffSearch& search);
 
 }  // namespace ibmfair

@@ -120,7 +120,9 @@ CutoffChoice choose_cutoff_for(const NoiseModel& noise, const Points& X, const T
                                const CutoffSearch& search) {
   const TrialMesh mesh(X, topology, fixed, options, search.sample_for(noise));
   CutoffTrials trials(mesh, noise);
-  CutoffChoice choice{.noise = noise, .kind = NoiseKind::correlated};
+  CutoffChoice choice;
+  choice.noise = noise;
+  choice.kind = NoiseKind::correlated;
   try_cutoffs(trials, mesh, search, [&](double next) {
     choice.trials = trials.risks();
     return is_enough(choice.trials, noise.variance()) || next > search.largest;
