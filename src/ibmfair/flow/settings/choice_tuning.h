@@ -160,10 +160,10 @@ struct CreaseTuning {
   /// faces with noise of 0.1; smooth shapes are further from having any: 1.4 to 5 times as much
   /// risk with creases as without, 1.0 to 2.9 times by distances alone.
   double slopes = 2;
-  /// Risk: the least rise from half the first cut-off to it if the noise is a mixture, over the
-  /// square of the ratio of its correlated variance to its white one. It is 0.004 and more for
-  /// mixtures, and at most 0.0008 for parts with white noise.
-  double rise_with_correlated = 0.002;
+  /// Risk: the least rise from half the first cut-off to it, with the bluntest angle, if the noise
+  /// is a mixture. It is 0.006 and more for mixtures with half as much correlated noise as white
+  /// noise, on smooth shapes, 0.03 and more with as much of it, and at most 0.002 for white noise.
+  double clear_rise = 0.004;
   double chance = 2;            ///< risk; differences over the root of the number of vertices
   double first_cutoff = 5.657;  ///< mean edge lengths; the first cut-off to try
   double least_risk = 0.01;     ///< risk; below, no creases are looked for

@@ -24,8 +24,7 @@ class CreaseSearch {
         search_(search),
         start_(std::max(choice_tuning.creases.first_cutoff * mesh.mean_edge_length(),
                         without.noise.is_white() ? 0 : without.cutoff)),
-        added_(mesh, without.noise, with(choice_tuning.creases.first_angle), start_),
-        first_flows_(added_, with(choice_tuning.creases.first_angle)) {}
+        added_(mesh, without.noise, with(choice_tuning.creases.first_angle), start_) {}
 
   /// Whether a choice leaves less than this share of what is left without creases, and by at least
   /// `least` (length^2) less. If distances alone do not tell, slopes count as well. If the noise is
@@ -49,30 +48,28 @@ class CreaseSearch {
            std::sqrt(static_cast<double>(added_.counted()));
   }
 
-  /// Whether the noise is a mixture, because creases do not explain what looks like one.
-  bool finds_mixed_noise() {
-    NoisierFlows shorter(added_, with(choice_tuning.creases.first_angle));
-    const double rise = first_trial().total() - trial(shorter, start_ / 2).total();
-    const double white = without_.mixed_noise.white_share, ratio = (1 - white) / white;
-    return rise >=
-           choice_tuning.creases.rise_with_correlated * ratio * ratio * without_.noise.variance();
+  /// Whether the noise is a mixture, because creases do not explain what looks like one. The
+  /// bluntest angle keeps the most creases.
+  bool finds_mixed_noise() const {
+    NoisierFlows flows(added_, with(std::ranges::min(choice_tuning.creases.blunter_angles)));
+    const double shorter = trial(flows, start_ / 2).risk;
+    return trial(flows, start_).risk - shorter >
+           choice_tuning.creases.clear_rise * without_.noise.variance();
   }
 
   /// The best cut-off for the first angle.
-  CreaseChoice with_first_angle() {
+  CreaseChoice with_first_angle() const {
     CreaseChoice choice{radians(choice_tuning.creases.first_angle), without_};
+    NoisierFlows flows(added_, with(choice_tuning.creases.first_angle));
     // Creases allow longer cut-offs than without; with correlated noise much longer ones.
     const double hopeless =
         without_.noise.is_white() ? without_.best().risk : std::numeric_limits<double>::infinity();
-    const auto try_cutoff = [&](double cutoff) {
-      return cutoff == start_ ? first_trial() : trial(first_flows_, cutoff);
-    };
-    choice.cutoff.trials =
-        trials_around(try_cutoff, {.start = start_,
-                                   .shortest = without_.cutoff / std::pow(2.0, 0.25),
-                                   .largest = search_.largest,
-                                   .hopeless = hopeless,
-                                   .tolerance = tolerance()});
+    choice.cutoff.trials = trials_around([&](double cutoff) { return trial(flows, cutoff); },
+                                         {.start = start_,
+                                          .shortest = without_.cutoff / std::pow(2.0, 0.25),
+                                          .largest = search_.largest,
+                                          .hopeless = hopeless,
+                                          .tolerance = tolerance()});
     choice.cutoff.cutoff = cutoff_of_least_risk(choice.cutoff.trials, true);
     return choice;
   }
@@ -133,14 +130,6 @@ class CreaseSearch {
     return options;
   }
 
-  /// Of the first angle and the first cut-off.
-  const CutoffTrial& first_trial() {
-    if (!first_trial_) {
-      first_trial_ = trial(first_flows_, start_);
-    }
-    return *first_trial_;
-  }
-
   CutoffTrial trial(NoisierFlows& flows, double cutoff) const {
     search_.tell(cutoff);
     return flows.trial(cutoff);
@@ -151,8 +140,6 @@ class CreaseSearch {
   const CutoffSearch& search_;
   const double start_;  // the first cut-off, length
   const AddedNoise added_;
-  NoisierFlows first_flows_;  // with the first angle
-  std::optional<CutoffTrial> first_trial_;
 };
 
 }  // namespace
@@ -169,7 +156,7 @@ CreaseFindings choose_creases(const Points& X, const Topology& topology,
     return {};
   }
   const TrialMesh mesh(X, topology, fixed, keeping, search.sample_for(without.noise));
-  CreaseSearch creases(mesh, without, search);
+  const CreaseSearch creases(mesh, without, search);
   if (may_be_mixed && creases.finds_mixed_noise()) {
     return {.noise_is_mixed = true, .choice = std::nullopt};
   }

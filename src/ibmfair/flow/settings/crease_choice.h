@@ -31,9 +31,9 @@ struct CreaseFindings {
 /// the risk of that choice; otherwise nothing. Beginning with one angle, smaller ones are tried as
 /// long as they do not raise the risk, or larger ones as long as they reduce it.
 ///
-/// If the noise may be mixed, the first angle tells: if the noise is independent, it hardly leaves
-/// more with a long cut-off than with a short one; otherwise it seems to leave clearly more.
-/// Throws the exceptions of choose_cutoff.
+/// If the noise may be mixed, flows that keep even blunt creases tell: if the noise is independent,
+/// they hardly leave more with a long cut-off than with a short one; otherwise they seem to leave
+/// clearly more. Throws the exceptions of choose_cutoff.
 CreaseFindings choose_creases(const Points& X, const Topology& topology,
                               const std::vector<std::uint8_t>& fixed, const FlowOptions& keeping,
                               const CutoffChoice& without, const CutoffSearch& search);
