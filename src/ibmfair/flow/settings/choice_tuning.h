@@ -78,6 +78,12 @@ struct NoiseTuning {
   /// Ratio; of the standard deviation in a band to that in the first, at least, for more than white
   /// noise to be in it.
   double mixed_growth = 1.4;
+  /// Ratios; of what is not white in a band to that in the band before. More than the first is
+  /// details, or noise that is correlated far; if it is noise, the next band has at most the
+  /// second. Into the band of 5.7 edges it is 3.0 and more for details of models, 1.5 to 2.8 for
+  /// noise that is averaged once or twice, and 3 if it is averaged four times; into the next one it
+  /// is 2.2 and more for details, and 1.2 to 2.0 for noise.
+  double steep = 2.85, level = 2.05;
   /// Ratios; the evenness of white noise, and the least one of what a band has beyond it, for that
   /// to be noise as well. It is 0.5 and more for correlated noise as strong as the white noise, on
   /// scans and shapes without creases, and at most 0.47 for their details.

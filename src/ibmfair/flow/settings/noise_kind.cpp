@@ -28,9 +28,31 @@ bool grows_clearly(const std::vector<NoiseBand>& bands) {
          bands[first_bands - 1].by_median > choice_tuning.noise.growth * bands[0].by_median;
 }
 
-/// `first`: the first band. Both are of noise.
-bool is_more_than_white(const NoiseBand& band, const NoiseBand& first) {
-  return band.by_median > choice_tuning.noise.mixed_growth * first.by_median;
+/// The first band after the first three that has clearly more than white noise of the strength of
+/// the first band; the end if none has.
+std::size_t first_longer_band(const std::vector<NoiseBand>& bands) {
+  std::size_t i = std::min(bands.size(), first_bands);
+  while (i < bands.size() &&
+         !(bands[i].by_median > choice_tuning.noise.mixed_growth * bands[0].by_median)) {
+    ++i;
+  }
+  return i;
+}
+
+/// What a band has beyond that white noise, rms.
+double rest_of(const NoiseBand& band, const NoiseBand& first) {
+  return std::sqrt(std::max(std::pow(band.by_rms, 2) - std::pow(first.by_rms, 2), 0.0));
+}
+
+/// Whether the rest grows as steeply into this band as that of details does.
+bool grows_steeply(const std::vector<NoiseBand>& bands, std::size_t i) {
+  return rest_of(bands[i], bands[0]) > choice_tuning.noise.steep * rest_of(bands[i - 1], bands[0]);
+}
+
+/// Whether a band is of noise, and the rest levels off in it.
+bool levels_off(const std::vector<NoiseBand>& bands, std::size_t i) {
+  return i < bands.size() && is_noise(bands[i]) &&
+         rest_of(bands[i], bands[0]) <= choice_tuning.noise.level * rest_of(bands[i - 1], bands[0]);
 }
 
 }  // namespace
@@ -77,17 +99,15 @@ BandRange bands_of_mixed_noise(const std::vector<NoiseBand>& bands) {
   if (grows_clearly(bands)) {
     return is_noise(bands[first_bands]) ? BandRange{0, first_bands + 1} : BandRange{};
   }
-  const auto longer =
-      std::find_if(bands.begin() + first_bands, bands.end(),
-                   [&](const NoiseBand& band) { return is_more_than_white(band, bands[0]); });
-  if (longer == bands.end() || !std::all_of(bands.begin(), longer + 1, is_noise)) {
+  const std::size_t i = first_longer_band(bands);
+  if (i == bands.size() || !std::all_of(bands.begin(), bands.begin() + i + 1, is_noise) ||
+      (grows_steeply(bands, i) && !levels_off(bands, i + 1))) {
     return {};
   }
-  const double white = std::pow(bands[0].by_rms, 2), all = std::pow(longer->by_rms, 2);
-  const double quartile = longer->evenness * all - choice_tuning.noise.evenness_of_white * white;
-  return quartile >= choice_tuning.noise.even_rest * (all - white)
-             ? BandRange{0, static_cast<std::size_t>(longer - bands.begin()) + 1}
-             : BandRange{};
+  const double white = std::pow(bands[0].by_rms, 2), all = std::pow(bands[i].by_rms, 2);
+  const double quartile = bands[i].evenness * all - choice_tuning.noise.evenness_of_white * white;
+  return quartile >= choice_tuning.noise.even_rest * (all - white) ? BandRange{0, i + 1}
+                                                                   : BandRange{};
 }
 
 bool is_white(const std::vector<NoiseBand>& bands) {
@@ -100,9 +120,15 @@ bool may_tell_more(const std::vector<NoiseBand>& bands) {
   if (!bands.empty() && !is_noise(bands[0])) {
     return bands.size() < last_band && bands_of_correlated_noise(bands).empty();
   }
-  return bands.size() < (grows_clearly(bands) ? first_bands + 1 : last_mixed_band) &&
-         std::all_of(bands.begin(), bands.end(), is_noise) &&
-         !(bands.size() > first_bands && is_more_than_white(bands.back(), bands[0]));
+  if (!std::all_of(bands.begin(), bands.end(), is_noise)) {
+    return false;
+  }
+  if (grows_clearly(bands)) {
+    return bands.size() == first_bands;
+  }
+  const std::size_t i = first_longer_band(bands);
+  return bands.size() < last_mixed_band &&
+         (i == bands.size() || (i + 1 == bands.size() && grows_steeply(bands, i)));
 }
 
 }  // namespace ibmfair

@@ -50,10 +50,10 @@ BandRange bands_of_correlated_noise(const std::vector<NoiseBand>& bands);
 
 /// The bands that may be of white noise together with correlated noise; empty if there are none.
 /// These are the bands up to the first one that has clearly more than white noise of the strength
-/// of the first one, if the rest covers the surface as evenly as noise does. Creases of small
-/// parts, which reach everywhere, look alike (crease_choice.h tells). If
-/// the first three bands show that the noise is correlated, they are these and the next one,
-/// provided that it is of noise. `bands`: from the shortest cut-off upward.
+/// of the first one, if the rest covers the surface as evenly as noise does, and does not grow from
+/// band to band as details do. Creases of small parts, which reach everywhere, look alike
+/// (crease_choice.h tells). If the first three bands show that the noise is correlated, they are
+/// these and the next one, provided that it is of noise. `bands`: from the shortest cut-off upward.
 BandRange bands_of_mixed_noise(const std::vector<NoiseBand>& bands);
 
 /// Whether the first two bands are like those of white noise: even, and equally strong.
