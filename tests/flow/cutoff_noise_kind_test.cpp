@@ -1,5 +1,6 @@
 // The kinds of noise that the choice of a cut-off tells apart: made noise on made shapes.
 #include <cmath>
+#include <numbers>
 #include <string>
 #include <vector>
 
@@ -190,6 +191,19 @@ TEST(NoiseModel, OfWhiteNoiseIsNoMixture) {
       add_noise(state.X, deviation * edge_of(state), 3);
       EXPECT_EQ(choice_for(state).mixed_noise.deviation, 0) << deviation;
     }
+  }
+}
+
+/// Details as short as twelve edges that cover the whole surface are none either.
+TEST(NoiseModel, OfWhiteNoiseOnFineDetailsIsNoMixture) {
+  for (const double deviation : {0.1, 0.2}) {
+    State state(make_shape("icosphere", {.subdivide = 5}));
+    const double edge = edge_of(state), wave = 2 * std::numbers::pi / (12 * edge);
+    for (auto x : state.X.rowwise()) {
+      x *= 1 + edge * std::sin(wave * x[0]) * std::sin(wave * x[1]) * std::sin(wave * x[2]);
+    }
+    add_noise(state.X, deviation * edge, 3);
+    EXPECT_EQ(choice_for(state).mixed_noise.deviation, 0) << deviation;
   }
 }
 
