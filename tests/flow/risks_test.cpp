@@ -52,7 +52,7 @@ struct NoisySphere {
     Y = truth.X + model.deviation * noise_like(model, Y, truth.topology, Unknowns(fixed));
   }
 
-  double variance() const { return model.deviation * model.deviation; }
+  double variance() const { return model.variance(); }
   /// Of half the mean squared slope of the noise in its variance.
   double slope_share() const { return errors_on_sphere(Y, truth.topology).slope / variance(); }
   /// The variance of as many independent heights as there are vertices has a standard error of 1.4

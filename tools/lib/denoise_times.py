@@ -1,8 +1,8 @@
 """The part of tools/denoise_table about time: how long --denoise takes beside smooth.
 
-The meshes: of those that are shared, two of the models and a voxel ball; the noisy meshes of the
+The meshes: of those that are shared, three models and a voxel ball; the noisy meshes of the
 pairs in a folder (denoise_pairs.py), with and without an original; and two made shapes with noise,
-of 655k and 1.3M triangles.
+of 568k and 1.3M triangles.
 """
 
 import glob

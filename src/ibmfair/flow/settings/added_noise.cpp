@@ -81,7 +81,7 @@ AddedNoise::AddedNoise(const TrialMesh& mesh, const NoiseModel& noise, FlowOptio
 CutoffTrial AddedNoise::trial(double cutoff, const std::array<Points, 2>& ends) const {
   const std::array moves{heights(ends[0], mesh_.X()), heights(ends[1], mesh_.X())};
   const std::array slopes{differences_(moves[0]), differences_(moves[1])};
-  const double variance = noise_.deviation * noise_.deviation;
+  const double variance = noise_.variance();
   return {.cutoff = cutoff,
           .risk = risk(variance, added_, moves),
           .slope_risk = risk(slope_share_ * variance, differences_(added_), slopes) / slope_share_,

@@ -65,7 +65,7 @@ CutoffChoice choose_cutoff(const Points& X, const Topology& topology,
                            const std::vector<std::uint8_t>& fixed, const FlowOptions& options,
                            const CutoffSearch& search);
 
-/// The same for correlated noise that is known, and flows without creases.
+/// The choice by flows without creases for noise that is known to be correlated.
 CutoffChoice choose_cutoff_for(const NoiseModel& noise, const Points& X, const Topology& topology,
                                const std::vector<std::uint8_t>& fixed, const FlowOptions& options,
                                const CutoffSearch& search);

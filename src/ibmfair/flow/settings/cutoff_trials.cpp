@@ -144,11 +144,11 @@ double CutoffTrials::white_deviation() const {
 
 double CutoffTrials::risk_error() const {
   const double chance = std::sqrt(2 / static_cast<double>(counted_.size()));
-  return noise() * noise() * std::hypot(noise_doubt_, chance);
+  return noise_.variance() * std::hypot(noise_doubt_, chance);
 }
 
 std::vector<CutoffTrial> CutoffTrials::risks() const {
-  const double variance = noise() * noise();
+  const double variance = noise_.variance();
   std::vector<CutoffTrial> risks;
   for (const Outcome& o : outcomes_) {
     risks.push_back({.cutoff = o.cutoff,
