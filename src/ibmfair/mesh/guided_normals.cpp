@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
+#include "ibmfair/base/compressed_rows.h"
 #include "ibmfair/base/parallel.h"
 #include "ibmfair/mesh/geometry.h"
 
@@ -25,6 +27,23 @@ void for_patch(const Topology& topology, Index triangle, const Body& body) {
       }
     }
   }
+}
+
+/// The triangles that share a vertex with each triangle, itself included.
+CompressedRows patches_of_triangles(const Topology& topology) {
+  const Index count = static_cast<Index>(topology.F.rows());
+  CompressedRows patches;
+  patches.first.assign(static_cast<std::size_t>(count) + 1, 0);
+  parallel_for(count, [&](std::int64_t t) {
+    for_patch(topology, static_cast<Index>(t), [&](Index) { ++patches.first[t + 1]; });
+  });
+  std::inclusive_scan(patches.first.begin(), patches.first.end(), patches.first.begin());
+  patches.value.resize(static_cast<std::size_t>(patches.first.back()));
+  parallel_for(count, [&](std::int64_t t) {
+    Index* place = patches.value.data() + patches.first[t];
+    for_patch(topology, static_cast<Index>(t), [&](Index other) { *place++ = other; });
+  });
+  return patches;
 }
 
 Vec3 unit(const Vec3& v) {
@@ -61,6 +80,7 @@ class GuidedFilter {
  public:
   GuidedFilter(const Points& X, const Topology& topology)
       : topology_(topology),
+        patches_(patches_of_triangles(topology)),
         weight_(triangle_areas(X, topology.F)),
         normals_(triangle_normals(X, topology.F)),
         mean_(normals_),
@@ -80,11 +100,11 @@ class GuidedFilter {
     Points filtered(count, 3);
     parallel_for(count, [&](std::int64_t t) {
       Vec3 sum = Vec3::Zero();
-      for_patch(topology_, static_cast<Index>(t), [&](Index other) {
+      for (const Index other : patches_[static_cast<Index>(t)]) {
         const double difference = (guide_.row(t) - guide_.row(other)).squaredNorm();
         sum += weight_[other] * std::exp(-difference / (2 * likeness * likeness)) *
                normals_.row(other).transpose();
-      });
+      }
       filtered.row(t) = unit(sum);
     });
     normals_ = std::move(filtered);
@@ -95,8 +115,9 @@ class GuidedFilter {
  private:
   void take_mean(Index t) {
     Vec3 sum = Vec3::Zero();
-    for_patch(topology_, t,
-              [&](Index other) { sum += weight_[other] * normals_.row(other).transpose(); });
+    for (const Index other : patches_[t]) {
+      sum += weight_[other] * normals_.row(other).transpose();
+    }
     mean_.row(t) = unit(sum);
   }
 
@@ -106,30 +127,32 @@ class GuidedFilter {
   void measure_disorder() {
     const Changes changes = changes_of(normals_, topology_);
     parallel_for(normals_.rows(), [&](std::int64_t t) {
-      double spread = 0;
-      for_patch(topology_, static_cast<Index>(t), [&](Index other) {
-        spread = std::max(spread, (normals_.row(other) - mean_.row(t)).norm());
-      });
+      double squared_spread = 0;
+      for (const Index other : patches_[static_cast<Index>(t)]) {
+        squared_spread =
+            std::max(squared_spread, (normals_.row(other) - mean_.row(t)).squaredNorm());
+      }
       double all = -changes.at_triangle[t], largest = 0;  // its hinges are at two corners each
       for (const Index v : topology_.F.row(t)) {
         all += changes.at_vertex[v];
         largest = std::max(largest, changes.largest_at_vertex[v]);
       }
-      disorder_[t] = largest > 0 ? spread * largest / std::max(all, largest) : 0;
+      disorder_[t] = largest > 0 ? std::sqrt(squared_spread) * largest / std::max(all, largest) : 0;
     });
   }
 
   void find_guide(Index t) {
     double least = std::numeric_limits<double>::infinity();
-    for_patch(topology_, t, [&](Index other) {
+    for (const Index other : patches_[t]) {
       if (disorder_[other] < least) {
         least = disorder_[other];
         guide_.row(t) = mean_.row(other);
       }
-    });
+    }
   }
 
   const Topology& topology_;
+  const CompressedRows patches_;
   Eigen::VectorXd weight_;  // the areas, over the largest area
   Points normals_, mean_, guide_;
   Eigen::VectorXd disorder_;
@@ -147,9 +170,12 @@ Points guided_normals(const Points& X, const Topology& topology, int sweeps, dou
 
 Points fit_to_normals(const Points& X, const Topology& topology,
                       const std::vector<std::uint8_t>& fixed, const Points& normals, int sweeps) {
-  Points fitted = X, previous;
+  Points fitted = X, previous, centroids(topology.F.rows(), 3);
   for (int sweep = 0; sweep < sweeps; ++sweep) {
     previous = fitted;
+    parallel_for(centroids.rows(), [&](std::int64_t t) {
+      centroids.row(t) = previous(topology.F.row(t), Eigen::all).colwise().mean();
+    });
     parallel_for(X.rows(), [&](std::int64_t v) {
       const auto star = topology.stars[static_cast<Index>(v)];
       if (fixed[v] || star.empty()) {
@@ -159,8 +185,7 @@ Points fit_to_normals(const Points& X, const Topology& topology,
       Vec3 move = Vec3::Zero();
       for (const Index t : star) {
         const Vec3 normal = normals.row(t);
-        const Vec3 centroid = previous(topology.F.row(t), Eigen::all).colwise().mean();
-        move += normal.dot(centroid - x) * normal;
+        move += normal.dot(centroids.row(t).transpose() - x) * normal;
       }
       fitted.row(v) = x + move / static_cast<double>(star.size());
     });
