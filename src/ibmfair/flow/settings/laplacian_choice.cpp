@@ -25,20 +25,23 @@ std::optional<CutoffChoice> choose_laplacian(const Points& X, const Topology& to
     return flows.trial(cutoff);
   };
   NoisierFlows flows(added, mesh.options());
-  const double hopeless = choice.best().risk + choice_tuning.laplacian.hopeless * variance;
   CutoffChoice best = choice;
   best.trials = {trial(flows, start)};
-  if (best.best().risk > hopeless) {
+  if (best.best().risk > choice.best().risk + choice_tuning.laplacian.hopeless * variance) {
+    return std::nullopt;
+  }
+  NoisierFlows first_flows(added, mesh.here(first));
+  const double risk_of_first = trial(first_flows, choice.cutoff).risk;
+  if (best.best().risk > risk_of_first + choice_tuning.laplacian.worse_start * variance) {
     return std::nullopt;
   }
   best.trials = trials_around(
       [&](double cutoff) { return cutoff == start ? best.trials.front() : trial(flows, cutoff); },
       {.start = start, .shortest = start / std::sqrt(2.0), .largest = search.largest});
   best.cutoff = cutoff_of_least_risk(best.trials, false);
-  NoisierFlows first_flows(added, mesh.here(first));
   const double chance =
       choice_tuning.laplacian.chance * variance / std::sqrt(static_cast<double>(added.counted()));
-  if (!(best.best().risk < trial(first_flows, choice.cutoff).risk - chance)) {
+  if (!(best.best().risk < risk_of_first - chance)) {
     return std::nullopt;
   }
   return best;
