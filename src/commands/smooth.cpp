@@ -18,6 +18,7 @@
 #include "commands/smooth_plan.h"
 #include "commands/smooth_remarks.h"
 #include "commands/smooth_report.h"
+#include "commands/smooth_run.h"
 #include "ibmfair/base/stopwatch.h"
 #include "ibmfair/flow/willmore_flow.h"
 #include "ibmfair/io/weld.h"

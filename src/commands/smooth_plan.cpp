@@ -13,7 +13,6 @@
 #include "ibmfair/flow/fixed_vertices.h"
 #include "ibmfair/flow/part_measures.h"
 #include "ibmfair/flow/passes/meeting_lines.h"
-#include "ibmfair/flow/passes/restored_walls.h"
 #include "ibmfair/flow/settings/crease_choice.h"
 #include "ibmfair/flow/settings/laplacian_choice.h"
 #include "ibmfair/flow/settings/level_steps.h"
@@ -353,35 +352,6 @@ class Planner {
 SmoothPlan plan_smoothing(const SmoothArguments& arguments, const SmoothInput& input,
                           Progress& progress) {
   return Planner(arguments, input, progress).plan();
-}
-
-FlowReport run_smoothing(const SmoothPlan& plan, Points& X, const Topology& topology,
-                         const MeshParts& parts, const std::function<bool()>& wants_end,
-                         Progress& progress) {
-  FlowOptions options = plan.flow;
-  progress.begin_work("prepare");
-  options.on_stage = [&progress](FlowStage stage) { progress.enter(stage); };
-  const auto observe = [&](const StepRecord& step) {
-    progress.advance(step, options.steps, options.total_time);
-    return !parts.any(wants_end());
-  };
-  const bool restores = !plan.thin.walls.empty() && !options.keep_volume && !options.keep_area &&
-                        !std::isfinite(options.max_move);
-  const Points start = restores ? X : Points();
-  if (!plan.lines.empty()) {
-    fair_meeting_lines(plan.lines, topology, plan.cutoff, plan.line_factor, options.max_move, X);
-  }
-  std::vector<std::uint8_t> fixed = plan.fixed;
-  if (plan.rims) {
-    const auto with_curves = fair_rims(X, topology, plan.fixed, *plan.rims);
-    // Where a crease ends at a rim, the curve is blunter than the crease that the flow keeps.
-    fixed = options.sharp_angle > 0 ? fixed : with_curves;
-  }
-  const FlowReport report = willmore_flow(X, topology, fixed, options, observe, parts);
-  if (restores) {
-    restore_walls(start, topology, fixed, plan.thin, options.laplacian, X);
-  }
-  return report;
 }
 
 }  // namespace ibmfair::commands

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <optional>
 #include <vector>
 
@@ -65,11 +64,5 @@ struct SmoothPlan {
 /// willmore_flow and material_directions.
 SmoothPlan plan_smoothing(const SmoothArguments& arguments, const SmoothInput& input,
                           Progress& progress);
-
-/// Fairs the rims of X, if the plan says so, and moves X by the flow of the plan. The flow ends
-/// after a step at which `wants_end` is true. Throws like willmore_flow.
-FlowReport run_smoothing(const SmoothPlan& plan, Points& X, const Topology& topology,
-                         const MeshParts& parts, const std::function<bool()>& wants_end,
-                         Progress& progress);
 
 }  // namespace ibmfair::commands

@@ -17,6 +17,7 @@
 #include "commands/smooth_plan.h"
 #include "commands/smooth_remarks.h"
 #include "commands/smooth_report.h"
+#include "commands/smooth_run.h"
 #include "commands/vertex_list.h"
 #include "commands/vertex_values.h"
 #include "ibmfair/base/errors.h"

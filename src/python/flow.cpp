@@ -10,6 +10,7 @@
 #include "commands/command_line.h"
 #include "commands/defect_warnings.h"
 #include "commands/smooth_input.h"
+#include "commands/smooth_run.h"
 #include "ibmfair/flow/stepwise_flow.h"
 #include "interpreter_lock.h"
 #include "memory_host.h"
@@ -37,12 +38,7 @@ commands::ExitCode prepare(const commands::SmoothArguments& arguments, commands:
   warn_of_defects(topology, arguments.strict, host.console());
   auto& here = dynamic_cast<FlowHost&>(host);
   here.plan = plan_smoothing(arguments, smooth_input(arguments, file, topology), progress);
-  if (here.plan.rims) {
-    const auto with_curves = fair_rims(X, topology, here.plan.fixed, *here.plan.rims);
-    if (here.plan.flow.sharp_angle == 0) {
-      here.plan.fixed = with_curves;
-    }
-  }
+  here.plan.fixed = prepare_for_flow(here.plan, topology, X);
   here.flow = std::make_unique<StepwiseFlow>(X, topology, here.plan.fixed, here.plan.flow);
   return commands::ExitCode::done;
 }
