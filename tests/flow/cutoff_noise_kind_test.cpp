@@ -195,15 +195,17 @@ TEST(NoiseModel, OfWhiteNoiseIsNoMixture) {
 }
 
 /// Details as short as twelve edges that cover the whole surface are none either.
-TEST(NoiseModel, OfWhiteNoiseOnFineDetailsIsNoMixture) {
-  for (const double deviation : {0.1, 0.2}) {
+TEST(NoiseModel, OfWhiteNoiseOnFineDetailsIsWhite) {
+  for (const double deviation : {0.05, 0.07, 0.1, 0.2}) {
     State state(make_shape("icosphere", {.subdivide = 5}));
     const double edge = edge_of(state), wave = 2 * std::numbers::pi / (12 * edge);
     for (auto x : state.X.rowwise()) {
       x *= 1 + edge * std::sin(wave * x[0]) * std::sin(wave * x[1]) * std::sin(wave * x[2]);
     }
     add_noise(state.X, deviation * edge, 3);
-    EXPECT_EQ(choice_for(state).mixed_noise.deviation, 0) << deviation;
+    const CutoffChoice choice = choice_for(state);
+    EXPECT_EQ(choice.kind, NoiseKind::independent) << deviation;
+    EXPECT_EQ(choice.mixed_noise.deviation, 0) << deviation;
   }
 }
 

@@ -78,12 +78,13 @@ struct NoiseTuning {
   /// Ratio; of the standard deviation in a band to that in the first, at least, for more than white
   /// noise to be in it.
   double mixed_growth = 1.4;
-  /// Ratios; of what is not white in a band to that in the band before. More than the first is
-  /// details, or noise that is correlated far; if it is noise, the next band has at most the
-  /// second. Into the band of 5.7 edges it is 3.0 and more for details of models, 1.5 to 2.8 for
-  /// noise that is averaged once or twice, and 3 if it is averaged four times; into the next one it
-  /// is 2.2 and more for details, and 1.2 to 2.0 for noise.
-  double steep = 2.85, level = 2.05;
+  /// Ratios; of what is not white in a band to that in the band before, by the mean square, and by
+  /// the geometric mean of that and the same by the median. More than either is details, or noise
+  /// that is correlated far; if it is noise, the next band has at most `level`, by the mean square.
+  /// Into the band of 5.7 edges they are 2.85 and more, or 3.1 and more, for details of models, at
+  /// most 2.83 and 2.95 for noise that is averaged once or twice, and 3 and more if it is averaged
+  /// four times; into the next one, 2.2 and more for details, and 1.2 to 2.0 for noise.
+  double steep = 2.85, steep_by_both = 3.03, level = 2.05;
   /// Ratios; the evenness of white noise, and the least one of what a band has beyond it, for that
   /// to be noise as well. It is 0.5 and more for correlated noise as strong as the white noise, on
   /// scans and shapes without creases, and at most 0.47 for their details.

@@ -23,7 +23,8 @@ bool are_noise(const std::vector<NoiseBand>& bands) {
          std::all_of(bands.begin(), bands.begin() + first_bands, is_noise);
 }
 
-bool grows_clearly(const std::vector<NoiseBand>& bands) {
+/// Whether the first three bands are of noise, and the third has clearly more than the first.
+bool grows_at_first(const std::vector<NoiseBand>& bands) {
   return are_noise(bands) &&
          bands[first_bands - 1].by_median > choice_tuning.noise.growth * bands[0].by_median;
 }
@@ -39,20 +40,38 @@ std::size_t first_longer_band(const std::vector<NoiseBand>& bands) {
   return i;
 }
 
-/// What a band has beyond that white noise, rms.
-double rest_of(const NoiseBand& band, const NoiseBand& first) {
-  return std::sqrt(std::max(std::pow(band.by_rms, 2) - std::pow(first.by_rms, 2), 0.0));
+using Figure = double NoiseBand::*;  // by_rms or by_median
+
+/// The growth from the band before band i of what is there beyond that white noise.
+double growth_of_rest(const std::vector<NoiseBand>& bands, std::size_t i, Figure figure) {
+  const auto rest = [&](const NoiseBand& band) {
+    return std::sqrt(std::max(std::pow(band.*figure, 2) - std::pow(bands[0].*figure, 2), 0.0));
+  };
+  return rest(bands[i]) / rest(bands[i - 1]);
 }
 
 /// Whether the rest grows as steeply into this band as that of details does.
 bool grows_steeply(const std::vector<NoiseBand>& bands, std::size_t i) {
-  return rest_of(bands[i], bands[0]) > choice_tuning.noise.steep * rest_of(bands[i - 1], bands[0]);
+  const double growth = growth_of_rest(bands, i, &NoiseBand::by_rms);
+  return growth > choice_tuning.noise.steep ||
+         std::sqrt(growth * growth_of_rest(bands, i, &NoiseBand::by_median)) >
+             choice_tuning.noise.steep_by_both;
 }
 
 /// Whether a band is of noise, and the rest levels off in it.
 bool levels_off(const std::vector<NoiseBand>& bands, std::size_t i) {
   return i < bands.size() && is_noise(bands[i]) &&
-         rest_of(bands[i], bands[0]) <= choice_tuning.noise.level * rest_of(bands[i - 1], bands[0]);
+         growth_of_rest(bands, i, &NoiseBand::by_rms) <= choice_tuning.noise.level;
+}
+
+/// Whether the rest grows into a band as that of details does, and into the next as well.
+bool is_of_details(const std::vector<NoiseBand>& bands, std::size_t i) {
+  return i < bands.size() && grows_steeply(bands, i) && !levels_off(bands, i + 1);
+}
+
+/// Whether the first bands grow as those of correlated noise, and not of details under white noise.
+bool grows_clearly(const std::vector<NoiseBand>& bands) {
+  return grows_at_first(bands) && !is_of_details(bands, first_bands);
 }
 
 }  // namespace
@@ -101,7 +120,7 @@ BandRange bands_of_mixed_noise(const std::vector<NoiseBand>& bands) {
   }
   const std::size_t i = first_longer_band(bands);
   if (i == bands.size() || !std::all_of(bands.begin(), bands.begin() + i + 1, is_noise) ||
-      (grows_steeply(bands, i) && !levels_off(bands, i + 1))) {
+      is_of_details(bands, i)) {
     return {};
   }
   const double white = std::pow(bands[0].by_rms, 2), all = std::pow(bands[i].by_rms, 2);
@@ -123,8 +142,8 @@ bool may_tell_more(const std::vector<NoiseBand>& bands) {
   if (!std::all_of(bands.begin(), bands.end(), is_noise)) {
     return false;
   }
-  if (grows_clearly(bands)) {
-    return bands.size() == first_bands;
+  if (grows_at_first(bands) && bands.size() == first_bands) {
+    return true;
   }
   const std::size_t i = first_longer_band(bands);
   return bands.size() < last_mixed_band &&
