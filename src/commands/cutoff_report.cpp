@@ -97,6 +97,9 @@ std::string cutoff_lines(const SmoothPlan& plan, bool detailed) {
 }
 
 void add_cutoff_choice(const SmoothPlan& plan, Report& report) {
+  if (!plan.outliers.empty()) {
+    report.figures["outliers"] = plan.outliers.vertices;
+  }
   if (!plan.choice) {
     return;
   }

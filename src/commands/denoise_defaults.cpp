@@ -94,8 +94,9 @@ std::string denoising_text() {
   return fmt::format(
       "--denoise is shorthand for these options; each of them can be overridden:\n"
       "  {}\n"
-      "It also keeps the volume of a closed mesh, unless --max-move is given. If\n"
-      "sharp edges are found (they are looked for unless --keep-sharp, --mass, or\n"
+      "Unless --max-move is given, it also keeps the volume of a closed mesh, and\n"
+      "moves outliers first: single vertices far off the surface of their neighbours.\n"
+      "If sharp edges are found (they are looked for unless --keep-sharp, --mass, or\n"
       "other values of --cutoff, --laplacian or --twicing are given), it uses these\n"
       "instead:\n"
       "  {} --keep-sharp ANGLE\n"

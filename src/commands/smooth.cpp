@@ -98,14 +98,14 @@ std::optional<Scene> smooth_scene(const SmoothArguments& arguments, const Smooth
   return mesh_scene(std::move(source), warnings, console);
 }
 
-/// Measures the mesh before and after. If no vertex was fixed and no rim faired, the energies of
-/// the whole mesh are known from the flow.
+/// Measures the mesh before and after. If no vertex was fixed, no rim faired and no outlier moved,
+/// the energies of the whole mesh are known from the flow.
 void measure(Smoothing& s) {
   SmoothResult& result = s.result;
   const Stopwatch watch(result.seconds_measure);
   const FlowOptions& options = result.plan.flow;
   const auto& fixed = result.plan.fixed;
-  const bool known = options.steps > 0 && !result.plan.rims &&
+  const bool known = options.steps > 0 && !result.plan.rims && result.plan.outliers.empty() &&
                      std::find(fixed.begin(), fixed.end(), 1) == fixed.end();
   const auto statistics = [&](const Points& X, double energy) {
     return known ? mesh_statistics(X, s.topology, energy) : mesh_statistics(X, s.topology, options);
@@ -164,15 +164,14 @@ ExitCode run_smooth(const SmoothArguments& arguments, const CLI::App& app, Host&
     progress.end();
     return forecast(arguments, s, report, host);
   }
-  if (s.result.plan.flow.steps > 0) {
-    std::optional<PostponedEnd> postponed;
-    if (!arguments.checkpoint.empty()) {
-      postponed.emplace();
-    }
-    s.result.flow = run_smoothing(
-        s.result.plan, s.X, s.topology, MeshParts::one(), [&host] { return host.wants_end(); },
-        progress);
+  std::optional<PostponedEnd> postponed;
+  if (!arguments.checkpoint.empty() && s.result.plan.flow.steps > 0) {
+    postponed.emplace();
   }
+  s.result.flow = run_smoothing(
+      s.result.plan, s.X, s.topology, MeshParts::one(), [&host] { return host.wants_end(); },
+      progress);
+  postponed.reset();
   progress.begin("measure");
   measure(s);
   write_and_print(arguments, s, report, host, progress);

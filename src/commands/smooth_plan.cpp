@@ -46,6 +46,9 @@ class Planner {
 
   SmoothPlan plan() {
     if (plan_.flow.steps > 0) {
+      if (arguments_.denoise && !arguments_.max_move && input_.parts.is_whole()) {
+        find_outliers();
+      }
       set_scale();
       const auto& fixed = plan_.fixed;
       if (arguments_.cutoff_auto && std::find(fixed.begin(), fixed.end(), 0) != fixed.end()) {
@@ -73,6 +76,9 @@ class Planner {
   }
 
  private:
+  /// The mesh without its outliers.
+  const Points& X() const { return plan_.outliers.empty() ? input_.X : without_outliers_; }
+
   void set_flow_options() {
     FlowOptions& flow = plan_.flow;
     flow = arguments_.flow;
@@ -162,7 +168,7 @@ class Planner {
     }
     plan_.line_factor = input_.weights.size() > 0
                             ? input_.weights.cwiseMax(0)
-                            : Eigen::VectorXd(Eigen::VectorXd::Ones(input_.X.rows()));
+                            : Eigen::VectorXd(Eigen::VectorXd::Ones(X().rows()));
     for (const Index v : input_.listed) {
       plan_.line_factor[v] = 0;
     }
@@ -178,22 +184,22 @@ class Planner {
       return;
     }
     const Stopwatch watch(plan_.seconds_walls);
-    plan_.wall_sample = sample_walls(input_.X, input_.topology, plan_.cutoff);
+    plan_.wall_sample = sample_walls(X(), input_.topology, plan_.cutoff);
     if (arguments_.cutoff_auto || arguments_.time_step || arguments_.plain) {
       return;
     }
-    plan_.thin = thin_walls(input_.X, input_.topology, plan_.wall_sample);
+    plan_.thin = thin_walls(X(), input_.topology, plan_.wall_sample);
     for (std::size_t v = 0; v < plan_.thin.rims.size(); ++v) {
       plan_.fixed[v] |= plan_.thin.rims[v];
     }
   }
 
   double in_flow_units(double time) const {
-    return time_in_flow_units(time, input_.X, input_.topology, plan_.flow, input_.parts);
+    return time_in_flow_units(time, X(), input_.topology, plan_.flow, input_.parts);
   }
 
   double length(const Length& length) const {
-    return length.on(input_.X, input_.topology, input_.parts);
+    return length.on(X(), input_.topology, input_.parts);
   }
 
   /// The total time in the flow's unit: the number of steps times --time-step, or the time for the
@@ -222,9 +228,18 @@ class Planner {
     return total;
   }
 
+  void find_outliers() {
+    plan_.outliers = ibmfair::find_outliers(X(), input_.topology, plan_.fixed);
+    if (!plan_.outliers.empty()) {
+      without_outliers_ = input_.X;
+      plan_.outliers.move_in(without_outliers_);
+      plan_.mean_edge_length = mean_edge_length(X(), input_.topology, input_.parts);
+    }
+  }
+
   void set_scale() {
     plan_.flow.total_time = total_time();
-    plan_.diagonal = diagonal(input_.X, input_.parts);
+    plan_.diagonal = diagonal(X(), input_.parts);
     plan_.cutoff = std::pow(plan_.flow.total_time / in_flow_units(1), 0.25) /
                    std::pow(time_for_cutoff(1), 0.25);
     if (arguments_.max_move) {
@@ -240,14 +255,14 @@ class Planner {
           fmt::format("try a cut-off of {:.1f} edges", cutoff / plan_.mean_edge_length));
     };
     const CutoffSearch search{.largest = plan_.diagonal / 2, .observer = tell};
-    if (const double step = arguments_.finds_creases ? level_step(input_.X, input_.topology) : 0;
+    if (const double step = arguments_.finds_creases ? level_step(X(), input_.topology) : 0;
         step > 0) {
       smooth_steps(step, search);
       return;
     }
     const std::vector<std::uint8_t> fixed = fixed_for_choice();
-    plan_.choice = choose_cutoff(input_.X, input_.topology, fixed, plan_.flow, search);
-    if (arguments_.denoise && is_without_noise(input_.X, input_.topology, *plan_.choice)) {
+    plan_.choice = choose_cutoff(X(), input_.topology, fixed, plan_.flow, search);
+    if (arguments_.denoise && is_without_noise(X(), input_.topology, *plan_.choice)) {
       leave_as_it_is();
       return;
     }
@@ -258,11 +273,11 @@ class Planner {
     keep_creases(options);
     set_relaxation(options);
     const auto find_creases = [&] {
-      return choose_creases(input_.X, input_.topology, fixed, options, *plan_.choice, search);
+      return choose_creases(X(), input_.topology, fixed, options, *plan_.choice, search);
     };
     CreaseFindings found = find_creases();
     if (found.noise_is_mixed) {
-      plan_.choice = choose_cutoff_for(plan_.choice->mixed_noise, input_.X, input_.topology, fixed,
+      plan_.choice = choose_cutoff_for(plan_.choice->mixed_noise, X(), input_.topology, fixed,
                                        plan_.flow, search);
       found = find_creases();
     }
@@ -280,7 +295,7 @@ class Planner {
     FlowOptions options = plan_.flow;
     suit_round_shapes(options);
     set_relaxation(options);
-    if (const auto choice = choose_laplacian(input_.X, input_.topology, fixed, plan_.flow, options,
+    if (const auto choice = choose_laplacian(X(), input_.topology, fixed, plan_.flow, options,
                                              *plan_.choice, search)) {
       plan_.flow = options;
       plan_.choice = choice;
@@ -307,7 +322,7 @@ class Planner {
     keep_creases(plan_.flow);
     set_relaxation(plan_.flow);
     const StepsChoice chosen =
-        choose_for_steps(input_.X, input_.topology, plan_.fixed, plan_.flow, step,
+        choose_for_steps(X(), input_.topology, plan_.fixed, plan_.flow, step,
                          default_cutoff_edges * plan_.mean_edge_length, search);
     plan_.choice.emplace();
     plan_.choice->kind = NoiseKind::steps;
@@ -328,7 +343,7 @@ class Planner {
     const Stopwatch watch(plan_.seconds_directions);
     FlowOptions& flow = plan_.flow;
     FlowOptions without = flow;
-    flow.material_directions = directions_on(input_.X);
+    flow.material_directions = directions_on(X());
     // Throws now, and not after a long flow, if the options are invalid.
     bending_model(flow.laplacian).create(input_.topology, flow.energy_options());
     if (flow.steps == 0 || arguments_.dry_run) {
@@ -336,7 +351,7 @@ class Planner {
     }
     progress_.begin("project directions");
     without.twicing = 0;
-    Points smooth = input_.X;
+    Points smooth = X();
     willmore_flow(smooth, input_.topology, plan_.fixed, without, {}, input_.parts);
     flow.material_directions = directions_on(smooth);
   }
@@ -345,6 +360,7 @@ class Planner {
   const SmoothInput& input_;
   Progress& progress_;
   SmoothPlan plan_;
+  Points without_outliers_;  // #V x 3, if there are outliers
 };
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include "commands/smooth_arguments.h"
 #include "ibmfair/flow/mesh_parts.h"
 #include "ibmfair/flow/passes/meeting_lines.h"
+#include "ibmfair/flow/passes/outliers.h"
 #include "ibmfair/flow/passes/rim_fairing.h"
 #include "ibmfair/flow/settings/cutoff_choice.h"
 #include "ibmfair/flow/settings/thin_walls.h"
@@ -45,6 +46,7 @@ struct SmoothPlan {
   double cutoff = 0;                    ///< length that corresponds to flow.total_time
   std::optional<CutoffChoice> choice;   ///< how `cutoff` was chosen, with --cutoff auto
   std::optional<FoundCreases> creases;  ///< with --denoise
+  Outliers outliers;                    ///< with --denoise; are moved before all else
   std::vector<MeetingLine> lines;       ///< where sheets meet; none if the mesh is in parts
   Eigen::VectorXd line_factor;          ///< #V, of the cut-off at vertices of `lines`
   WallSample wall_sample;               ///< empty if the mesh is in parts
@@ -54,14 +56,15 @@ struct SmoothPlan {
 };
 
 /// Resolves the arguments on a mesh. Vertices are fixed by --boundary, --fix, --mask and weights of
-/// 0. With --cutoff auto, and if any vertex can move, the cut-off is chosen, and whether creases
-/// are kept; both from the mesh without its rims, if it has more. With --anisotropy, the direction
-/// is projected onto the surface that the same flow without anisotropy produces, and carried back
-/// to the mesh with its triangles: the triangles of the noisy mesh, turned and stretched by the
-/// noise, would each give a different direction. With
-/// --dry-run or without steps it is projected onto the mesh as it is. Throws BadMesh if the edges
-/// are so long or short that the time of the flow overflows or underflows, and like choose_cutoff,
-/// willmore_flow and material_directions.
+/// 0. With --denoise and no --max-move, outliers are found first, and all else is resolved on the
+/// mesh without them. With --cutoff auto, and if any vertex can move, the cut-off is chosen, and
+/// whether creases are kept; both from the mesh without its rims, if it has more. With
+/// --anisotropy, the direction is projected onto the surface that the same flow without anisotropy
+/// produces, and carried back to the mesh with its triangles: the triangles of the noisy mesh,
+/// turned and stretched by the noise, would each give a different direction. With --dry-run or
+/// without steps it is projected onto the mesh as it is. Throws BadMesh if the edges are so long or
+/// short that the time of the flow overflows or underflows, and like choose_cutoff, willmore_flow
+/// and material_directions.
 SmoothPlan plan_smoothing(const SmoothArguments& arguments, const SmoothInput& input,
                           Progress& progress);
 

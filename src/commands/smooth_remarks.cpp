@@ -107,9 +107,10 @@ std::string remark_on_noise(const SmoothPlan& plan) {
   }
   switch (plan.choice->kind) {
     case NoiseKind::none:
-      return "no noise was found: the mesh is written as it was read (noise that hardly differs "
-             "between neighbouring vertices cannot be told from detail; --cutoff LENGTH smooths "
-             "it)";
+      return fmt::format(
+          "no noise was found: {} written as read (noise that hardly differs between neighbouring "
+          "vertices cannot be told from detail; --cutoff LENGTH smooths it)",
+          plan.outliers.empty() ? "the mesh is" : "all other vertices are");
     case NoiseKind::outliers:
       return "the noise has outliers: a few vertices are much farther off than the others";
     case NoiseKind::correlated:
@@ -134,6 +135,19 @@ std::string remark_on_noise(const SmoothPlan& plan) {
       break;
   }
   return {};
+}
+
+/// A remark about outliers; empty if there are none.
+std::string remark_on_outliers(const SmoothPlan& plan) {
+  if (plan.outliers.empty()) {
+    return {};
+  }
+  const auto count = std::ssize(plan.outliers.vertices);
+  return fmt::format(
+      "{} far off the surface of {} neighbours, and {} moved onto it before all else (where this "
+      "is part of the shape, --fix FILE keeps vertices; the report lists their numbers)",
+      counted(count, "vertex is", "vertices are"), count == 1 ? "its" : "their",
+      count == 1 ? "was" : "were");
 }
 
 /// A remark about the texture coordinates; empty if there is nothing to say.
@@ -254,9 +268,11 @@ std::string warning_on_fixed(const SmoothArguments& arguments, const SmoothResul
 
 std::vector<std::string> notes_on(const SmoothArguments& arguments, const SmoothResult& result) {
   std::vector<std::string> notes{remark_on_texture(arguments, result.plan),
+                                 remark_on_outliers(result.plan),
                                  remark_on_noise(result.plan),
                                  remark_on_coincident_vertices(result),
-                                 remark_on_thin_walls(result.plan), remark_on_lines(result.plan)};
+                                 remark_on_thin_walls(result.plan),
+                                 remark_on_lines(result.plan)};
   if (arguments.first_stage == "normals" && !arguments.denoise && !arguments.keep_sharp) {
     notes.emplace_back("--first-stage has no effect without --keep-sharp ANGLE");
   }

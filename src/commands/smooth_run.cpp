@@ -23,6 +23,10 @@ std::vector<std::uint8_t> prepare_for_flow(const SmoothPlan& plan, const Topolog
 FlowReport run_smoothing(const SmoothPlan& plan, Points& X, const Topology& topology,
                          const MeshParts& parts, const std::function<bool()>& wants_end,
                          Progress& progress) {
+  plan.outliers.move_in(X);
+  if (plan.flow.steps == 0) {
+    return {};
+  }
   FlowOptions options = plan.flow;
   progress.begin_work("prepare");
   options.on_stage = [&progress](FlowStage stage) { progress.enter(stage); };

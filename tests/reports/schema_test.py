@@ -80,6 +80,11 @@ class SchemaTest(ProgramTest):
         yield self.json("smooth", "ball.off", "out.off", "--cutoff", "auto", "--overwrite")
         self.make("cube.off", "cube", "--subdivide", "4", "--noise", "0.1")
         yield self.json("smooth", "cube.off", "out.off", "--denoise", "--overwrite")
+        lines = self.path("cube.off").read_text().splitlines()
+        lines[100] = "9 9 9"
+        self.path("outlier.off").write_text("\n".join([*lines, ""]))
+        yield self.json("smooth", "outlier.off", "out.off", "--denoise", "--overwrite")
+        yield self.json("smooth", "outlier.off", "dry.off", "--denoise", "--dry-run")
         self.make("rough_ball.off", "icosphere", "--subdivide", "4", "--noise", "0.5")
         yield self.json("smooth", "rough_ball.off", "half.off", "--cutoff", "2", "--overwrite")
         yield self.json("smooth", "half.off", "out.off", "--denoise", "--overwrite")

@@ -33,9 +33,12 @@ def student(generator, freedom=3):
 normal = vector(lambda generator: generator.gauss(0, 1))
 
 
-def spike(generator):
-    strength = 3 if generator.random() < 0.01 else 0.1
-    return [strength * x for x in normal(generator)]
+def outliers(share, strength, others=0):
+    """Noise of `strength` at a share of the vertices, and of `others` elsewhere."""
+    def noise(generator, _):
+        chosen = strength if generator.random() < share else others
+        return [chosen * x for x in normal(generator)]
+    return noise
 
 
 # Of a generator and the place along x, from 0 to 1; in mean edge lengths.
@@ -47,7 +50,10 @@ KINDS = {
     "Laplace 0.4": lambda g, x: [0.4 * c for c in vector(
         lambda g: g.choice((-1, 1)) * g.expovariate(math.sqrt(2)))(g)],
     "Student t3 0.2": lambda g, x: [0.2 * c for c in vector(student)(g)],
-    "1 % spikes of 3": lambda g, x: spike(g),
+    "1 % of 3, 0.1": outliers(0.01, 3, 0.1),
+    "1 % of 3": outliers(0.01, 3),
+    "0.3 % of 10": outliers(0.003, 10),
+    "5 % of 1": outliers(0.05, 1),
     "along z 0.2": lambda g, x: [0, 0, 0.2 * g.gauss(0, 1)],
     "growing to 0.4": lambda g, x: [0.4 * x * c for c in normal(g)],
     "on half 0.3": lambda g, x: [(0.3 if x > 0.5 else 0) * c for c in normal(g)],

@@ -1,0 +1,159 @@
+#include "ibmfair/flow/passes/outliers.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <span>
+#include <tuple>
+
+#include "ibmfair/base/parallel.h"
+#include "ibmfair/flow/tuning.h"
+#include "ibmfair/mesh/select.h"
+
+namespace ibmfair {
+namespace {
+
+class OutlierSearch {
+ public:
+  OutlierSearch(const Points& X, const Topology& topology, const std::vector<std::uint8_t>& fixed)
+      : topology_(topology),
+        fixed_(fixed),
+        rings_(vertex_rings(topology)),
+        X_(X),
+        limit_(least_ratio()),
+        ratio_(X.rows()) {}
+
+  Outliers find() {
+    std::vector<std::uint8_t> found(static_cast<std::size_t>(X_.rows()), 0);
+    for (int pass = 0; pass < tuning.outliers.passes; ++pass) {
+      const std::vector<Index> farthest = farthest_of_their_neighbours();
+      if (farthest.empty()) {
+        break;
+      }
+      for (const Index v : farthest) {
+        found[v] = 1;
+        X_.row(v) = mean_of_neighbours(v);
+      }
+    }
+    Outliers outliers;
+    outliers.vertices = indices_where(X_.rows(), [&](Index v) { return found[v] != 0; });
+    for (int sweep = 0; sweep < tuning.outliers.sweeps; ++sweep) {
+      for (const Index v : outliers.vertices) {
+        minimise_energy_at(v);
+      }
+    }
+    outliers.positions = X_(outliers.vertices, Eigen::all);
+    return outliers;
+  }
+
+ private:
+  Vec3 sum_of_neighbours(Index v) const {
+    Vec3 sum = Vec3::Zero();
+    for (const Index q : rings_[v]) {
+      sum += X_.row(q);
+    }
+    return sum;
+  }
+
+  double valence(Index v) const { return static_cast<double>(rings_[v].size()); }
+
+  Vec3 mean_of_neighbours(Index v) const { return sum_of_neighbours(v) / valence(v); }
+
+  /// The mean of the neighbours of q - the position of q, if its neighbour v were at x.
+  Vec3 laplacian_with(const Vec3& x, Index v, Index q) const {
+    return mean_of_neighbours(q) + (x - X_.row(v).transpose()) / valence(q) - X_.row(q).transpose();
+  }
+
+  bool may_move(Index v) const {
+    return !fixed_[v] && is_oriented_interior(topology_, v) &&
+           rings_[v].size() <= tuning.outliers.most_neighbours;
+  }
+
+  /// The outliers that are farther off than any outlier next to them.
+  std::vector<Index> farthest_of_their_neighbours() {
+    parallel_for(X_.rows(), [&](std::int64_t i) {
+      const auto v = static_cast<Index>(i);
+      const double ratio = may_move(v) ? distance_ratio(v) : 0;
+      ratio_[v] = ratio > limit_ && is_off_surface(v) ? ratio : 0;
+    });
+    return indices_where(X_.rows(), [&](Index v) {
+      return ratio_[v] > 0 && std::ranges::all_of(rings_[v], [&](Index q) {
+               return std::tuple(ratio_[q], v) <= std::tuple(ratio_[v], q);
+             });
+    });
+  }
+
+  /// The distance of a vertex from the mean of its neighbours, over their mean distance from it.
+  double distance_ratio(Index v) const {
+    const Vec3 mean = mean_of_neighbours(v);
+    double radius = 0;
+    for (const Index q : rings_[v]) {
+      radius += (X_.row(q).transpose() - mean).norm() / valence(v);
+    }
+    return radius > 0 ? (X_.row(v).transpose() - mean).norm() / radius : 0;
+  }
+
+  /// The least ratio of outliers.
+  double least_ratio() const {
+    const std::vector<Index> free = indices_where(X_.rows(), [&](Index v) { return may_move(v); });
+    if (free.empty()) {
+      return 0;
+    }
+    std::vector<double> ratios(free.size());
+    parallel_for(std::ssize(free), [&](std::int64_t i) { ratios[i] = distance_ratio(free[i]); });
+    const auto middle = ratios.begin() + std::ssize(ratios) / 2;
+    std::nth_element(ratios.begin(), middle, ratios.end());
+    return std::max(tuning.outliers.beside_neighbours, tuning.outliers.beside_mesh * *middle);
+  }
+
+  bool is_off_surface(Index v) const {
+    const Vec3 mean = mean_of_neighbours(v);
+    return (X_.row(v).transpose() - mean).norm() >
+           tuning.outliers.beside_surface * unevenness_around(v, mean);
+  }
+
+  /// The lower median distance of the neighbours from the means of theirs, if v were at x: with
+  /// six neighbours, an outlier among them spoils the distances of three.
+  double unevenness_around(Index v, const Vec3& x) const {
+    std::array<double, OutlierTuning::most_neighbours> distances{};
+    const std::span<const Index> ring = rings_[v];
+    std::ranges::transform(ring, distances.begin(),
+                           [&](Index q) { return laplacian_with(x, v, q).norm(); });
+    const auto middle = distances.begin() + static_cast<std::ptrdiff_t>((ring.size() - 1) / 2);
+    std::nth_element(distances.begin(), middle, distances.begin() + std::ssize(ring));
+    return *middle;
+  }
+
+  void minimise_energy_at(Index v) {
+    Vec3 sum = mean_of_neighbours(v);
+    double weight = 1;
+    for (const Index q : rings_[v]) {
+      if (is_oriented_interior(topology_, q)) {
+        const double share = 1 / valence(q);
+        sum -= share * laplacian_with(Vec3::Zero(), v, q);
+        weight += share * share;
+      }
+    }
+    X_.row(v) = sum / weight;
+  }
+
+  const Topology& topology_;
+  const std::vector<std::uint8_t>& fixed_;
+  const CompressedRows rings_;
+  Points X_;  // with the outliers found so far moved
+  const double limit_;
+  Eigen::VectorXd ratio_;  // #V, distance_ratio of outliers; else 0
+};
+
+}  // namespace
+
+void Outliers::move_in(Points& X) const {
+  X(vertices, Eigen::all) = positions;
+}
+
+Outliers find_outliers(const Points& X, const Topology& topology,
+                       const std::vector<std::uint8_t>& fixed) {
+  return OutlierSearch(X, topology, fixed).find();
+}
+
+}  // namespace ibmfair

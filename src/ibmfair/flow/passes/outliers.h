@@ -1,0 +1,37 @@
+// Outliers: single vertices far off the surface that their neighbours form, as failed measurements
+// and damaged files leave them. A flow of the whole mesh that removes them, each as high as several
+// edges are long, also removes details that are much lower.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "ibmfair/mesh/topology.h"
+
+namespace ibmfair {
+
+/// Vertices that are outliers, and where they belong.
+struct Outliers {
+  std::vector<Index> vertices;  ///< in increasing order
+  Points positions;             ///< #vertices x 3, on the surface that their neighbours form
+
+  bool empty() const { return vertices.empty(); }
+  /// Moves these vertices of X (#V x 3) to their positions.
+  void move_in(Points& X) const;
+};
+
+/// The outliers of a mesh at X (#V x 3), among the interior vertices that are not `fixed` (#V
+/// flags). The distance of an outlier from the mean of its neighbours is large in three respects,
+/// whose limits are in OutlierTuning: beside their mean distance from that mean; by this ratio
+/// beside the median of all vertices; and beside what is uneven around the vertex, the median
+/// distance of its neighbours from the means of theirs. Noise of one strength is as uneven around a
+/// vertex as at it, and so are the tips of thorns. Where outliers are neighbours, the farthest is
+/// found first, and the others once it is moved.
+///
+/// The positions minimise the energy of the umbrella Laplacian, sum |mean of neighbours - x|^2 over
+/// the interior vertices, with all vertices but the outliers fixed. The result moves, turns and
+/// grows with the mesh. Takes time linear in the size of the mesh.
+Outliers find_outliers(const Points& X, const Topology& topology,
+                       const std::vector<std::uint8_t>& fixed);
+
+}  // namespace ibmfair

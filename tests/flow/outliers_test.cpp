@@ -1,0 +1,219 @@
+// Outliers are single vertices far off the surface of their neighbours. The tests check which
+// vertices count as outliers on smooth shapes, polyhedra and a scan, and where they are moved.
+#include "ibmfair/flow/passes/outliers.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "ibmfair/base/random_numbers.h"
+#include "ibmfair/io/mesh_file.h"
+#include "ibmfair/mesh/geometry.h"
+#include "ibmfair/shapes/noise.h"
+#include "ibmfair/shapes/shapes.h"
+#include "support/files.h"
+#include "support/meshes.h"
+#include "support/states.h"
+
+namespace ibmfair::test {
+namespace {
+
+std::vector<std::uint8_t> none_of(const Topology& topology) {
+  return std::vector<std::uint8_t>(static_cast<std::size_t>(topology.vertex_count), 0);
+}
+
+double mean_edge(const State& state) {
+  return mean_edge_length(state.X, state.topology.E);
+}
+
+/// A shape with some of its vertices moved in random directions, by 2 to 10 mean edge lengths.
+struct Damaged {
+  State truth;
+  double edge = mean_edge(truth);
+  std::vector<Index> moved;
+  Points X = truth.X;
+
+  /// About one vertex in `every` moves. If `apart`, none of them are neighbours.
+  Damaged(const Mesh& mesh, int every, bool apart) : truth(mesh) {
+    RandomNumbers random(3);
+    const CompressedRows rings = vertex_rings(truth.topology);
+    std::vector<std::uint8_t> taken = none_of(truth.topology);
+    for (Index v = 0; v < X.rows(); ++v) {
+      const bool near = std::ranges::any_of(rings[v], [&](Index q) { return taken[q] != 0; });
+      if (random.uniform() * every < 1 && truth.topology.kind[v] == VertexKind::interior &&
+          !(apart && near)) {
+        const Vec3 way(random.normal(), random.normal(), random.normal());
+        X.row(v) += (2 + 8 * random.uniform()) * edge * way.normalized();
+        taken[v] = 1;
+        moved.push_back(v);
+      }
+    }
+  }
+
+  Outliers found() const { return find_outliers(X, truth.topology, none_of(truth.topology)); }
+
+  /// The largest distance of an outlier that was found from the truth, mean edge lengths.
+  double largest_error(const Outliers& outliers) const {
+    const Points errors = outliers.positions - truth.X(outliers.vertices, Eigen::all);
+    return errors.rowwise().norm().maxCoeff() / edge;
+  }
+};
+
+struct Shape {
+  std::string name;
+  Mesh mesh;
+  double near;  // mean edge lengths; how near to the truth outliers are moved
+};
+
+/// Smooth surfaces, closed and open, a polyhedron, whose corners and edges cannot be known where a
+/// vertex on them is lost, and a scan.
+std::vector<Shape> shapes() {
+  return {{"sphere", make_shape("icosphere", {.subdivide = 4}), 0.1},
+          {"torus", make_shape("torus", {.rows = 24, .columns = 60}), 0.05},
+          {"catenoid", make_shape("catenoid", {}), 0.1},
+          {"cube", make_shape("cube", {.subdivide = 4}), 0.8},
+          {"scan", read_mesh(project_file("data/bunny.obj")).mesh(), 0.8}};
+}
+
+TEST(Outliers, AreNotFoundOnAShape) {
+  for (const auto& [name, mesh, near] : shapes()) {
+    const State state(mesh);
+    EXPECT_TRUE(find_outliers(state.X, state.topology, none_of(state.topology)).empty()) << name;
+  }
+  for (const auto& [name, mesh] : all_meshes()) {
+    const State coarse(mesh);
+    EXPECT_TRUE(find_outliers(coarse.X, coarse.topology, none_of(coarse.topology)).empty()) << name;
+  }
+}
+
+TEST(Outliers, AreNotFoundInNoiseOfOneStrength) {
+  for (const auto& [name, mesh, near] : shapes()) {
+    const State state(mesh);
+    for (const double deviation : {0.05, 0.1, 0.2, 0.4}) {
+      Points X = state.X;
+      add_noise(X, deviation * mean_edge(state), 1);
+      const Outliers outliers = find_outliers(X, state.topology, none_of(state.topology));
+      EXPECT_LE(outliers.vertices.size(), 1 + X.rows() / 2000) << name << ", " << deviation;
+    }
+  }
+}
+
+TEST(Outliers, AreFoundAndMovedOntoTheSurface) {
+  for (const auto& [name, mesh, near] : shapes()) {
+    const Damaged damaged(mesh, 60, true);
+    const Outliers outliers = damaged.found();
+    ASSERT_GE(damaged.moved.size(), 5) << name;
+    EXPECT_EQ(outliers.vertices, damaged.moved) << name;
+    EXPECT_LT(damaged.largest_error(outliers), near) << name;
+  }
+}
+
+TEST(Outliers, AreFoundBesideOthersAndInNoise) {
+  for (const auto& [name, mesh, near] : shapes()) {
+    Damaged damaged(mesh, 20, false);
+    add_noise(damaged.X, 0.03 * damaged.edge, 1);
+    const Outliers outliers = damaged.found();
+    EXPECT_GE(outliers.vertices.size(), 0.85 * static_cast<double>(damaged.moved.size())) << name;
+    EXPECT_TRUE(std::ranges::includes(damaged.moved, outliers.vertices)) << name;
+  }
+}
+
+TEST(Outliers, TurnAndGrowWithTheMesh) {
+  const Damaged damaged(make_shape("icosphere", {.subdivide = 4}), 40, false);
+  const Outliers outliers = damaged.found();
+  const Eigen::Matrix3d turn =
+      Eigen::AngleAxisd(0.7, Vec3(1, 2, 3).normalized()).toRotationMatrix();
+  const auto moved = [&](const Points& X) -> Points {
+    return (1000 * X * turn.transpose()).rowwise() + Vec3(5, 6, 7).transpose();
+  };
+  const Outliers turned =
+      find_outliers(moved(damaged.X), damaged.truth.topology, none_of(damaged.truth.topology));
+  EXPECT_EQ(turned.vertices, outliers.vertices);
+  EXPECT_LT((turned.positions - moved(outliers.positions)).norm(), 1e-9 * 1000);
+}
+
+TEST(Outliers, EndAtTheLeastUmbrellaEnergy) {
+  const Damaged damaged(make_shape("torus", {.rows = 24, .columns = 60}), 8, false);
+  const Outliers outliers = damaged.found();
+  ASSERT_FALSE(outliers.empty());
+  const CompressedRows rings = vertex_rings(damaged.truth.topology);
+  const auto energy = [&](const Points& positions) {
+    Points X = damaged.X;
+    X(outliers.vertices, Eigen::all) = positions;
+    double sum = 0;
+    for (Index v = 0; v < X.rows(); ++v) {
+      Vec3 mean = Vec3::Zero();
+      for (const Index q : rings[v]) {
+        mean += X.row(q).transpose() / static_cast<double>(rings[v].size());
+      }
+      sum += (mean - X.row(v).transpose()).squaredNorm();
+    }
+    return sum;
+  };
+  // The derivative along any direction vanishes, by central differences, which are exact here.
+  for (const unsigned seed : {1U, 2U, 3U}) {
+    const Points D = 0.1 * damaged.edge * random_directions(outliers.positions.rows(), seed);
+    const double up = energy(outliers.positions + D), down = energy(outliers.positions - D);
+    EXPECT_GT(std::min(up, down), energy(outliers.positions));
+    EXPECT_NEAR((up - down) / (up + down), 0, 1e-6);
+  }
+}
+
+TEST(Outliers, FixedVerticesAndRimsStay) {
+  const Damaged damaged(make_shape("torus", {.rows = 24, .columns = 60}), 60, true);
+  std::vector<std::uint8_t> fixed = none_of(damaged.truth.topology);
+  fixed[damaged.moved[1]] = 1;
+  std::vector<Index> rest = damaged.moved;
+  rest.erase(rest.begin() + 1);
+  EXPECT_EQ(find_outliers(damaged.X, damaged.truth.topology, fixed).vertices, rest);
+
+  const State open(make_shape("catenoid", {}));
+  Points X = open.X;
+  const Index rim = open.topology.boundary_loops[0].vertices[3];
+  X.row(rim) += 5 * mean_edge(open) * Vec3(0, 0, 1).transpose();
+  const Outliers outliers = find_outliers(X, open.topology, none_of(open.topology));
+  EXPECT_EQ(std::ranges::count(outliers.vertices, rim), 0);
+}
+
+/// A flat disc of 12 rings of `around` vertices each, with a cone of this height in the middle.
+Mesh disc_with_cone(Index around, double height) {
+  constexpr Index ring_count = 12;
+  Points X(1 + ring_count * around, 3);
+  X.row(0) = Vec3(0, 0, height).transpose();
+  std::vector<std::array<Index, 3>> faces;
+  for (Index ring = 0; ring < ring_count; ++ring) {
+    for (Index i = 0; i < around; ++i) {
+      const double angle = 2 * std::numbers::pi * i / around;
+      const Index a = 1 + ring * around + i, b = 1 + ring * around + (i + 1) % around;
+      X.row(a) = (ring + 1) * Vec3(std::cos(angle), std::sin(angle), 0).transpose();
+      if (ring == 0) {
+        faces.push_back({0, a, b});
+      } else {
+        faces.push_back({a - around, a, b});
+        faces.push_back({a - around, b, b - around});
+      }
+    }
+  }
+  Triangles F(static_cast<Eigen::Index>(faces.size()), 3);
+  for (Eigen::Index t = 0; t < F.rows(); ++t) {
+    F.row(t) << faces[t][0], faces[t][1], faces[t][2];
+  }
+  return mesh_from_triangles(X, F);
+}
+
+TEST(Outliers, TipsOfConesStay) {
+  for (const Index around : {6, 24, 60}) {
+    const State cone(disc_with_cone(around, 3));
+    const Outliers outliers = find_outliers(cone.X, cone.topology, none_of(cone.topology));
+    EXPECT_TRUE(outliers.empty()) << around;
+  }
+}
+
+}  // namespace
+}  // namespace ibmfair::test
