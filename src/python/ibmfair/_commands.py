@@ -104,6 +104,8 @@ def denoise(V, F=None, *, progress=None, **options):
         The positions without noise.
     info : dict
         The report; ``info["cutoff_choice"]`` tells the kind and the strength of the noise.
+        ``info["outliers"]``, if there are any, lists the vertices far off the surface of their
+        neighbours, which were moved onto it first.
 
     See Also
     --------
