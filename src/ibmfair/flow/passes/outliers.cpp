@@ -47,17 +47,15 @@ class OutlierSearch {
   }
 
  private:
-  Vec3 sum_of_neighbours(Index v) const {
+  double valence(Index v) const { return static_cast<double>(rings_[v].size()); }
+
+  Vec3 mean_of_neighbours(Index v) const {
     Vec3 sum = Vec3::Zero();
     for (const Index q : rings_[v]) {
       sum += X_.row(q);
     }
-    return sum;
+    return sum / valence(v);
   }
-
-  double valence(Index v) const { return static_cast<double>(rings_[v].size()); }
-
-  Vec3 mean_of_neighbours(Index v) const { return sum_of_neighbours(v) / valence(v); }
 
   /// The mean of the neighbours of q - the position of q, if its neighbour v were at x.
   Vec3 laplacian_with(const Vec3& x, Index v, Index q) const {
