@@ -34,8 +34,6 @@ SchedulerParameters=sched_interval=1,bf_interval=1,batch_sched_delay=0
 SlurmdParameters=config_overrides
 ReturnToService=2
 KillWait=2
-BatchStartTimeout=1
-MessageTimeout=5
 StateSaveLocation={folder}/state
 SlurmdSpoolDir={folder}/spool
 SlurmctldPidFile={folder}/slurmctld.pid
@@ -81,9 +79,8 @@ class OneNodeSlurm:
         # The environment does not name the folder, so that kill_all() spares this process.
         self.controller = self.start("slurmctld", "-D", "-i", "-f", self.environment["SLURM_CONF"],
                                      environment=os.environ)
-        wait_until(lambda: "UP" in self.answer("scontrol", "ping"), "the controller")
         self.node = self.start("slurmd", "-D", "-N", "node")
-        wait_until(lambda: self.answer("sinfo", "--noheader", "--format=%T") == "idle", "the node")
+        self.wait_for_idle_node()
 
     def start(self, *command, environment=None):
         """Starts a daemon, which ends with this process, even if this process is killed."""
@@ -94,12 +91,24 @@ class OneNodeSlurm:
                 stdout=out, stderr=out, env=environment or self.environment, cwd=self.folder)
 
     def answer(self, *command):
-        done = subprocess.run(command, env=self.environment, capture_output=True, text=True,
-                              check=False)
+        """What a command of Slurm prints. The command is repeated while it fails: it does so before
+        the controller has started, and where the controller takes too long to answer."""
+        done = None
+
+        def succeeds():
+            nonlocal done
+            done = subprocess.run(command, env=self.environment, capture_output=True, text=True,
+                                  check=False)
+            return done.returncode == 0
+
+        wait_until(succeeds, " ".join(command))
         return done.stdout.strip()
 
     def running_tasks(self):
         return self.answer("squeue", "--noheader", "--states=R", "--format=%i").split()
+
+    def wait_for_idle_node(self):
+        wait_until(lambda: self.answer("sinfo", "--noheader", "--format=%T") == "idle", "the node")
 
     def requeue(self, tasks):
         """Kills tasks in good order (SIGTERM), and starts them again."""
@@ -107,16 +116,14 @@ class OneNodeSlurm:
             subprocess.run(["scontrol", "requeue", task], env=self.environment, check=True)
 
     def crash_node(self):
-        """Kills (SIGKILL) the node's daemon and all tasks, and starts the node again. Slurm notices a
-        task that is lost once the task is some seconds old."""
+        """Kills (SIGKILL) the node's daemon and all tasks, tells the controller that the node is down,
+        and starts the node again. By itself, the controller notices such a crash after SlurmdTimeout
+        (5 minutes), and then does the same: it requeues all tasks of the node."""
         self.kill_all()
         self.node.wait()
-        while self.running_tasks():
-            self.node = self.start("slurmd", "-D", "-N", "node", "-b")  # -b: the node was restarted
-            time.sleep(2)
-            if self.running_tasks():
-                self.node.kill()
-                self.node.wait()
+        self.answer("scontrol", "update", "NodeName=node", "State=DOWN", "Reason=crash")
+        self.node = self.start("slurmd", "-D", "-N", "node", "-b")  # -b: the node was restarted
+        self.wait_for_idle_node()
 
     def stop(self):
         for daemon in (self.controller, self.node):
