@@ -8,6 +8,7 @@
 #include "commands/signals.h"
 #include "commands/value_list.h"
 #include "ibmfair/base/angle.h"
+#include "ibmfair/base/quantile.h"
 #include "ibmfair/flow/tuning.h"
 
 namespace ibmfair::commands {
@@ -182,9 +183,7 @@ double median_thickness(const WallSample& sample) {
   if (thickness.empty()) {
     return 0;
   }
-  const auto middle = thickness.begin() + static_cast<std::ptrdiff_t>(thickness.size() / 2);
-  std::nth_element(thickness.begin(), middle, thickness.end());
-  return *middle;
+  return median(thickness);
 }
 
 /// A remark about rims of thin walls, which stay; empty if there are none.

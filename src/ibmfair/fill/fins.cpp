@@ -6,6 +6,7 @@
 #include <map>
 #include <utility>
 
+#include "ibmfair/base/quantile.h"
 #include "ibmfair/mesh/geometry.h"
 #include "ibmfair/mesh/union_find.h"
 
@@ -116,9 +117,7 @@ class ProtrudingTriangles {
           bends.push_back(bend(side[2], next[2]));
         }
       }
-      const auto middle = bends.begin() + std::ssize(bends) / 2;
-      std::nth_element(bends.begin(), middle, bends.end());
-      steep_angle_ = std::max(least_steep_angle, steep_in_median_bends * *middle);
+      steep_angle_ = std::max(least_steep_angle, steep_in_median_bends * median(bends));
     }
     return steep_angle_;
   }

@@ -5,6 +5,7 @@
 #include <numbers>
 #include <unordered_map>
 
+#include "ibmfair/base/quantile.h"
 #include "ibmfair/flow/steps/folds.h"
 #include "ibmfair/mesh/geometry.h"
 
@@ -29,9 +30,7 @@ Bends summary(std::vector<double> angles) {
   if (angles.empty()) {
     return {};
   }
-  const auto middle = angles.begin() + static_cast<std::ptrdiff_t>(angles.size() / 2);
-  std::nth_element(angles.begin(), middle, angles.end());
-  return {*middle, *std::max_element(angles.begin(), angles.end())};
+  return {median(angles), *std::max_element(angles.begin(), angles.end())};
 }
 
 /// The double area vectors of the surrounding triangles, found by their directed edges.

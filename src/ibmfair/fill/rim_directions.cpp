@@ -8,6 +8,7 @@
 
 #include <Eigen/QR>
 
+#include "ibmfair/base/quantile.h"
 #include "ibmfair/mesh/geometry.h"
 
 namespace ibmfair {
@@ -120,13 +121,13 @@ Eigen::VectorXd offsets_from_quadric(const Points& X, const Vec3& normal) {
     const Square normal_matrix = weighted.transpose().lazyProduct(terms);
     const Eigen::Matrix<double, 6, 1> right = weighted.transpose() * height;
     offset = height - terms * normal_matrix.colPivHouseholderQr().solve(right);
-    Eigen::VectorXd sorted = offset.cwiseAbs();
-    const auto middle = sorted.begin() + sorted.size() / 2;
-    std::nth_element(sorted.begin(), middle, sorted.end());
-    if (!(*middle > 0)) {
+    std::vector<double> sorted(offset.size());
+    std::ranges::transform(offset, sorted.begin(), [](double one) { return std::abs(one); });
+    const double middle = median(sorted);
+    if (!(middle > 0)) {
       break;
     }
-    weight = (1 + (offset / (2 * *middle)).array().square()).inverse();
+    weight = (1 + (offset / (2 * middle)).array().square()).inverse();
   }
   return offset;
 }

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "ibmfair/base/angle.h"
+#include "ibmfair/base/quantile.h"
 #include "ibmfair/mesh/corners.h"
 #include "ibmfair/mesh/geometry.h"
 
@@ -77,10 +78,8 @@ double sharp_angle_of(const Points& X, const Topology& topology) {
   if (turns.size() == 0) {
     return 0;
   }
-  Eigen::VectorXd sorted = turns;
-  const auto quartile = sorted.begin() + sorted.size() / 4;
-  std::nth_element(sorted.begin(), quartile, sorted.end());
-  const double angle = std::max(least_sharp_angle, sharp_in_quartiles * *quartile);
+  std::vector<double> sorted(turns.begin(), turns.end());
+  const double angle = std::max(least_sharp_angle, sharp_in_quartiles * quantile(sorted, 0.25));
   std::vector<int> sharp(static_cast<std::size_t>(topology.vertex_count), 0);
   for (Eigen::Index h = 0; h < turns.size(); ++h) {
     if (turns[h] > angle) {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "ibmfair/base/angle.h"
+#include "ibmfair/base/quantile.h"
 #include "ibmfair/mesh/geometry.h"
 
 namespace ibmfair {
@@ -97,9 +98,7 @@ std::optional<double> roughness_at(const Points& X, const Topology& topology, co
   if (differences.empty()) {
     return std::nullopt;
   }
-  const auto middle = differences.begin() + std::ssize(differences) / 2;
-  std::nth_element(differences.begin(), middle, differences.end());
-  return *middle;
+  return median(differences);
 }
 
 /// The angles by which the surface turns at the hinges in the band, radians.

@@ -5,6 +5,7 @@
 #include <limits>
 #include <vector>
 
+#include "ibmfair/base/quantile.h"
 #include "ibmfair/base/stopwatch.h"
 #include "ibmfair/flow/tuning.h"
 
@@ -41,11 +42,7 @@ IterationForecast forecast_iterations(const JacobianShape& shape, const Jacobian
       ratio.push_back(parts.h * S / parts.D[u]);
     }
   }
-  const auto smallest = [&](double part) {
-    const auto place = ratio.begin() + static_cast<std::ptrdiff_t>(part * ratio.size());
-    std::nth_element(ratio.begin(), place, ratio.end());
-    return ratio.empty() ? 0 : *place;
-  };
+  const auto smallest = [&](double share) { return ratio.empty() ? 0 : quantile(ratio, share); };
   const double middle = smallest(0.5), needles = smallest(0.999) / (fit.by_noise * middle);
   return {.of_cutoff = fit.iterations * (1 + middle) / std::sqrt(1 + smallest(0.1)),
           .of_needles = needles > 1 ? fit.per_needle_digit * std::log10(needles) : 0};

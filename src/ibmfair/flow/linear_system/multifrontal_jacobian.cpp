@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "ibmfair/base/errors.h"
+#include "ibmfair/base/quantile.h"
 #include "ibmfair/base/stopwatch.h"
 #include "ibmfair/flow/tuning.h"
 
@@ -39,9 +40,7 @@ bool is_too_wide_for_float32(const SymmetricMatrix& J, const Eigen::VectorXd& D)
   if (largest <= widest) {
     return false;
   }
-  const auto middle = ratio.begin() + J.size() / 2;
-  std::nth_element(ratio.begin(), middle, ratio.end());
-  return !(largest <= widest * std::sqrt(*middle));
+  return !(largest <= widest * std::sqrt(median(ratio)));
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <tuple>
 
 #include "ibmfair/base/parallel.h"
+#include "ibmfair/base/quantile.h"
 #include "ibmfair/flow/tuning.h"
 #include "ibmfair/mesh/select.h"
 
@@ -99,9 +100,8 @@ class OutlierSearch {
     }
     std::vector<double> ratios(free.size());
     parallel_for(std::ssize(free), [&](std::int64_t i) { ratios[i] = distance_ratio(free[i]); });
-    const auto middle = ratios.begin() + std::ssize(ratios) / 2;
-    std::nth_element(ratios.begin(), middle, ratios.end());
-    return std::max(tuning.outliers.beside_neighbours, tuning.outliers.beside_mesh * *middle);
+    return std::max(tuning.outliers.beside_neighbours,
+                    tuning.outliers.beside_mesh * median(ratios));
   }
 
   bool is_off_surface(Index v) const {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ibmfair/base/quantile.h"
 #include "ibmfair/flow/settings/choice_tuning.h"
 #include "ibmfair/flow/settings/evenness.h"
 #include "ibmfair/flow/settings/linear_smoother.h"
@@ -13,10 +14,9 @@
 namespace ibmfair {
 namespace {
 
-double median(Eigen::VectorXd values) {
-  double* const middle = values.data() + values.size() / 2;
-  std::nth_element(values.data(), middle, values.data() + values.size());
-  return *middle;
+double median_magnitude(Eigen::VectorXd values) {
+  values = values.cwiseAbs();
+  return median({values.data(), static_cast<std::size_t>(values.size())});
 }
 
 double rms(const Eigen::VectorXd& values) {
@@ -99,7 +99,7 @@ void CutoffTrials::add_band(double cutoff, const Points& normals, const Points& 
     const Points last = first ? Points::Zero(taken.rows(), 3) : taken_;
     const Eigen::VectorXd white = (taken - last).reshaped();
     band.white = rms(white);
-    band.by_median = median(counted.cwiseAbs()) / median(white.cwiseAbs()) / mean_edge_;
+    band.by_median = median_magnitude(counted) / median_magnitude(white) / mean_edge_;
     band.by_rms = rms(counted) / rms(white) / mean_edge_;
   }
   bands_.push_back(band);
@@ -110,7 +110,7 @@ void CutoffTrials::add_band(double cutoff, const Points& normals, const Points& 
 /// `height`: the moves of the counted unknowns along the normals.
 void CutoffTrials::estimate_noise(const Eigen::VectorXd& height, const Points& taken) {
   const Eigen::VectorXd white = taken.reshaped();
-  const double by_median = median(height.cwiseAbs()) / median(white.cwiseAbs());
+  const double by_median = median_magnitude(height) / median_magnitude(white);
   const double by_rms = rms(height) / rms(white);
   has_outliers_ = by_rms > choice_tuning.noise.outliers * by_median &&
                   bands_.back().by_rms < choice_tuning.noise.same * bands_.front().by_rms &&

@@ -1,7 +1,6 @@
 #include "ibmfair/flow/settings/evenness.h"
 
-#include <algorithm>
-
+#include "ibmfair/base/quantile.h"
 #include "ibmfair/flow/settings/ring_means.h"
 
 namespace ibmfair {
@@ -10,9 +9,7 @@ double evenness(const Eigen::VectorXd& values, const Topology& topology, const U
                 const std::vector<Index>& counted, int sweeps) {
   Eigen::VectorXd local = ring_means(values, topology, unknowns, sweeps)(counted);
   const double average = local.mean();
-  double* const quartile = local.data() + local.size() / 4;
-  std::nth_element(local.data(), quartile, local.data() + local.size());
-  return average > 0 ? *quartile / average : 0;
+  return average > 0 ? quantile({local.data(), counted.size()}, 0.25) / average : 0;
 }
 
 }  // namespace ibmfair

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "ibmfair/base/quantile.h"
 #include "ibmfair/flow/settings/rim_paths.h"
 #include "ibmfair/flow/tuning.h"
 #include "ibmfair/mesh/geometry.h"
@@ -157,9 +158,7 @@ double median_thickening(const Points& X, const Points& Y, const Topology& topol
   if (!(walled > least_share * all)) {
     return 1;
   }
-  const auto middle = ratios.begin() + static_cast<std::ptrdiff_t>(ratios.size() / 2);
-  std::nth_element(ratios.begin(), middle, ratios.end());
-  return *middle;
+  return median(ratios);
 }
 
 ThinWalls thin_walls(const Points& X, const Topology& topology, const WallSample& sample) {
