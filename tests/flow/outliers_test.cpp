@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <functional>
 #include <numbers>
 #include <string>
 #include <vector>
@@ -32,28 +33,44 @@ double mean_edge(const State& state) {
   return mean_edge_length(state.X, state.topology.E);
 }
 
-/// A shape with some of its vertices moved in random directions, by 2 to 10 mean edge lengths.
+/// A shape with some of its interior vertices moved in random directions, by 2 to 10 mean edge
+/// lengths.
 struct Damaged {
   State truth;
   double edge = mean_edge(truth);
   std::vector<Index> moved;
   Points X = truth.X;
 
+  explicit Damaged(const Mesh& mesh) : truth(mesh) {}
+
   /// About one vertex in `every` moves. If `apart`, none of them are neighbours.
-  Damaged(const Mesh& mesh, int every, bool apart) : truth(mesh) {
-    RandomNumbers random(3);
-    const CompressedRows rings = vertex_rings(truth.topology);
+  Damaged(const Mesh& mesh, int every, bool apart) : Damaged(mesh) {
     std::vector<std::uint8_t> taken = none_of(truth.topology);
     for (Index v = 0; v < X.rows(); ++v) {
       const bool near = std::ranges::any_of(rings[v], [&](Index q) { return taken[q] != 0; });
-      if (random.uniform() * every < 1 && truth.topology.kind[v] == VertexKind::interior &&
-          !(apart && near)) {
-        const Vec3 way(random.normal(), random.normal(), random.normal());
-        X.row(v) += (2 + 8 * random.uniform()) * edge * way.normalized();
+      if (random.uniform() * every < 1 && may_move(v) && !(apart && near)) {
+        move(v);
         taken[v] = 1;
-        moved.push_back(v);
       }
     }
+  }
+
+  /// Groups of three neighbours move, with four rings at least between two groups.
+  static Damaged in_groups(const Mesh& mesh) {
+    Damaged damaged(mesh);
+    std::vector<std::uint8_t> near = none_of(damaged.truth.topology);
+    for (Index v = 0; v < damaged.X.rows(); ++v) {
+      const std::array<Index, 3> group = {v, damaged.rings[v][0], damaged.rings[v][1]};
+      if (std::ranges::any_of(group, [&](Index q) { return near[q] || !damaged.may_move(q); })) {
+        continue;
+      }
+      std::ranges::for_each(group, [&](Index q) { damaged.move(q); });
+      const std::vector<std::uint8_t> five_rings =
+          around(damaged.truth.topology, {group.begin(), group.end()}, 5);
+      std::ranges::transform(near, five_rings, near.begin(), std::bit_or<>());
+    }
+    std::ranges::sort(damaged.moved);
+    return damaged;
   }
 
   Outliers found() const { return find_outliers(X, truth.topology, none_of(truth.topology)); }
@@ -62,6 +79,18 @@ struct Damaged {
   double largest_error(const Outliers& outliers) const {
     const Points errors = outliers.positions - truth.X(outliers.vertices, Eigen::all);
     return errors.rowwise().norm().maxCoeff() / edge;
+  }
+
+ private:
+  CompressedRows rings = vertex_rings(truth.topology);
+  RandomNumbers random{3};
+
+  bool may_move(Index v) const { return truth.topology.kind[v] == VertexKind::interior; }
+
+  void move(Index v) {
+    const Vec3 way(random.normal(), random.normal(), random.normal());
+    X.row(v) += (2 + 8 * random.uniform()) * edge * way.normalized();
+    moved.push_back(v);
   }
 };
 
@@ -120,6 +149,16 @@ TEST(Outliers, AreFoundBesideOthersAndInNoise) {
     add_noise(damaged.X, 0.03 * damaged.edge, 1);
     const Outliers outliers = damaged.found();
     EXPECT_GE(outliers.vertices.size(), 0.85 * static_cast<double>(damaged.moved.size())) << name;
+    EXPECT_TRUE(std::ranges::includes(damaged.moved, outliers.vertices)) << name;
+  }
+}
+
+TEST(Outliers, AreFoundInGroups) {
+  for (const auto& [name, mesh, near] : shapes()) {
+    const Damaged damaged = Damaged::in_groups(mesh);
+    const Outliers outliers = damaged.found();
+    ASSERT_GE(damaged.moved.size(), 9) << name;
+    EXPECT_GE(outliers.vertices.size(), 0.9 * static_cast<double>(damaged.moved.size())) << name;
     EXPECT_TRUE(std::ranges::includes(damaged.moved, outliers.vertices)) << name;
   }
 }

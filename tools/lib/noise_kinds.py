@@ -54,6 +54,7 @@ KINDS = {
     "1 % of 3": outliers(0.01, 3),
     "0.3 % of 10": outliers(0.003, 10),
     "5 % of 1": outliers(0.05, 1),
+    "5 % of 3": outliers(0.05, 3),
     "along z 0.2": lambda g, x: [0, 0, 0.2 * g.gauss(0, 1)],
     "growing to 0.4": lambda g, x: [0.4 * x * c for c in normal(g)],
     "on half 0.3": lambda g, x: [(0.3 if x > 0.5 else 0) * c for c in normal(g)],

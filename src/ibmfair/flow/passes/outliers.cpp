@@ -4,7 +4,6 @@
 #include <array>
 #include <cstddef>
 #include <span>
-#include <tuple>
 
 #include "ibmfair/base/parallel.h"
 #include "ibmfair/base/quantile.h"
@@ -21,19 +20,17 @@ class OutlierSearch {
         fixed_(fixed),
         rings_(vertex_rings(topology)),
         X_(X),
-        limit_(least_ratio()),
-        ratio_(X.rows()) {}
+        limit_(least_ratio()) {}
 
   Outliers find() {
     std::vector<std::uint8_t> found(static_cast<std::size_t>(X_.rows()), 0);
     for (int pass = 0; pass < tuning.outliers.passes; ++pass) {
-      const std::vector<Index> farthest = farthest_of_their_neighbours();
-      if (farthest.empty()) {
+      const std::vector<Index> moved = move_outliers_among(far_from_their_neighbours());
+      if (moved.empty()) {
         break;
       }
-      for (const Index v : farthest) {
+      for (const Index v : moved) {
         found[v] = 1;
-        X_.row(v) = mean_of_neighbours(v);
       }
     }
     Outliers outliers;
@@ -58,9 +55,8 @@ class OutlierSearch {
     return sum / valence(v);
   }
 
-  /// The mean of the neighbours of q - the position of q, if its neighbour v were at x.
-  Vec3 laplacian_with(const Vec3& x, Index v, Index q) const {
-    return mean_of_neighbours(q) + (x - X_.row(v).transpose()) / valence(q) - X_.row(q).transpose();
+  double distance_from_mean(Index v) const {
+    return (X_.row(v).transpose() - mean_of_neighbours(v)).norm();
   }
 
   bool may_move(Index v) const {
@@ -68,18 +64,38 @@ class OutlierSearch {
            rings_[v].size() <= tuning.outliers.most_neighbours;
   }
 
-  /// The outliers that are farther off than any outlier next to them.
-  std::vector<Index> farthest_of_their_neighbours() {
+  std::vector<Index> far_from_their_neighbours() const {
+    std::vector<std::uint8_t> far(static_cast<std::size_t>(X_.rows()));
     parallel_for(X_.rows(), [&](std::int64_t i) {
       const auto v = static_cast<Index>(i);
-      const double ratio = may_move(v) ? distance_ratio(v) : 0;
-      ratio_[v] = ratio > limit_ && is_off_surface(v) ? ratio : 0;
+      far[v] = may_move(v) && distance_ratio(v) > limit_;
     });
-    return indices_where(X_.rows(), [&](Index v) {
-      return ratio_[v] > 0 && std::ranges::all_of(rings_[v], [&](Index q) {
-               return std::tuple(ratio_[q], v) <= std::tuple(ratio_[v], q);
-             });
+    return indices_where(X_.rows(), [&](Index v) { return far[v] != 0; });
+  }
+
+  /// Moves those of the vertices that are off the surface onto it, and returns them. The surface is
+  /// the one that all other vertices form: outliers side by side hide each other.
+  std::vector<Index> move_outliers_among(const std::vector<Index>& vertices) {
+    const Points before = X_(vertices, Eigen::all);
+    for (int sweep = 0; sweep < tuning.outliers.sweeps; ++sweep) {
+      for (const Index v : vertices) {
+        X_.row(v) = mean_of_neighbours(v);
+      }
+    }
+    std::vector<std::uint8_t> off(vertices.size());
+    parallel_for(std::ssize(vertices), [&](std::int64_t i) {
+      const double distance = (before.row(i) - X_.row(vertices[i])).norm();
+      off[i] = distance > tuning.outliers.beside_surface * unevenness_around(vertices[i]);
     });
+    std::vector<Index> moved;
+    for (std::size_t i = 0; i < vertices.size(); ++i) {
+      if (off[i]) {
+        moved.push_back(vertices[i]);
+      } else {
+        X_.row(vertices[i]) = before.row(static_cast<Index>(i));
+      }
+    }
+    return moved;
   }
 
   /// The distance of a vertex from the mean of its neighbours, over their mean distance from it.
@@ -104,19 +120,12 @@ class OutlierSearch {
                     tuning.outliers.beside_mesh * median(ratios));
   }
 
-  bool is_off_surface(Index v) const {
-    const Vec3 mean = mean_of_neighbours(v);
-    return (X_.row(v).transpose() - mean).norm() >
-           tuning.outliers.beside_surface * unevenness_around(v, mean);
-  }
-
-  /// The lower median distance of the neighbours from the means of theirs, if v were at x: with
-  /// six neighbours, an outlier among them spoils the distances of three.
-  double unevenness_around(Index v, const Vec3& x) const {
+  /// The lower median distance of the neighbours from the means of theirs: with six neighbours, an
+  /// outlier among them spoils the distances of three.
+  double unevenness_around(Index v) const {
     std::array<double, OutlierTuning::most_neighbours> distances{};
     const std::span<const Index> ring = rings_[v];
-    std::ranges::transform(ring, distances.begin(),
-                           [&](Index q) { return laplacian_with(x, v, q).norm(); });
+    std::ranges::transform(ring, distances.begin(), [&](Index q) { return distance_from_mean(q); });
     const auto middle = distances.begin() + static_cast<std::ptrdiff_t>((ring.size() - 1) / 2);
     std::nth_element(distances.begin(), middle, distances.begin() + std::ssize(ring));
     return *middle;
@@ -128,7 +137,8 @@ class OutlierSearch {
     for (const Index q : rings_[v]) {
       if (is_oriented_interior(topology_, q)) {
         const double share = 1 / valence(q);
-        sum -= share * laplacian_with(Vec3::Zero(), v, q);
+        const Vec3 mean_of_others = mean_of_neighbours(q) - share * X_.row(v).transpose();
+        sum -= share * (mean_of_others - X_.row(q).transpose());
         weight += share * share;
       }
     }
@@ -140,7 +150,6 @@ class OutlierSearch {
   const CompressedRows rings_;
   Points X_;  // with the outliers found so far moved
   const double limit_;
-  Eigen::VectorXd ratio_;  // #V, distance_ratio of outliers; else 0
 };
 
 }  // namespace

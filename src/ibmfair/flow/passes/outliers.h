@@ -1,6 +1,6 @@
-// Outliers: single vertices far off the surface that their neighbours form, as failed measurements
-// and damaged files leave them. A flow of the whole mesh that removes them, each as high as several
-// edges are long, also removes details that are much lower.
+// Outliers: vertices, alone or a few side by side, far off the surface that the others form, as
+// failed measurements and damaged files leave them. A flow of the whole mesh that removes them,
+// each as high as several edges are long, also removes details that are much lower.
 #pragma once
 
 #include <cstdint>
@@ -25,8 +25,9 @@ struct Outliers {
 /// whose limits are in OutlierTuning: beside their mean distance from that mean; by this ratio
 /// beside the median of all vertices; and beside what is uneven around the vertex, the median
 /// distance of its neighbours from the means of theirs. Noise of one strength is as uneven around a
-/// vertex as at it, and so are the tips of thorns. Where outliers are neighbours, the farthest is
-/// found first, and the others once it is moved.
+/// vertex as at it, and so are the tips of thorns. Of outliers side by side each makes the surface
+/// uneven around the others, so that for the third respect all vertices that are far off in the
+/// first two are moved at once to where each is the mean of its neighbours.
 ///
 /// The positions minimise the energy of the umbrella Laplacian, sum |mean of neighbours - x|^2 over
 /// the interior vertices, with all vertices but the outliers fixed. The result moves, turns and
