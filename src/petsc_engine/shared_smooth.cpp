@@ -229,7 +229,7 @@ class SharedSmooth {
     result_.plan = commands::plan_smoothing(arguments_, input_of(arguments_, mesh), progress);
     progress.begin("measure");
     result_.before = measured(mesh);
-    if (result_.plan.flow.steps > 0) {
+    {
       std::optional<commands::PostponedEnd> postponed;
       if (!arguments_.checkpoint.empty()) {
         postponed.emplace();
