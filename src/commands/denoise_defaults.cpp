@@ -95,7 +95,7 @@ std::string denoising_text() {
       "--denoise is shorthand for these options; each of them can be overridden:\n"
       "  {}\n"
       "Unless --max-move is given, it also keeps the volume of a closed mesh, and\n"
-      "moves outliers first: single vertices far off the surface of their neighbours.\n"
+      "moves outliers first: vertices far off the surface that the others form.\n"
       "If sharp edges are found (they are looked for unless --keep-sharp, --mass, or\n"
       "other values of --cutoff, --laplacian or --twicing are given), it uses these\n"
       "instead:\n"

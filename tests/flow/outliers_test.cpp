@@ -1,4 +1,4 @@
-// Outliers are single vertices far off the surface of their neighbours. The tests check which
+// Outliers are vertices far off the surface that the others form. The tests check which
 // vertices count as outliers on smooth shapes, polyhedra and a scan, and where they are moved.
 #include "ibmfair/flow/passes/outliers.h"
 
@@ -118,6 +118,31 @@ TEST(Outliers, AreNotFoundOnAShape) {
   for (const auto& [name, mesh] : all_meshes()) {
     const State coarse(mesh);
     EXPECT_TRUE(find_outliers(coarse.X, coarse.topology, none_of(coarse.topology)).empty()) << name;
+  }
+}
+
+/// A sphere, and beside it ten copies of a piece, whose size is 1.
+State sphere_with_debris(const State& piece) {
+  constexpr Index copies = 10;
+  const State sphere(make_shape("icosphere", {.subdivide = 4}));
+  const Index n = piece.topology.vertex_count, m = static_cast<Index>(piece.topology.F.rows());
+  Points X(sphere.X.rows() + copies * n, 3);
+  Triangles F(sphere.topology.F.rows() + copies * m, 3);
+  X.topRows(sphere.X.rows()) = sphere.X;
+  F.topRows(sphere.topology.F.rows()) = sphere.topology.F;
+  const double size = (piece.X.colwise().maxCoeff() - piece.X.colwise().minCoeff()).norm();
+  for (Index i = 0; i < copies; ++i) {
+    const auto first = static_cast<Index>(sphere.X.rows() + i * n);
+    X.middleRows(first, n) = (piece.X / size).rowwise() + Vec3(5 + 2 * i, 0, 0).transpose();
+    F.middleRows(sphere.topology.F.rows() + i * m, m) = piece.topology.F.array() + first;
+  }
+  return State(mesh_from_triangles(X, F));
+}
+
+TEST(Outliers, AreNotFoundInDebris) {
+  for (const auto& [name, mesh] : closed_meshes()) {
+    const State state = sphere_with_debris(State(mesh));
+    EXPECT_TRUE(find_outliers(state.X, state.topology, none_of(state.topology)).empty()) << name;
   }
 }
 

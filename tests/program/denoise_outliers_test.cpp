@@ -1,4 +1,4 @@
-// Outliers, single vertices far off the surface: --denoise moves them first, through the real
+// Outliers, vertices far off the surface: --denoise moves them first, through the real
 // program, and a mesh without other noise is written as it was read but for them.
 #include <algorithm>
 #include <cstdint>

@@ -4,11 +4,13 @@
 #include <array>
 #include <cstddef>
 #include <span>
+#include <utility>
 
 #include "ibmfair/base/parallel.h"
 #include "ibmfair/base/quantile.h"
 #include "ibmfair/flow/tuning.h"
 #include "ibmfair/mesh/select.h"
+#include "ibmfair/mesh/union_find.h"
 
 namespace ibmfair {
 namespace {
@@ -70,7 +72,39 @@ class OutlierSearch {
       const auto v = static_cast<Index>(i);
       far[v] = may_move(v) && distance_ratio(v) > limit_;
     });
-    return indices_where(X_.rows(), [&](Index v) { return far[v] != 0; });
+    return in_enclosed_groups(far);
+  }
+
+  /// The flagged vertices whose groups (those connected by edges) have more neighbours than
+  /// members: a whole tetrahedron has none, and would shrink to a point.
+  std::vector<Index> in_enclosed_groups(const std::vector<std::uint8_t>& flags) const {
+    std::vector<Index> members = indices_where(X_.rows(), [&](Index v) { return flags[v] != 0; });
+    UnionFind groups(static_cast<Index>(X_.rows()));
+    for (const Index v : members) {
+      for (const Index q : rings_[v]) {
+        if (flags[q]) {
+          groups.unite(v, q);
+        }
+      }
+    }
+    std::vector<std::pair<Index, Index>> beside;  // group and neighbour
+    std::vector<Index> surplus(flags.size(), 0);  // neighbours less members, at the representative
+    for (const Index v : members) {
+      const Index group = groups.find(v);
+      --surplus[group];
+      for (const Index q : rings_[v]) {
+        if (!flags[q]) {
+          beside.emplace_back(group, q);
+        }
+      }
+    }
+    std::ranges::sort(beside);
+    beside.erase(std::unique(beside.begin(), beside.end()), beside.end());
+    for (const auto& [group, neighbour] : beside) {
+      ++surplus[group];
+    }
+    std::erase_if(members, [&](Index v) { return surplus[groups.find(v)] <= 0; });
+    return members;
   }
 
   /// Moves those of the vertices that are off the surface onto it, and returns them. The surface is

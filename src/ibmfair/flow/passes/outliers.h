@@ -27,7 +27,8 @@ struct Outliers {
 /// distance of its neighbours from the means of theirs. Noise of one strength is as uneven around a
 /// vertex as at it, and so are the tips of thorns. Of outliers side by side each makes the surface
 /// uneven around the others, so that for the third respect all vertices that are far off in the
-/// first two are moved at once to where each is the mean of its neighbours.
+/// first two are moved at once to where each is the mean of its neighbours. Of outliers that are
+/// connected by edges there are fewer than of vertices around them.
 ///
 /// The positions minimise the energy of the umbrella Laplacian, sum |mean of neighbours - x|^2 over
 /// the interior vertices, with all vertices but the outliers fixed. The result moves, turns and
