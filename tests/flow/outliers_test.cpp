@@ -47,8 +47,8 @@ struct Damaged {
   Damaged(const Mesh& mesh, int every, bool apart) : Damaged(mesh) {
     std::vector<std::uint8_t> taken = none_of(truth.topology);
     for (Index v = 0; v < X.rows(); ++v) {
-      const bool near = std::ranges::any_of(rings[v], [&](Index q) { return taken[q] != 0; });
-      if (random.uniform() * every < 1 && may_move(v) && !(apart && near)) {
+      const bool near = std::ranges::any_of(rings_[v], [&](Index q) { return taken[q] != 0; });
+      if (random_.uniform() * every < 1 && may_move(v) && !(apart && near)) {
         move(v);
         taken[v] = 1;
       }
@@ -60,7 +60,7 @@ struct Damaged {
     Damaged damaged(mesh);
     std::vector<std::uint8_t> near = none_of(damaged.truth.topology);
     for (Index v = 0; v < damaged.X.rows(); ++v) {
-      const std::array<Index, 3> group = {v, damaged.rings[v][0], damaged.rings[v][1]};
+      const std::array<Index, 3> group = {v, damaged.rings_[v][0], damaged.rings_[v][1]};
       if (std::ranges::any_of(group, [&](Index q) { return near[q] || !damaged.may_move(q); })) {
         continue;
       }
@@ -82,14 +82,14 @@ struct Damaged {
   }
 
  private:
-  CompressedRows rings = vertex_rings(truth.topology);
-  RandomNumbers random{3};
+  CompressedRows rings_ = vertex_rings(truth.topology);
+  RandomNumbers random_{3};
 
   bool may_move(Index v) const { return truth.topology.kind[v] == VertexKind::interior; }
 
   void move(Index v) {
-    const Vec3 way(random.normal(), random.normal(), random.normal());
-    X.row(v) += (2 + 8 * random.uniform()) * edge * way.normalized();
+    const Vec3 way(random_.normal(), random_.normal(), random_.normal());
+    X.row(v) += (2 + 8 * random_.uniform()) * edge * way.normalized();
     moved.push_back(v);
   }
 };

@@ -1,3 +1,4 @@
+// Values by their rank.
 #pragma once
 
 #include <algorithm>
