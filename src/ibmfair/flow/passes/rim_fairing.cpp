@@ -222,30 +222,6 @@ class RimFairer {
   Points normals_;  // #V x 3
 };
 
-/// Moves X. Where a hinge would fold over, moves are halved, and in the end not made. Returns the
-/// vertices whose moves were not made in full.
-std::vector<Index> move_without_folds(Points moves, const Topology& topology, Points& X) {
-  const FoldWatch folds(X, topology);
-  const Points start = X;
-  X += moves;
-  std::vector<Index> shortened;
-  std::vector<Index> folding = folds.new_folds(X);
-  for (int i = 0; !folding.empty(); ++i, folding = folds.new_folds(X)) {
-    bool changes = false;
-    for (const Index v : folding) {
-      changes = changes || moves.row(v).squaredNorm() > 0;
-      moves.row(v) *= i < tuning.guard.most_halvings ? 0.5 : 0;
-      X.row(v) = start.row(v) + moves.row(v);
-      shortened.push_back(v);
-    }
-    if (!changes) {  // they were folded by rounding
-      X = start;
-      break;
-    }
-  }
-  return shortened;
-}
-
 }  // namespace
 
 std::vector<std::uint8_t> fair_rims(Points& X, const Topology& topology,

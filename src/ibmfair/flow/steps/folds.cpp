@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "ibmfair/base/parallel.h"
+#include "ibmfair/flow/tuning.h"
 #include "ibmfair/mesh/corners.h"
 #include "ibmfair/mesh/geometry.h"
 
@@ -70,6 +71,28 @@ std::vector<Index> FoldWatch::new_folds(const Points& X,
   std::sort(vertices.begin(), vertices.end());
   vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
   return vertices;
+}
+
+std::vector<Index> move_without_folds(Points moves, const Topology& topology, Points& X) {
+  const FoldWatch folds(X, topology);
+  const Points start = X;
+  X += moves;
+  std::vector<Index> shortened;
+  std::vector<Index> folding = folds.new_folds(X);
+  for (int i = 0; !folding.empty(); ++i, folding = folds.new_folds(X)) {
+    bool changes = false;
+    for (const Index v : folding) {
+      changes = changes || moves.row(v).squaredNorm() > 0;
+      moves.row(v) *= i < tuning.guard.most_halvings ? 0.5 : 0;
+      X.row(v) = start.row(v) + moves.row(v);
+      shortened.push_back(v);
+    }
+    if (!changes) {  // they were folded by rounding
+      X = start;
+      break;
+    }
+  }
+  return shortened;
 }
 
 }  // namespace ibmfair

@@ -1,5 +1,5 @@
-// Foldovers: hinges (edges with their two triangles) that are folded over, and a watch for new
-// foldovers.
+// Foldovers: hinges (edges with their two triangles) that are folded over, a watch for new
+// foldovers, and moves that make none.
 #pragma once
 
 #include <cstdint>
@@ -36,5 +36,10 @@ class FoldWatch {
   const Topology& topology_;
   std::vector<std::uint8_t> known_;  // #H, folded over at the start
 };
+
+/// Moves X by `moves` (both #V x 3). Where a hinge would fold over that was not folded before,
+/// moves are halved (GuardTuning::most_halvings), and in the end not made. Returns the vertices
+/// whose moves were not made in full, some of them more than once.
+std::vector<Index> move_without_folds(Points moves, const Topology& topology, Points& X);
 
 }  // namespace ibmfair
