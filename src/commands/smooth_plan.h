@@ -1,6 +1,7 @@
 // What a run of `smooth` does: the options, resolved on a mesh in one place.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -52,7 +53,13 @@ struct SmoothPlan {
   WallSample wall_sample;               ///< empty if the mesh is in parts
   ThinWalls thin;                       ///< their rims are among the fixed vertices
   std::optional<RimFairing> rims;       ///< with --boundary fair: what comes before the flow
+  bool restores_rims = false;           ///< rims get back what the flow takes besides noise
   double seconds_choice = 0, seconds_directions = 0, seconds_walls = 0;
+
+  /// Whether vertices may be moved after the flow, which keeps what the flow options promise.
+  bool may_restore() const {
+    return !flow.keep_volume && !flow.keep_area && !std::isfinite(flow.max_move);
+  }
 };
 
 /// Resolves the arguments on a mesh. Vertices are fixed by --boundary, --fix, --mask and weights of

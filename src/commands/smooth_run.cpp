@@ -1,8 +1,7 @@
 #include "commands/smooth_run.h"
 
-#include <cmath>
-
 #include "ibmfair/flow/passes/meeting_lines.h"
+#include "ibmfair/flow/passes/restored_rims.h"
 #include "ibmfair/flow/passes/restored_walls.h"
 
 namespace ibmfair::commands {
@@ -34,12 +33,14 @@ FlowReport run_smoothing(const SmoothPlan& plan, Points& X, const Topology& topo
     progress.advance(step, options.steps, options.total_time);
     return !parts.any(wants_end());
   };
-  const bool restores = !plan.thin.walls.empty() && !options.keep_volume && !options.keep_area &&
-                        !std::isfinite(options.max_move);
-  const Points start = restores ? X : Points();
+  const bool restores_walls = !plan.thin.walls.empty() && plan.may_restore();
+  const Points start = restores_walls || plan.restores_rims ? X : Points();
   const std::vector<std::uint8_t> fixed = prepare_for_flow(plan, topology, X);
   const FlowReport report = willmore_flow(X, topology, fixed, options, observe, parts);
-  if (restores) {
+  if (plan.restores_rims) {
+    restore_rims(start, topology, plan.fixed, plan.cutoff, plan.rims->noise, X);
+  }
+  if (restores_walls) {
     restore_walls(start, topology, fixed, plan.thin, options.laplacian, X);
   }
   return report;

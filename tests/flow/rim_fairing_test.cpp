@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "ibmfair/base/random_numbers.h"
+#include "ibmfair/flow/fixed_vertices.h"
 #include "ibmfair/flow/passes/rim_runs.h"
 #include "ibmfair/shapes/noise.h"
 #include "ibmfair/shapes/shapes.h"
@@ -114,6 +115,25 @@ TEST(RimRuns, EndAtFixedVertices) {
   fair_rims(X, state.topology, fixed, {.cutoff = 1});
   EXPECT_EQ(X.row(loop[5]), noisy.row(loop[5]));
   EXPECT_NE(X.row(loop[6]), noisy.row(loop[6]));
+}
+
+/// A rim that meets itself: two corners of a sheet, far apart along its rim, are one vertex. Such
+/// vertices are fixed in every flow.
+TEST(RimRuns, EndWhereARimMeetsItself) {
+  const State sheet(flat_sheet(20, 20));
+  const std::vector<Index> rim = sheet.topology.boundary_loops.at(0).vertices;
+  Triangles F = sheet.topology.F;
+  for (Index& v : F.reshaped()) {
+    v = v == rim[40] ? rim[0] : v;
+  }
+  const State state(mesh_from_triangles(sheet.X, F));
+  const auto fixed = fixed_vertices(state.topology, BoundaryCondition::free);
+  ASSERT_EQ(fixed[rim[0]], 1);
+  std::size_t inner = 0;
+  for (const RimRun& run : rim_runs(state.X, state.topology, fixed)) {
+    inner += run.vertices.size() - 2;
+  }
+  EXPECT_GT(inner, 70u);  // of 80 vertices, without corners
 }
 
 TEST(RimFairing, RemovesNoiseAndKeepsCircles) {

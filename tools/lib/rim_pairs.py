@@ -114,8 +114,11 @@ def rms(lengths):
 
 
 class Truth:
-    def __init__(self, points, faces):
-        self.points, self.faces = points, faces
+    """The part of the original that is left after a cut. Distances are those from the whole original,
+    as the triangles that were cut off say where the surface goes on."""
+
+    def __init__(self, points, faces, whole):
+        self.points, self.faces, self.whole = points, faces, whole
         edges, counts = edges_with_counts(faces)
         self.edge = np.linalg.norm(points[edges[:, 0]] - points[edges[:, 1]], axis=1).mean()
         self.rims = rims_of(faces)
@@ -128,8 +131,8 @@ class Truth:
         self.near = rings <= NEAR
 
     def off_surface(self, result):
-        _, nearest = cKDTree(self.points[self.faces].mean(1)).query(result, CANDIDATES)
-        corners = self.points[self.faces[nearest]]
+        _, nearest = cKDTree(self.whole.mean(1)).query(result, CANDIDATES)
+        corners = self.whole[nearest]
         return to_triangles(result[:, None], *(corners[:, :, k] for k in range(3))).min(1)
 
     def off_rim(self, result, rim):
@@ -170,7 +173,7 @@ def show_rims(folder):
                 if kept is None:
                     continue
                 used, numbers = np.unique(kept, return_inverse=True)
-                truth = Truth(original[used], numbers.reshape(-1, 3))
+                truth = Truth(original[used], numbers.reshape(-1, 3), original[faces])
                 if not truth.rims:
                     continue
                 write(noisy_cut, noisy[used], truth.faces)

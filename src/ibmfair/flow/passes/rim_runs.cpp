@@ -85,10 +85,9 @@ void add_runs(const std::vector<Index>& vertices, const std::vector<std::uint8_t
 
 std::vector<RimRun> rim_runs(const Points& X, const Topology& topology,
                              const std::vector<std::uint8_t>& fixed) {
-  constexpr std::size_t least = 8;
   std::vector<RimRun> runs;
   for (const BoundaryLoop& loop : topology.boundary_loops) {
-    if (!loop.closed || !loop.simple || loop.vertices.size() < least) {
+    if (!loop.closed || loop.vertices.size() < least_rim_size) {
       continue;
     }
     std::vector<std::uint8_t> ends(loop.vertices.size());
