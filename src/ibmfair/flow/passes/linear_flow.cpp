@@ -1,11 +1,10 @@
 #include "ibmfair/flow/passes/linear_flow.h"
 
-#include "ibmfair/flow/tuning.h"
-
 namespace ibmfair {
-void linearise_flow(FlowProblem& problem, double time, int steps) {
+
+void linearise_flow(FlowProblem& problem, double time, int steps, double tolerance) {
   problem.jacobian().refactor(problem.X, time / steps);
-  problem.jacobian().tighten(tuning.twicing.tolerance);
+  problem.jacobian().tighten(tolerance);
 }
 
 void flow_linearly(FlowProblem& problem, int steps, Points& heights) {

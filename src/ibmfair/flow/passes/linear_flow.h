@@ -6,9 +6,9 @@
 
 namespace ibmfair {
 
-/// Renews the problem's Jacobian at its state, for the time step time / steps. Throws the
-/// exceptions of Jacobian::refactor.
-void linearise_flow(FlowProblem& problem, double time, int steps);
+/// Renews the problem's Jacobian at its state, for the time step time / steps. Systems are solved
+/// to the relative residual `tolerance`, or better. Throws the exceptions of Jacobian::refactor.
+void linearise_flow(FlowProblem& problem, double time, int steps, double tolerance);
 
 /// Applies the linearised flow to `heights`: one row per unknown, up to three sets of heights in
 /// the columns. Precondition: `linearise_flow` was called with the same number of steps.

@@ -13,8 +13,11 @@ namespace {
 
 class Twicing {
  public:
-  explicit Twicing(FlowProblem& problem)
-      : p_(problem), folds_(problem.X, problem.topology), guarded_move_(problem, folds_) {
+  Twicing(FlowProblem& problem, double tolerance)
+      : p_(problem),
+        tolerance_(tolerance),
+        folds_(problem.X, problem.topology),
+        guarded_move_(problem, folds_) {
     p_.jacobian().damping().setOnes();
   }
 
@@ -35,7 +38,7 @@ class Twicing {
   /// smoothed by the same linearised flow in all passes.
   void linearise() {
     if (p_.report.twicings == 0 || !p_.options.put_back_slides) {
-      linearise_flow(p_, p_.options.total_time, p_.options.twicing_steps());
+      linearise_flow(p_, p_.options.total_time, p_.options.twicing_steps(), tolerance_);
     }
   }
 
@@ -67,6 +70,7 @@ class Twicing {
   }
 
   FlowProblem& p_;
+  double tolerance_;
   FoldWatch folds_;
   GuardedMove guarded_move_;
   Points normals_;  // one row per unknown
@@ -74,8 +78,8 @@ class Twicing {
 
 }  // namespace
 
-void apply_twicing(FlowProblem& problem) {
-  Twicing twicing(problem);
+void apply_twicing(FlowProblem& problem, double tolerance) {
+  Twicing twicing(problem, tolerance);
   while (problem.report.twicings < problem.options.twicing && twicing.pass()) {
     ++problem.report.twicings;
   }

@@ -9,6 +9,7 @@
 #pragma once
 
 #include "ibmfair/flow/steps/flow_problem.h"
+#include "ibmfair/flow/tuning.h"
 
 namespace ibmfair {
 
@@ -20,7 +21,8 @@ namespace ibmfair {
 /// (flow/passes/restored_quantities.h), because a flow that keeps them is not linear. The promises
 /// of the guarded flow hold: no hinge folds over that was not folded at the end of the flow, the
 /// energy stays below that at the start, and bounds on moves, volume and area are kept. If a pass
-/// fails, the passes end; the report counts the completed passes.
-void apply_twicing(FlowProblem& problem);
+/// fails, the passes end; the report counts the completed passes. `tolerance`: the relative
+/// residual of linear systems.
+void apply_twicing(FlowProblem& problem, double tolerance = tuning.twicing.tolerance);
 
 }  // namespace ibmfair

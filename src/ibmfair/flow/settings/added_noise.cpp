@@ -139,7 +139,7 @@ void NoisierFlows::flow(FlowProblem& problem, const Points& from, bool goes_on) 
   problem.update_gradient();
   run_time_steps(problem, noise_.rings());
   if (options_.twicing > 0 && problem.report.status == FlowStatus::completed) {
-    apply_twicing(problem);
+    apply_twicing(problem, choice_tuning.cutoff.tolerance);
   }
 }
 

@@ -26,7 +26,7 @@ Points FlowSmoother::smooth(double cutoff) {
   Points state = state_;
   problem_->move_to(state);
   if (options_.twicing > 0) {
-    apply_twicing(*problem_);
+    apply_twicing(*problem_, choice_tuning.cutoff.tolerance);
   }
   return problem_->X;
 }
@@ -50,11 +50,12 @@ Points FlowSmoother::taken_of(const Points& noise) {
   if (!goes_on_ || smooth_noise_.size() == 0) {
     smooth_noise_ = noise;
   }
-  linearise_flow(*problem_, leg_.total_time, leg_.steps);
+  linearise_flow(*problem_, leg_.total_time, leg_.steps, choice_tuning.cutoff.tolerance);
   flow_linearly(*problem_, leg_.steps, smooth_noise_);
   Points taken = noise - smooth_noise_, rest;
   if (options_.twicing > 0) {
-    linearise_flow(*problem_, options_.total_time, options_.twicing_steps());
+    linearise_flow(*problem_, options_.total_time, options_.twicing_steps(),
+                   choice_tuning.cutoff.tolerance);
   }
   for (int pass = 0; pass < options_.twicing; ++pass) {
     rest = taken;

@@ -54,7 +54,7 @@ std::vector<double> LinearSmoother::series_for(int steps) const {
 
 bool LinearSmoother::linearise(int steps) {
   try {
-    linearise_flow(problem_, options_.total_time, steps);
+    linearise_flow(problem_, options_.total_time, steps, choice_tuning.cutoff.tolerance);
   } catch (const OutOfMemory&) {
     can_factor_ = false;
   }
