@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <deque>
 #include <numbers>
 #include <utility>
 
@@ -139,31 +140,61 @@ class RimSpline {
   Eigen::SimplicialLDLT<Sparse> factor_;
 };
 
+/// A rim, with the ring that comes next.
+class Rim {
+ public:
+  Rim(const BoundaryLoop& loop, const Topology& topology, std::vector<std::uint8_t>& taken)
+      : size_(static_cast<Index>(loop.vertices.size())),
+        walk_(loop, topology, taken),
+        spline_(size_) {}
+
+  /// Writes the moves (#V x 3) of the next ring from X toward `start`.
+  void add_moves(const Points& start, const Points& X, const Topology& topology, double edges,
+                 double variance, Points& moves) {
+    Residuals residuals{Eigen::VectorXd::Zero(size_), Eigen::VectorXd::Zero(size_)};
+    for (const auto& [v, i] : walk_.ring()) {
+      moves.row(v) = double_area_vector_at(v, X, topology).stableNormalized();
+      residuals.sum[i] += moves.row(v).dot(start.row(v) - X.row(v));
+      ++residuals.count[i];
+    }
+    const Eigen::VectorXd lasting = spline_.lasting_part(residuals, edges, variance);
+    for (const auto& [v, i] : walk_.ring()) {
+      moves.row(v) *= lasting[i];
+    }
+    walk_.advance();
+  }
+
+  bool has_ring() const { return !walk_.ring().empty(); }
+
+ private:
+  Index size_;
+  RingWalk walk_;
+  RimSpline spline_;
+};
+
 }  // namespace
 
 void restore_rims(const Points& start, const Topology& topology,
                   const std::vector<std::uint8_t>& fixed, double cutoff, double noise, Points& X) {
+  std::vector<std::uint8_t> taken(static_cast<std::size_t>(topology.vertex_count), 0);
+  std::deque<Rim> rims;
+  for (const BoundaryLoop& loop : topology.boundary_loops) {
+    if (loop.closed && loop.vertices.size() >= least_rim_size) {
+      rims.emplace_back(loop, topology, taken);
+    }
+  }
   const double edges = cutoff / mean_edge_length(X, topology.E);
   Points moves = Points::Zero(X.rows(), 3);
-  std::vector<std::uint8_t> taken(static_cast<std::size_t>(topology.vertex_count), 0);
-  for (const BoundaryLoop& loop : topology.boundary_loops) {
-    if (!loop.closed || loop.vertices.size() < least_rim_size) {
-      continue;
+  for (int ring = 0; ring <= edges; ++ring) {
+    for (Rim& rim : rims) {
+      if (rim.has_ring()) {
+        rim.add_moves(start, X, topology, edges, noise * noise, moves);
+      }
     }
-    const auto n = static_cast<Index>(loop.vertices.size());
-    RimSpline spline(n);
-    RingWalk walk(loop, topology, taken);
-    for (int ring = 0; ring <= edges && !walk.ring().empty(); ++ring, walk.advance()) {
-      Residuals residuals{Eigen::VectorXd::Zero(n), Eigen::VectorXd::Zero(n)};
-      for (const auto& [v, i] : walk.ring()) {
-        moves.row(v) = double_area_vector_at(v, X, topology).stableNormalized();
-        residuals.sum[i] += moves.row(v).dot(start.row(v) - X.row(v));
-        ++residuals.count[i];
-      }
-      const Eigen::VectorXd lasting = spline.lasting_part(residuals, edges, noise * noise);
-      for (const auto& [v, i] : walk.ring()) {
-        moves.row(v) *= fixed[v] ? 0 : lasting[i];
-      }
+  }
+  for (Index v = 0; v < topology.vertex_count; ++v) {
+    if (fixed[v]) {
+      moves.row(v).setZero();
     }
   }
   move_without_folds(moves, topology, X);
