@@ -140,7 +140,9 @@ class RimSpline {
   Eigen::SimplicialLDLT<Sparse> factor_;
 };
 
-/// A rim, with the ring that comes next.
+/// A rim, with the ring that comes next. What the flow takes fades away from the rim, so that the
+/// first ring beside it with nothing to be given back is the last: chance would find some in one of
+/// many rings.
 class Rim {
  public:
   Rim(const BoundaryLoop& loop, const Topology& topology, std::vector<std::uint8_t>& taken)
@@ -161,15 +163,18 @@ class Rim {
     for (const auto& [v, i] : walk_.ring()) {
       moves.row(v) *= lasting[i];
     }
+    goes_on_ = is_rim_itself_ || !lasting.isZero(0);
+    is_rim_itself_ = false;
     walk_.advance();
   }
 
-  bool has_ring() const { return !walk_.ring().empty(); }
+  bool has_ring() const { return goes_on_ && !walk_.ring().empty(); }
 
  private:
   Index size_;
   RingWalk walk_;
   RimSpline spline_;
+  bool is_rim_itself_ = true, goes_on_ = true;
 };
 
 }  // namespace

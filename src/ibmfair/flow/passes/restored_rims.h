@@ -15,13 +15,14 @@
 
 namespace ibmfair {
 
-/// Moves the rims of X and the rings of vertices beside them, as many as the cut-off has edges,
-/// back toward `start` (both #V x 3) along the normals, each ring by the lasting part of its
-/// residual. That is the residual after smoothing along the rim (a periodic spline by penalized
-/// least squares, E. T. Whittaker, "On a new method of graduation", 1922), up to the wavelength at
-/// which the expected squared error is least (C. M. Stein, "Estimation of the mean of a
-/// multivariate normal distribution", 1981), and reduced by the share that noise explains. If no
-/// wavelength clearly gains (RimTuning::clear_gain), the ring stays.
+/// Moves the rims of X and the rings of vertices beside them back toward `start` (both #V x 3)
+/// along the normals, each ring by the lasting part of its residual. The last ring is the first one
+/// beside a rim where nothing lasts, or as many rings away as the cut-off has edges. That is the
+/// residual after smoothing along the rim (a periodic spline by penalized least squares, E. T.
+/// Whittaker, "On a new method of graduation", 1922), up to the wavelength at which the expected
+/// squared error is least (C. M. Stein, "Estimation of the mean of a multivariate normal
+/// distribution", 1981), and reduced by the share that noise explains. If no wavelength clearly
+/// gains (RimTuning::clear_gain), the ring stays.
 ///
 /// `cutoff`: the wavelength of the flow, length. `noise`: the standard deviation along the normals,
 /// length, positive; it must be independent from vertex to vertex. Fixed vertices (#V flags) stay,
