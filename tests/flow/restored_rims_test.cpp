@@ -34,10 +34,11 @@ class RestoredRims : public testing::Test {
   template <class Share>
   Points shrunk_at_rims(double depth, const Share& share) const {
     Points X = state_.X;
+    const double length = depth * edge();
     for (Index v = 0; v < X.rows(); ++v) {
       if (state_.topology.kind[v] == VertexKind::boundary) {
         const double direction = std::atan2(X(v, 1), X(v, 0));
-        X.row(v).head<2>() *= 1 - depth * edge() * share(direction);
+        X.row(v).head<2>() *= 1 - length * share(direction);
       }
     }
     return X;
@@ -75,6 +76,15 @@ TEST_F(RestoredRims, GetBackWhatLastsAlongThem) {
             << noise << " " << seed;
       }
     }
+  }
+}
+
+TEST_F(RestoredRims, OfAnyLengthGetAConstantBack) {
+  for (const Index columns : {8, 1000, 20'000}) {
+    state_ = State(make_shape("cylinder", {.rows = 2, .columns = columns}));
+    fixed_.assign(static_cast<std::size_t>(state_.X.rows()), 0);
+    const Points X = shrunk_at_rims(0.5, [](double) { return 1; });
+    EXPECT_LT(off_at_rims(restored(noisy(0.1, 1), X, 0.1)), 0.12) << columns;
   }
 }
 
