@@ -86,14 +86,7 @@ class RimSpline {
   using Sparse = Eigen::SparseMatrix<double>;
 
   explicit RimSpline(Index n) : n_(n) {
-    std::vector<Eigen::Triplet<double>> entries;
-    for (Index i = 0; i < n; ++i) {
-      entries.emplace_back(i, i, 2);
-      entries.emplace_back(i, (i + 1) % n, -1);
-      entries.emplace_back(i, (i + n - 1) % n, -1);
-    }
-    Sparse T(n, n);
-    T.setFromTriplets(entries.begin(), entries.end());
+    const Sparse T = negative_second_differences(n, true);
     penalty_ = T * T;
     factor_.analyzePattern(penalty_);
   }

@@ -25,17 +25,8 @@ class CurveSmoother {
   /// `cutoff`: in edges of the run.
   CurveSmoother(Index inner, bool closed, double cutoff, int twicing)
       : twicing_(twicing), step_(std::pow(cutoff / (2 * std::numbers::pi), 4) / steps) {
-    std::vector<Eigen::Triplet<double>> entries;
-    for (Index i = 0; i < inner; ++i) {
-      entries.emplace_back(i, i, 2);
-      for (const Index j : {i - 1, i + 1}) {
-        if (closed || (j >= 0 && j < inner)) {
-          entries.emplace_back(i, (j + inner) % inner, -1);
-        }
-      }
-    }
-    Sparse T(inner, inner), one(inner, inner);
-    T.setFromTriplets(entries.begin(), entries.end());
+    const Sparse T = negative_second_differences(inner, closed);
+    Sparse one(inner, inner);
     one.setIdentity();
     factor_.compute(Sparse(one + step_ * Sparse(T * T)));
     const double angle = std::numbers::pi / (closed ? inner : inner + 1);

@@ -101,4 +101,19 @@ std::vector<RimRun> rim_runs(const Points& X, const Topology& topology,
   return runs;
 }
 
+Eigen::SparseMatrix<double> negative_second_differences(Index n, bool closed) {
+  std::vector<Eigen::Triplet<double>> entries;
+  for (Index i = 0; i < n; ++i) {
+    entries.emplace_back(i, i, 2);
+    for (const Index j : {i - 1, i + 1}) {
+      if (closed || (j >= 0 && j < n)) {
+        entries.emplace_back(i, (j + n) % n, -1);
+      }
+    }
+  }
+  Eigen::SparseMatrix<double> T(n, n);
+  T.setFromTriplets(entries.begin(), entries.end());
+  return T;
+}
+
 }  // namespace ibmfair

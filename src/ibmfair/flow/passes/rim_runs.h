@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <vector>
 
+#include <Eigen/SparseCore>
+
 #include "ibmfair/mesh/topology.h"
 
 namespace ibmfair {
@@ -31,5 +33,9 @@ struct RimRun {
 /// and the zigzag of triangles.
 std::vector<RimRun> rim_runs(const Points& X, const Topology& topology,
                              const std::vector<std::uint8_t>& fixed);
+
+/// The matrix (n x n, symmetric) of the negative second differences along a curve of n vertices
+/// beside which, unless it is closed, the values are zero.
+Eigen::SparseMatrix<double> negative_second_differences(Index n, bool closed);
 
 }  // namespace ibmfair
