@@ -46,15 +46,15 @@ struct Smoothing {
   const Points& before() const { return file.mesh().X; }
 };
 
-/// The number of vertices that lie exactly on others. It is determined only if most vertices are on
-/// open boundaries, as they are if the triangles share no vertices.
-std::int64_t coincident_vertices(const Points& X, const Topology& topology) {
-  const auto on_boundary = std::ranges::count(topology.kind, VertexKind::boundary);
-  if (2 * on_boundary <= topology.vertex_count) {
-    return 0;
+/// The positions of the vertices on open boundaries.
+Points boundary_points(const Points& X, const Topology& topology) {
+  std::vector<Index> on_boundary;
+  for (Index v = 0; v < topology.vertex_count; ++v) {
+    if (topology.kind[v] == VertexKind::boundary) {
+      on_boundary.push_back(v);
+    }
   }
-  const Weld weld = find_coincident_vertices(X);
-  return std::ssize(weld.vertex) - std::ssize(weld.first);
+  return X(on_boundary, Eigen::all);
 }
 
 Smoothing read_smoothing(const SmoothArguments& arguments, const Host& host, Progress& progress) {
@@ -75,7 +75,9 @@ Smoothing read_smoothing(const SmoothArguments& arguments, const Host& host, Pro
       s.topology.boundary_loops.empty() && s.topology.defects.non_manifold_edges.empty();
   s.result.defective = std::ranges::find(s.topology.defective, 1) != s.topology.defective.end();
   s.result.duplicates = std::ssize(s.topology.defects.duplicate);
-  s.result.coincident = coincident_vertices(s.before(), s.topology);
+  const Weld weld = find_coincident_vertices(boundary_points(s.before(), s.topology));
+  s.result.boundary_vertices = std::ssize(weld.vertex);
+  s.result.coincident = std::ssize(weld.vertex) - std::ssize(weld.first);
   s.X = s.before();
   return s;
 }

@@ -51,14 +51,15 @@ bool is_nearly_done(const SmoothResult& result) {
 
 /// A remark if triangles lie side by side without sharing vertices; else empty.
 std::string remark_on_coincident_vertices(const SmoothResult& result) {
-  constexpr std::int64_t least_share = 10;  // one of so many vertices
-  if (result.coincident * least_share < result.vertices || result.coincident == 0) {
+  constexpr std::int64_t least_share = 10;  // one of so many vertices on open boundaries
+  if (result.coincident * least_share < result.boundary_vertices || result.coincident == 0) {
     return {};
   }
   return fmt::format(
-      "{} of {} vertices coincide with others: triangles lie side by side without sharing their "
-      "edges, and open boundaries stay fixed or come apart; --weld merges such vertices",
-      result.coincident, result.vertices);
+      "{} of {} vertices on open boundaries coincide with others: triangles lie side by side "
+      "without sharing their edges, and these boundaries stay fixed or come apart; --weld merges "
+      "such vertices",
+      result.coincident, result.boundary_vertices);
 }
 
 /// A remark if the default cut-off is longer than the mesh is large; else empty.

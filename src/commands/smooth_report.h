@@ -23,11 +23,12 @@ struct SmoothResult {
   double largest_move = 0, rms_move = 0;  ///< over all vertices, length
   double thickening = 1;  ///< median ratio of the thickness of walls after to that before
   std::int64_t vertices = 0, triangles = 0;
-  std::int64_t coincident = 0;  ///< vertices that lie on others, if most are on open boundaries
-  std::int64_t duplicates = 0;  ///< triangles with the same vertices as another
-  bool closed = true;           ///< every edge lies between two triangles
-  bool has_rims = false;        ///< open boundaries
-  bool defective = false;       ///< whether vertices are fixed because the mesh has defects there
+  std::int64_t boundary_vertices = 0;  ///< on open boundaries
+  std::int64_t coincident = 0;         ///< of these, so many lie exactly on others
+  std::int64_t duplicates = 0;         ///< triangles with the same vertices as another
+  bool closed = true;                  ///< every edge lies between two triangles
+  bool has_rims = false;               ///< open boundaries
+  bool defective = false;  ///< whether vertices are fixed because the mesh has defects there
   double seconds_read = 0, seconds_topology = 0, seconds_measure = 0, seconds_write = 0;
 };
 

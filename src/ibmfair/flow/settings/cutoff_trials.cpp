@@ -95,7 +95,7 @@ void CutoffTrials::add_band(double cutoff, const Points& normals, const Points& 
       std::max(choice_tuning.noise.least_reach, choice_tuning.noise.reach * cutoff / mean_edge_);
   NoiseBand band{cutoff, evenness(height.cwiseAbs2(), topology_, unknowns_, counted_,
                                   static_cast<int>(2 * reach))};
-  if (taken.size() > 0) {
+  if (taken.size() > 0 && !taken.isZero(0)) {
     const Points last = first ? Points::Zero(taken.rows(), 3) : taken_;
     const Eigen::VectorXd white = (taken - last).reshaped();
     band.white = rms(white);
@@ -110,6 +110,9 @@ void CutoffTrials::add_band(double cutoff, const Points& normals, const Points& 
 /// `height`: the moves of the counted unknowns along the normals.
 void CutoffTrials::estimate_noise(const Eigen::VectorXd& height, const Points& taken) {
   const Eigen::VectorXd white = taken.reshaped();
+  if (white.isZero(0)) {  // nothing bends, as where no triangles share edges
+    return;
+  }
   const double by_median = median_magnitude(height) / median_magnitude(white);
   const double by_rms = rms(height) / rms(white);
   has_outliers_ = by_rms > choice_tuning.noise.outliers * by_median &&
