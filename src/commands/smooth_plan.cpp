@@ -13,6 +13,7 @@
 #include "ibmfair/flow/fixed_vertices.h"
 #include "ibmfair/flow/part_measures.h"
 #include "ibmfair/flow/passes/meeting_lines.h"
+#include "ibmfair/flow/settings/component_scales.h"
 #include "ibmfair/flow/settings/crease_choice.h"
 #include "ibmfair/flow/settings/laplacian_choice.h"
 #include "ibmfair/flow/settings/level_steps.h"
@@ -48,6 +49,10 @@ class Planner {
     if (plan_.flow.steps > 0) {
       if (arguments_.denoise && !arguments_.max_move && input_.parts.is_whole()) {
         find_outliers();
+      }
+      if (arguments_.denoise && arguments_.weights.empty() && input_.parts.is_whole()) {
+        plan_.flow.cutoff_factor = component_scales(X(), input_.topology);
+        plan_.scales_components = plan_.flow.cutoff_factor.size() > 0;
       }
       set_scale();
       const auto& fixed = plan_.fixed;
@@ -142,11 +147,15 @@ class Planner {
   }
 
   /// The fixed vertices for choosing a cut-off. The noise at a rim is removed along the rim first,
-  /// and what is left of it would be taken for detail.
+  /// and what is left of it would be taken for detail. Noise is judged on components of long edges
+  /// only: on others it has another strength.
   std::vector<std::uint8_t> fixed_for_choice() const {
     std::vector<std::uint8_t> fixed = plan_.fixed;
     if (arguments_.boundary == "fair") {
       fixed = fixed_where(BoundaryCondition::fixed);
+    }
+    for (std::size_t v = 0; plan_.scales_components && v < fixed.size(); ++v) {
+      fixed[v] |= plan_.flow.cutoff_factor[static_cast<Eigen::Index>(v)] < 1 ? 1 : 0;
     }
     return std::ranges::count(fixed, 0) > 0 ? fixed : plan_.fixed;
   }

@@ -53,6 +53,7 @@ struct SmoothPlan {
   WallSample wall_sample;               ///< empty if the mesh is in parts
   ThinWalls thin;                       ///< their rims are among the fixed vertices
   std::optional<RimFairing> rims;       ///< with --boundary fair: what comes before the flow
+  bool scales_components = false;       ///< the cut-off is shorter on components of short edges
   bool restores_rims = false;           ///< rims get back what the flow takes besides noise
   double seconds_choice = 0, seconds_directions = 0, seconds_walls = 0;
 

@@ -49,6 +49,15 @@ bool is_nearly_done(const SmoothResult& result) {
   return length_reached(result) >= 0.99 * result.plan.cutoff;
 }
 
+/// A remark if components of short edges are smoothed less; else empty.
+std::string remark_on_components(const SmoothPlan& plan) {
+  return plan.scales_components
+             ? "some components have much shorter edges than others: noise is looked for on the "
+               "others, and on these the cut-off is shorter in proportion (in files of their own, "
+               "each has its own choice)"
+             : "";
+}
+
 /// A remark if triangles lie side by side without sharing vertices; else empty.
 std::string remark_on_coincident_vertices(const SmoothResult& result) {
   constexpr std::int64_t least_share = 10;  // one of so many vertices on open boundaries
@@ -271,6 +280,7 @@ std::vector<std::string> notes_on(const SmoothArguments& arguments, const Smooth
                                  remark_on_outliers(result.plan),
                                  remark_on_noise(result.plan),
                                  remark_on_coincident_vertices(result),
+                                 remark_on_components(result.plan),
                                  remark_on_thin_walls(result.plan),
                                  remark_on_lines(result.plan)};
   if (arguments.first_stage == "normals" && !arguments.denoise && !arguments.keep_sharp) {

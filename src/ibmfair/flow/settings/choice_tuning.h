@@ -198,11 +198,18 @@ struct LaplacianTuning {
   int felt_rings = 16;
 };
 
+/// Components of different size (flow/settings/component_scales.h). Not measured.
+struct ComponentTuning {
+  double alike = 0.7;  ///< ratio of mean edge lengths
+  double share = 0.1;  ///< ratio; of the vertices
+};
+
 struct ChoiceTuning {
   CutoffTuning cutoff;
   NoiseTuning noise;
   CreaseTuning creases;
   LaplacianTuning laplacian;
+  ComponentTuning components;
 };
 
 inline constexpr ChoiceTuning choice_tuning;
