@@ -273,7 +273,7 @@ class Planner {
     }
     const std::vector<std::uint8_t> fixed = fixed_for_choice();
     plan_.choice = choose_cutoff(X(), input_.topology, fixed, plan_.flow, search);
-    if (arguments_.denoise && is_without_noise(X(), input_.topology, *plan_.choice)) {
+    if (arguments_.denoise && is_without_noise(X(), input_.topology, fixed, *plan_.choice)) {
       leave_as_it_is();
       return;
     }

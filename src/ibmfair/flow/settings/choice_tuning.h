@@ -145,12 +145,18 @@ struct NoiseTuning {
   double white_even = 0.6, white_growth = 1.3;
   /// Ratio: more flat hinges than this are not found in noisy meshes; radians: the most that a flat
   /// hinge turns by. Parts with planes have 0.34 or more, noisy meshes at most 0.001, or 0.06 if
-  /// half of the vertices are outliers.
-  double flat_hinges = 0.3, flat = radians(0.01);
-  /// Ratio; more vertices than this have no flat hinge if noise is only in some places. It is 0.3
-  /// and more for noise along one axis, or on one half, of benchmark parts, and 0 for coarse parts
-  /// without noise, whose details are as short as noise.
-  double bent_vertices = 0.2;
+  /// half of the vertices are outliers. Ratio to the standard deviation by independent noise: the
+  /// same, of which noisy meshes have 0.08 to 0.13, and coarse cubes, brackets, cylinders and cones
+  /// 0.25 or more, with noise of up to a quarter of what their edges look like.
+  double flat_hinges = 0.25, flat = radians(0.01), unlikely_bend = 0.1;
+  /// Ratio; more vertices than this have no flat hinge if noise is only in some places. It is 0.38
+  /// and more for noise along one axis, or on one half, of a benchmark part, and at most 0.23 for
+  /// coarse parts, whose details are as short as noise.
+  double bent_vertices = 0.3;
+  /// Rounded coordinates: mean edge lengths, the largest step; ratio of the levels between the
+  /// first and the last that are used, at least; ratio of the normals' squared components along
+  /// their axis, at least, which leaves out the rows and columns of a grid. Not measured.
+  double largest_step = 1.5, levels_used = 0.5, along_rounded = 0.5;
 };
 
 /// The choice of creases (flow/settings/crease_choice.h). Risks are in variances of the noise,

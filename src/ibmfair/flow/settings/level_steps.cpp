@@ -11,30 +11,38 @@
 namespace ibmfair {
 namespace {
 
-/// The distance of the levels on which all coordinates are, or 0 if there is none.
-double level_distance(const Eigen::VectorXd& coordinates, double mean_edge) {
+/// Levels at multiples of one distance.
+struct Levels {
+  double distance = 0;  ///< length; 0 if the coordinates are not on levels
+  double used = 0;      ///< ratio of the levels between the first and the last with a coordinate
+};
+
+/// `least_step`: the least distance of levels, mean edge lengths.
+Levels levels_of(const Eigen::VectorXd& coordinates, double mean_edge, double least_step) {
   std::vector<double> sorted(coordinates.begin(), coordinates.end());
   std::sort(sorted.begin(), sorted.end());
-  const double least = choice_tuning.noise.least_step * mean_edge;
   const double rounding = choice_tuning.noise.off_level * mean_edge;
-  double distance = 0;
+  double distance = 0, used = 1;
   for (std::size_t i = 1; i < sorted.size(); ++i) {
     const double gap = sorted[i] - sorted[i - 1];
-    if (gap > rounding && (distance == 0 || gap < distance)) {
-      distance = gap;
+    if (!(gap > rounding)) {
+      continue;
     }
-    if (gap > rounding && gap < least) {
-      return 0;
+    if (gap < least_step * mean_edge) {
+      return {};
     }
+    distance = distance == 0 ? gap : std::min(distance, gap);
+    ++used;
   }
-  if (!(sorted.back() - sorted.front() > (choice_tuning.noise.least_levels - 1.5) * distance)) {
-    return 0;
+  const double range = sorted.back() - sorted.front();
+  if (!(range > (choice_tuning.noise.least_levels - 1.5) * distance)) {
+    return {};
   }
   const bool on_levels = std::all_of(sorted.begin(), sorted.end(), [&](double x) {
     const double level = (x - sorted.front()) / distance;
     return std::abs(level - std::round(level)) * distance <= rounding;
   });
-  return on_levels ? distance : 0;
+  return on_levels ? Levels{distance, used / (range / distance + 1)} : Levels();
 }
 
 /// The squared components of the normals, weighted by the areas; their sum is 1.
@@ -67,7 +75,7 @@ double level_step(const Points& X, const Topology& topology) {
   const double mean_edge = mean_edge_length(X, topology.E);
   Vec3 distance;
   for (int axis = 0; axis < 3; ++axis) {
-    distance[axis] = level_distance(X.col(axis), mean_edge);
+    distance[axis] = levels_of(X.col(axis), mean_edge, choice_tuning.noise.least_step).distance;
   }
   const Vec3 normal = squared_normal(X, topology);
   const double along = (distance.array() > 0).select(normal.array(), 0.0).sum();
@@ -76,6 +84,20 @@ double level_step(const Points& X, const Topology& topology) {
     return 0;
   }
   return std::sqrt(distance.cwiseAbs2().dot(normal) / along);
+}
+
+bool is_rounded(const Points& X, const Topology& topology) {
+  const double mean_edge = mean_edge_length(X, topology.E);
+  const Vec3 normal = squared_normal(X, topology);
+  for (int axis = 0; axis < 3; ++axis) {
+    if (normal[axis] > choice_tuning.noise.along_rounded) {
+      const auto [step, used] = levels_of(X.col(axis), mean_edge, choice_tuning.noise.negligible);
+      return step > 0 && step < choice_tuning.noise.largest_step * mean_edge &&
+             used > choice_tuning.noise.levels_used &&
+             share_of_bent_hinges(X, topology) > choice_tuning.noise.bent_hinges;
+    }
+  }
+  return false;
 }
 
 }  // namespace ibmfair

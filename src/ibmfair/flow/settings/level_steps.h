@@ -13,4 +13,10 @@ namespace ibmfair {
 /// weighted by the squared components of the normals.
 double level_step(const Points& X, const Topology& topology);
 
+/// Whether the coordinates along the axis that most normals are near are multiples of one distance
+/// that is shorter than the edges, but not negligible (NoiseTuning::negligible), and hinges are
+/// bent as by level_step: then planes between two levels tell nothing about noise. So it is with
+/// the images of depth cameras.
+bool is_rounded(const Points& X, const Topology& topology);
+
 }  // namespace ibmfair

@@ -1,11 +1,13 @@
 #include "ibmfair/flow/settings/no_noise.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <numbers>
 #include <vector>
 
 #include "ibmfair/flow/settings/choice_tuning.h"
+#include "ibmfair/flow/settings/level_steps.h"
 #include "ibmfair/mesh/geometry.h"
 
 namespace ibmfair {
@@ -17,12 +19,35 @@ struct Flatness {
   double bent_vertices;  ///< ratio of the vertices without a flat hinge
 };
 
-Flatness flatness(const Points& X, const Topology& topology) {
+/// The standard deviation of a hinge's angle (radians over length), if its vertices move by
+/// independent noise of the standard deviation 1 along the normal. The vertices of the edge are
+/// taken to share equally what the other two leave.
+double bend_by_noise(const Points& X, const Hinges& H, Eigen::Index h) {
+  const Vec3 origin = X.row(H(h, 0)), edge = Vec3(X.row(H(h, 1))) - origin;
+  const auto height = [&](Index v) {
+    return edge.cross(Vec3(X.row(v)) - origin).norm() / edge.norm();
+  };
+  const double first = 1 / height(H(h, 2)), second = 1 / height(H(h, 3));
+  return std::hypot(first, second, (first + second) / std::numbers::sqrt2);
+}
+
+/// Of the vertices that are not fixed, and the hinges at them. `noise`: of independent noise, the
+/// standard deviation (length), else 0.
+Flatness flatness(const Points& X, const Topology& topology, const std::vector<std::uint8_t>& fixed,
+                  double noise) {
   const Eigen::VectorXd angles = dihedral_angles(X, topology.H);
-  std::vector<std::uint8_t> is_bent(static_cast<std::size_t>(X.rows()), 1);
-  Index flat = 0;
+  std::vector<std::uint8_t> is_bent(fixed.size());
+  std::ranges::transform(fixed, is_bent.begin(), [](std::uint8_t is_fixed) { return !is_fixed; });
+  const auto free_vertices = std::ranges::count(is_bent, 1);
+  Index flat = 0, hinges = 0;
   for (Eigen::Index h = 0; h < angles.size(); ++h) {
-    if (angles[h] > std::numbers::pi - choice_tuning.noise.flat) {
+    if (fixed[topology.H(h, 0)] && fixed[topology.H(h, 1)]) {
+      continue;
+    }
+    ++hinges;
+    const double by_noise =
+        noise > 0 ? choice_tuning.noise.unlikely_bend * noise * bend_by_noise(X, topology.H, h) : 0;
+    if (std::numbers::pi - angles[h] < std::max(choice_tuning.noise.flat, by_noise)) {
       ++flat;
       is_bent[topology.H(h, 0)] = is_bent[topology.H(h, 1)] = 0;
     }
@@ -30,25 +55,28 @@ Flatness flatness(const Points& X, const Topology& topology) {
   const auto share = [](auto part, auto all) {
     return all == 0 ? 0 : static_cast<double>(part) / static_cast<double>(all);
   };
-  return {share(flat, angles.size()), share(std::ranges::count(is_bent, 1), is_bent.size())};
+  return {share(flat, hinges), share(std::ranges::count(is_bent, 1), free_vertices)};
 }
 
 }  // namespace
 
-bool is_without_noise(const Points& X, const Topology& topology, const CutoffChoice& choice) {
+bool is_without_noise(const Points& X, const Topology& topology,
+                      const std::vector<std::uint8_t>& fixed, const CutoffChoice& choice) {
   const double edge = mean_edge_length(X, topology.E);
   const double negligible =
       choice.looks_white ? choice_tuning.noise.negligible_white : choice_tuning.noise.negligible;
-  const bool too_little =
-      choice.kind == NoiseKind::independent && choice.noise.deviation < negligible * edge;
+  const bool is_independent = choice.kind == NoiseKind::independent;
+  const bool too_little = is_independent && choice.noise.deviation < negligible * edge;
   if (too_little || choice.kind == NoiseKind::outliers) {
     return too_little;
   }
-  const Flatness found = flatness(X, topology);
-  // Noise that is only in some places leaves the hinges of other planes flat.
+  const Flatness found = flatness(X, topology, fixed, is_independent ? choice.noise.deviation : 0);
+  // Noise that is only in some places leaves the hinges of other planes flat, and rounded
+  // coordinates hide noise that is smaller than their steps.
   const bool is_uneven = choice.white_noise >= choice_tuning.noise.negligible * edge &&
                          found.bent_vertices > choice_tuning.noise.bent_vertices;
-  return found.flat_hinges > choice_tuning.noise.flat_hinges && !is_uneven;
+  return found.flat_hinges > choice_tuning.noise.flat_hinges && !is_uneven &&
+         !is_rounded(X, topology);
 }
 
 }  // namespace ibmfair
