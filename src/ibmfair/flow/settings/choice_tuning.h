@@ -50,6 +50,9 @@ struct NoiseTuning {
   /// fine meshes, and up to 0.49 on meshes of 500 to 4000 vertices, whose details are not longer
   /// than some edges; round shapes with facets are an exception (see `tails`).
   double even = 0.5;
+  /// Ratio; the largest evenness of noise. It is at most 0.86 for noise, and 0.91 and more for
+  /// threads, waves and studs that cover the surface in rows.
+  double too_even = 0.9;
   /// Mean edge lengths; the least standard deviation of noise that is correlated. Not measured.
   double least = 0.01;
   /// How far local means of a band reach for its evenness: ratio to the cut-off, and at least
@@ -78,6 +81,9 @@ struct NoiseTuning {
   /// Ratio; the same from one of two later bands to the next. It is 1.8 and more for noise that is
   /// averaged twice or more over one ring.
   double later_growth = 1.5;
+  /// Ratio; of the standard deviation in the fourth band to that in the third, at least. It is 1.1
+  /// and more for noise, and 0.3 to 0.5 for a coarse polyhedron that was subdivided twice.
+  double fall = 0.8;
   /// Ratio; of the standard deviation in a band to that in the first, at least, for more than white
   /// noise to be in it.
   double mixed_growth = 1.4;
@@ -88,6 +94,9 @@ struct NoiseTuning {
   /// most 2.83 and 2.95 for noise that is averaged once or twice, and 3 and more if it is averaged
   /// four times; into the next one, 2.2 and more for details, and 1.2 to 2.0 for noise.
   double steep = 2.85, steep_by_both = 3.03, level = 2.05;
+  /// The product of both by the mean square, which is 7.5 for details of a part with white noise,
+  /// and at most 7 for noise (7.9 for noise of 0.1 on one scan).
+  double steep_twice = 7.2;
   /// Ratios; the evenness of white noise, and the least one of what a band has beyond it, for that
   /// to be noise as well. It is 0.5 and more for correlated noise as strong as the white noise, on
   /// scans and shapes without creases, and at most 0.47 for their details.
@@ -105,9 +114,15 @@ struct NoiseTuning {
   /// The sum of squares (ratios) by which a mixture of noise over more rings must fit better. It is
   /// 0.013 and more for the true number of rings on spheres and scans.
   double better_fit = 0.012;
-  /// Ratio; of the noise that a model makes in shorter bands than those that it was fitted to, at
-  /// least so much must be there. It is 0.28 or more with noise, and 0 for flat facets.
-  double shows = 0.2;
+  /// Noise that shows only in longer bands: the stronger it is, the more of it must be in shorter
+  /// bands. Per mean edge length of its standard deviation: the ratio of what is there to what the
+  /// model makes there. It is 1.65 or more on 83 of 86 meshes with noise of 0.1 to 0.5, 0 for flat
+  /// facets, and 0.6 to 1.5 for bumps that cover a mesh. Logarithm of a ratio: the most by which
+  /// bands may differ from the model. It is at most 0.48 for noise, and 0.55 to 1.1 for most bumps.
+  /// Ratio: of what the model makes in shorter bands, at most so much is there. It is 1.8 for the
+  /// slices of a scanner, up to 7.5 for noise on parts (9 on one), and 7.8 and more for details of
+  /// parts with white noise that is weak, along one axis, or stronger in some places.
+  double shows = 1.6, poor_fit = 0.5, too_much_before = 7.6;
   /// As CutoffTuning::sample and felt_rings, if the noise is correlated. A scan of 86k vertices
   /// takes 3.8 s instead of 6.3 s, and ends with a median angle between faces of 0.69 degrees
   /// instead of 0.68 (5.8 before).

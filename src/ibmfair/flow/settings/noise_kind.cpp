@@ -13,6 +13,7 @@ constexpr std::size_t first_bands = 3, last_band = 4, last_mixed_band = 5;
 
 bool is_noise(const NoiseBand& band) {
   return band.by_rms >= choice_tuning.noise.least && band.evenness >= choice_tuning.noise.even &&
+         band.evenness <= choice_tuning.noise.too_even &&
          band.by_rms >= choice_tuning.noise.tails * band.by_median &&
          band.by_rms <= choice_tuning.noise.long_tails * band.by_median;
 }
@@ -64,14 +65,26 @@ bool levels_off(const std::vector<NoiseBand>& bands, std::size_t i) {
          growth_of_rest(bands, i, &NoiseBand::by_rms) <= choice_tuning.noise.level;
 }
 
-/// Whether the rest grows into a band as that of details does, and into the next as well.
+/// Whether the rest grows into a band, and into the next as well, as that of details does.
 bool is_of_details(const std::vector<NoiseBand>& bands, std::size_t i) {
-  return i < bands.size() && grows_steeply(bands, i) && !levels_off(bands, i + 1);
+  if (i >= bands.size()) {
+    return false;
+  }
+  const bool grows_twice =
+      i + 1 < bands.size() && growth_of_rest(bands, i, &NoiseBand::by_rms) *
+                                      growth_of_rest(bands, i + 1, &NoiseBand::by_rms) >
+                                  choice_tuning.noise.steep_twice;
+  return grows_twice || (grows_steeply(bands, i) && !levels_off(bands, i + 1));
+}
+
+/// Whether a band has clearly less than the one before, as after a regular pattern of a shape.
+bool falls(const std::vector<NoiseBand>& bands, std::size_t i) {
+  return i < bands.size() && bands[i].by_median < choice_tuning.noise.fall * bands[i - 1].by_median;
 }
 
 /// Whether the first bands grow as those of correlated noise, and not of details under white noise.
 bool grows_clearly(const std::vector<NoiseBand>& bands) {
-  return grows_at_first(bands) && !is_of_details(bands, first_bands);
+  return grows_at_first(bands) && !falls(bands, first_bands) && !is_of_details(bands, first_bands);
 }
 
 }  // namespace
@@ -147,7 +160,9 @@ bool may_tell_more(const std::vector<NoiseBand>& bands) {
   }
   const std::size_t i = first_longer_band(bands);
   return bands.size() < last_mixed_band &&
-         (i == bands.size() || (i + 1 == bands.size() && grows_steeply(bands, i)));
+         (i == bands.size() ||
+          (i + 1 == bands.size() && growth_of_rest(bands, i, &NoiseBand::by_rms) >
+                                        std::sqrt(choice_tuning.noise.steep_twice)));
 }
 
 }  // namespace ibmfair

@@ -5,7 +5,7 @@
 // each band is compared with the same band of white noise. Correlated noise, such as that of a
 // depth camera, has a larger standard deviation in longer bands. So has the shape itself, but noise
 // covers the surface evenly, and details of a shape are in few places (evenness.h). A regular
-// pattern of a shape covers the surface evenly as well; but its heights have fewer large values
+// pattern of a shape covers the surface even more evenly, and its heights have fewer large values
 // than noise has. Outliers have more of them.
 #pragma once
 

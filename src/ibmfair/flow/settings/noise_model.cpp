@@ -29,7 +29,7 @@ struct Fit {
   double least_log = std::numeric_limits<double>::infinity(), largest_log = -least_log;
   double sum_of_logs = 0;
   int count = 0;
-  double least_before = std::numeric_limits<double>::infinity();  // in shorter bands
+  double least_before = std::numeric_limits<double>::infinity(), most_before = 0;  // shorter bands
 
   void add(double ratio) {
     const double log = std::log(ratio);
@@ -41,6 +41,15 @@ struct Fit {
   double spread() const { return largest_log - least_log; }
   double mean() const { return std::exp(sum_of_logs / count); }
 };
+
+/// Whether what the best model was fitted to may be even detail of the shape. `in_all`: the bands
+/// begin with the shortest.
+bool may_be_detail(const Fit& fit, bool in_all) {
+  const bool unlike_before =
+      !in_all && (fit.least_before < choice_tuning.noise.shows * fit.mean() * fit.mean() ||
+                  fit.most_before > choice_tuning.noise.too_much_before * fit.mean());
+  return unlike_before || fit.spread() > choice_tuning.noise.poor_fit;
+}
 
 /// What the models of correlated noise of the standard deviation 1 make of the first bands: the rms
 /// height, #bands x #models.
@@ -94,12 +103,12 @@ NoiseModel fit_noise_model(const TrialMesh& mesh, const std::vector<NoiseBand>& 
         fits[m].add(ratio);
       } else {
         fits[m].least_before = std::min(fits[m].least_before, ratio);
+        fits[m].most_before = std::max(fits[m].most_before, ratio);
       }
     }
   }
   const auto best = std::ranges::min_element(fits, {}, &Fit::spread);
-  if (best->mean() < choice_tuning.noise.negligible ||
-      best->least_before < choice_tuning.noise.shows * best->mean()) {
+  if (best->mean() < choice_tuning.noise.negligible || may_be_detail(*best, range.begin == 0)) {
     return {};
   }
   if (best->spread() > choice_tuning.noise.good_fit) {

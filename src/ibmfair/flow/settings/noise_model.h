@@ -28,10 +28,10 @@ struct NoiseModel {
 };
 
 /// The model that fits the bands of correlated noise best, mixed with white noise only if it does
-/// not fit well without; or none, with a deviation of 0, if there
-/// are no such bands, if there is next to no noise, or if there is less in shorter bands than the
-/// model makes there: the shape has no noise then, but even detail. Throws the exceptions of the
-/// flow.
+/// not fit well without; or none, with a deviation of 0, if there are no such bands, if there is
+/// next to no noise, or if it may be even detail of the shape: if the model fits poorly, or if
+/// bands shorter than these have too little of such strong noise, or far too much. Throws the
+/// exceptions of the flow.
 NoiseModel fit_noise_model(const TrialMesh& mesh, const std::vector<NoiseBand>& bands);
 
 /// The mixture of white and correlated noise that fits the bands best, by least squares, if they
