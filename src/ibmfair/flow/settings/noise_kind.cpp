@@ -65,6 +65,11 @@ bool levels_off(const std::vector<NoiseBand>& bands, std::size_t i) {
          growth_of_rest(bands, i, &NoiseBand::by_rms) <= choice_tuning.noise.level;
 }
 
+/// Whether the rest grows into a band so much that it may be of details with the next one.
+bool may_grow_twice(const std::vector<NoiseBand>& bands, std::size_t i) {
+  return growth_of_rest(bands, i, &NoiseBand::by_rms) > std::sqrt(choice_tuning.noise.steep_twice);
+}
+
 /// Whether the rest grows into a band, and into the next as well, as that of details does.
 bool is_of_details(const std::vector<NoiseBand>& bands, std::size_t i) {
   if (i >= bands.size()) {
@@ -161,8 +166,7 @@ bool may_tell_more(const std::vector<NoiseBand>& bands) {
   const std::size_t i = first_longer_band(bands);
   return bands.size() < last_mixed_band &&
          (i == bands.size() ||
-          (i + 1 == bands.size() && growth_of_rest(bands, i, &NoiseBand::by_rms) >
-                                        std::sqrt(choice_tuning.noise.steep_twice)));
+          (i + 1 == bands.size() && (grows_steeply(bands, i) || may_grow_twice(bands, i))));
 }
 
 }  // namespace ibmfair
