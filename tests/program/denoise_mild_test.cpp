@@ -1,7 +1,7 @@
 // Where --denoise cannot tell noise from the shape, the shape stays. Through the real program.
 #include <cmath>
-#include <filesystem>
 #include <fstream>
+#include <numbers>
 #include <string>
 #include <utility>
 #include <vector>
@@ -10,11 +10,12 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "ibmfair/mesh/geometry.h"
 #include "ibmfair/mesh/mesh.h"
+#include "ibmfair/mesh/topology.h"
 #include "ibmfair/shapes/noise.h"
 #include "ibmfair/shapes/subdivide.h"
 #include "support/files.h"
-#include "support/meshes.h"
 #include "support/run_program.h"
 #include "support/smooth_runs.h"
 
@@ -57,13 +58,7 @@ class MildDenoise : public SmoothRuns {
 };
 
 double mean_edge(const TriangleMesh& mesh) {
-  double sum = 0;
-  for (const auto& f : mesh.F.rowwise()) {
-    for (int i = 0; i < 3; ++i) {
-      sum += (mesh.X.row(f[i]) - mesh.X.row(f[(i + 1) % 3])).norm();
-    }
-  }
-  return sum / static_cast<double>(3 * mesh.F.rows());
+  return mean_edge_length(mesh.X, build_topology(mesh.X, mesh.F).E);
 }
 
 TEST_F(MildDenoise, CoarsePartsWithNextToNoNoiseKeepTheirEdges) {
@@ -80,7 +75,7 @@ TEST_F(MildDenoise, ConesWithRoundedCoordinatesKeepTheirFacets) {
     TriangleMesh cone{Points(2 * around + 2, 3), Triangles(4 * around, 3)};
     const auto rounded = [](double x) { return std::round(2500 * x) / 100; };
     for (int i = 0; i < around; ++i) {
-      const double angle = 2 * 3.14159265358979 * i / around;
+      const double angle = 2 * std::numbers::pi * i / around;
       for (const auto& [ring, radius] : {std::pair{0, 1.0}, {1, 0.5}}) {
         cone.X.row(ring * around + i) << rounded(radius * std::cos(angle)),
             rounded(radius * std::sin(angle)), 25 * ring;
@@ -119,8 +114,8 @@ TEST_F(MildDenoise, ThreadsStay) {
     const double pitch = 2 * rows / 79;
     TriangleMesh thread = rod;
     for (auto x : thread.X.rowwise()) {
-      const double turns = x[2] / pitch - std::atan2(x[1], x[0]) / (2 * 3.14159265358979);
-      x.head<2>() *= 1 + 0.35 * pitch * std::sin(2 * 3.14159265358979 * turns);
+      const double turns = x[2] / pitch - std::atan2(x[1], x[0]) / (2 * std::numbers::pi);
+      x.head<2>() *= 1 + 0.35 * pitch * std::sin(2 * std::numbers::pi * turns);
     }
     expect_unchanged(write(thread, "thread.obj"));
   }

@@ -23,11 +23,10 @@ struct Flatness {
 /// independent noise of the standard deviation 1 along the normal. The vertices of the edge are
 /// taken to share equally what the other two leave.
 double bend_by_noise(const Points& X, const Hinges& H, Eigen::Index h) {
-  const Vec3 origin = X.row(H(h, 0)), edge = Vec3(X.row(H(h, 1))) - origin;
-  const auto height = [&](Index v) {
-    return edge.cross(Vec3(X.row(v)) - origin).norm() / edge.norm();
-  };
-  const double first = 1 / height(H(h, 2)), second = 1 / height(H(h, 3));
+  const Vec3 a = X.row(H(h, 0)), b = X.row(H(h, 1));
+  const double length = (b - a).norm();
+  const double first = length / double_area_vector(a, b, X.row(H(h, 2))).norm();
+  const double second = length / double_area_vector(a, b, X.row(H(h, 3))).norm();
   return std::hypot(first, second, (first + second) / std::numbers::sqrt2);
 }
 
