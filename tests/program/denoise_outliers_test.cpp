@@ -25,7 +25,7 @@ namespace {
 class DenoiseOutliers : public SmoothRuns {
  protected:
   /// Writes the mesh with noise (mean edge lengths), and with one vertex in `every` moved by `far`
-  /// mean edge lengths. Returns the numbers of these vertices.
+  /// mean edge lengths, at rims along the normal. Returns the numbers of these vertices.
   std::vector<Index> damage(const Mesh& mesh, double noise, int every, double far) {
     Mesh damaged = in_triangles(mesh);
     write_mesh(damaged, truth_, {.overwrite = true});
@@ -35,11 +35,12 @@ class DenoiseOutliers : public SmoothRuns {
     RandomNumbers random(2);
     std::vector<Index> moved;
     for (Index v = every / 2; v < damaged.X.rows(); v += every) {
-      if (state.topology.kind[v] == VertexKind::interior) {
-        const Vec3 way(random.normal(), random.normal(), random.normal());
-        damaged.X.row(v) += far * edge_ * way.normalized();
-        moved.push_back(v);
+      Vec3 way(random.normal(), random.normal(), random.normal());
+      if (state.topology.kind[v] == VertexKind::boundary) {
+        way = double_area_vector_at(v, state.X, state.topology);
       }
+      damaged.X.row(v) += far * edge_ * way.normalized();
+      moved.push_back(v);
     }
     write_mesh(damaged, input_, {.overwrite = true});
     return moved;

@@ -187,9 +187,12 @@ struct SpikeTuning {
 /// with 6 instead of 8 beside the surface, the tip of a horn is. tools/denoise_table --kinds prints
 /// what is left of outliers of several sizes.
 struct OutlierTuning {
-  double beside_neighbours = 1;  ///< ratio to the neighbours' mean distance from their mean
+  double beside_neighbours = 1;  ///< ratio to the neighbours' mean distance from the prediction
   double beside_mesh = 6;        ///< ratio; of the first one to its median over the mesh
-  double beside_surface = 8;     ///< ratio to the neighbours' median distance from their means
+  double beside_surface = 8;   ///< ratio to the neighbours' median distance from their predictions
+  double sound_at_rims = 0.5;  ///< ratio to the limit of the first two; once all others have moved
+  /// Count; single triangles stick out of the rims of depth images, also where these have no noise.
+  static constexpr std::size_t least_neighbours = 3;
   /// Count; a vertex with more neighbours is the tip of a cone of long triangles. Not measured.
   static constexpr std::size_t most_neighbours = 12;
   int passes = 8;   ///< count; each finds outliers that others hid; not measured

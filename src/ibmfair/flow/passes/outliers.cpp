@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <span>
 #include <utility>
 
 #include "ibmfair/base/parallel.h"
 #include "ibmfair/base/quantile.h"
+#include "ibmfair/flow/passes/rim_extrapolation.h"
 #include "ibmfair/flow/tuning.h"
 #include "ibmfair/mesh/select.h"
 #include "ibmfair/mesh/union_find.h"
@@ -21,6 +23,9 @@ class OutlierSearch {
       : topology_(topology),
         fixed_(fixed),
         rings_(vertex_rings(topology)),
+        rims_(rim_extrapolation(topology)),
+        rim_columns_(rims_),
+        given_(X),
         X_(X),
         limit_(least_ratio()) {}
 
@@ -36,7 +41,8 @@ class OutlierSearch {
       }
     }
     Outliers outliers;
-    outliers.vertices = indices_where(X_.rows(), [&](Index v) { return found[v] != 0; });
+    outliers.vertices =
+        without_sound_rims(indices_where(X_.rows(), [&](Index v) { return found[v] != 0; }));
     for (int sweep = 0; sweep < tuning.outliers.sweeps; ++sweep) {
       for (const Index v : outliers.vertices) {
         minimise_energy_at(v);
@@ -49,20 +55,35 @@ class OutlierSearch {
  private:
   double valence(Index v) const { return static_cast<double>(rings_[v].size()); }
 
-  Vec3 mean_of_neighbours(Index v) const {
+  bool is_inside(Index v) const { return is_oriented_interior(topology_, v); }
+  bool is_predicted_rim(Index v) const { return rims_.innerVector(v).nonZeros() > 0; }
+
+  /// Where the vertices around v predict it.
+  Vec3 prediction(Index v) const {
     Vec3 sum = Vec3::Zero();
+    if (is_predicted_rim(v)) {
+      for (RimRow entry(rims_, v); entry; ++entry) {
+        sum += entry.value() * X_.row(entry.col());
+      }
+      return sum;
+    }
     for (const Index q : rings_[v]) {
       sum += X_.row(q);
     }
     return sum / valence(v);
   }
 
-  double distance_from_mean(Index v) const {
-    return (X_.row(v).transpose() - mean_of_neighbours(v)).norm();
+  Vec3 offset(Index v) const { return X_.row(v).transpose() - prediction(v); }
+
+  /// How far such an offset is off the surface; any outline of a rim within the surface is allowed.
+  double off_surface(Index v, const Vec3& offset) const {
+    return is_predicted_rim(v) ? std::abs(offset.dot(normal_beside(X_, topology_, v)))
+                               : offset.norm();
   }
 
   bool may_move(Index v) const {
-    return !fixed_[v] && is_oriented_interior(topology_, v) &&
+    return !fixed_[v] && (is_inside(v) || is_predicted_rim(v)) &&
+           rings_[v].size() >= tuning.outliers.least_neighbours &&
            rings_[v].size() <= tuning.outliers.most_neighbours;
   }
 
@@ -70,7 +91,7 @@ class OutlierSearch {
     std::vector<std::uint8_t> far(static_cast<std::size_t>(X_.rows()));
     parallel_for(X_.rows(), [&](std::int64_t i) {
       const auto v = static_cast<Index>(i);
-      far[v] = may_move(v) && distance_ratio(v) > limit_;
+      far[v] = may_move(v) && distance_ratio(v, X_) > limit_;
     });
     return in_enclosed_groups(far);
   }
@@ -113,14 +134,12 @@ class OutlierSearch {
     const Points before = X_(vertices, Eigen::all);
     for (int sweep = 0; sweep < tuning.outliers.sweeps; ++sweep) {
       for (const Index v : vertices) {
-        X_.row(v) = mean_of_neighbours(v);
+        X_.row(v) = prediction(v);
       }
     }
     std::vector<std::uint8_t> off(vertices.size());
-    parallel_for(std::ssize(vertices), [&](std::int64_t i) {
-      const double distance = (before.row(i) - X_.row(vertices[i])).norm();
-      off[i] = distance > tuning.outliers.beside_surface * unevenness_around(vertices[i]);
-    });
+    parallel_for(std::ssize(vertices),
+                 [&](std::int64_t i) { off[i] = is_off_surface(vertices[i]); });
     std::vector<Index> moved;
     for (std::size_t i = 0; i < vertices.size(); ++i) {
       if (off[i]) {
@@ -132,14 +151,36 @@ class OutlierSearch {
     return moved;
   }
 
-  /// The distance of a vertex from the mean of its neighbours, over their mean distance from it.
-  double distance_ratio(Index v) const {
-    const Vec3 mean = mean_of_neighbours(v);
+  /// Moves those back that only seemed to be off the surface beside outliers that were found later:
+  /// predictions of rims depend on vertices two rings away.
+  std::vector<Index> without_sound_rims(std::vector<Index> vertices) {
+    std::erase_if(vertices, [&](Index v) {
+      const bool sound = is_predicted_rim(v) &&
+                         (distance_ratio(v, given_) <= tuning.outliers.sound_at_rims * limit_ ||
+                          !is_off_surface(v));
+      if (sound) {
+        X_.row(v) = given_.row(v);
+      }
+      return sound;
+    });
+    return vertices;
+  }
+
+  /// Whether a vertex was given far off the surface that the vertices around it form now.
+  bool is_off_surface(Index v) const {
+    const double distance = off_surface(v, given_.row(v).transpose() - prediction(v));
+    return distance > tuning.outliers.beside_surface * unevenness_around(v);
+  }
+
+  /// The distance of a vertex at X from its prediction, over its neighbours' mean distance from
+  /// that.
+  double distance_ratio(Index v, const Points& X) const {
+    const Vec3 predicted = prediction(v);
     double radius = 0;
     for (const Index q : rings_[v]) {
-      radius += (X_.row(q).transpose() - mean).norm() / valence(v);
+      radius += (X_.row(q).transpose() - predicted).norm() / valence(v);
     }
-    return radius > 0 ? (X_.row(v).transpose() - mean).norm() / radius : 0;
+    return radius > 0 ? off_surface(v, X.row(v).transpose() - predicted) / radius : 0;
   }
 
   /// The least ratio of outliers.
@@ -149,39 +190,55 @@ class OutlierSearch {
       return 0;
     }
     std::vector<double> ratios(free.size());
-    parallel_for(std::ssize(free), [&](std::int64_t i) { ratios[i] = distance_ratio(free[i]); });
+    parallel_for(std::ssize(free),
+                 [&](std::int64_t i) { ratios[i] = distance_ratio(free[i], X_); });
     return std::max(tuning.outliers.beside_neighbours,
                     tuning.outliers.beside_mesh * median(ratios));
   }
 
-  /// The lower median distance of the neighbours from the means of theirs: with six neighbours, an
+  /// The lower median distance of the neighbours from their predictions: with six neighbours, an
   /// outlier among them spoils the distances of three.
   double unevenness_around(Index v) const {
     std::array<double, OutlierTuning::most_neighbours> distances{};
     const std::span<const Index> ring = rings_[v];
-    std::ranges::transform(ring, distances.begin(), [&](Index q) { return distance_from_mean(q); });
+    std::ranges::transform(ring, distances.begin(),
+                           [&](Index q) { return off_surface(q, offset(q)); });
     const auto middle = distances.begin() + static_cast<std::ptrdiff_t>((ring.size() - 1) / 2);
     std::nth_element(distances.begin(), middle, distances.begin() + std::ssize(ring));
     return *middle;
   }
 
+  /// Of the energy sum |x - prediction|^2, over the interior and the predicted rims.
   void minimise_energy_at(Index v) {
-    Vec3 sum = mean_of_neighbours(v);
-    double weight = 1;
+    Vec3 half_gradient = Vec3::Zero();
+    double half_curvature = 0;
+    const auto add = [&](Index q, double derivative) {
+      half_gradient += derivative * (X_.row(q).transpose() - prediction(q));
+      half_curvature += derivative * derivative;
+    };
+    add(v, 1);
     for (const Index q : rings_[v]) {
-      if (is_oriented_interior(topology_, q)) {
-        const double share = 1 / valence(q);
-        const Vec3 mean_of_others = mean_of_neighbours(q) - share * X_.row(v).transpose();
-        sum -= share * (mean_of_others - X_.row(q).transpose());
-        weight += share * share;
+      if (is_inside(q)) {
+        add(q, -1 / valence(q));
       }
     }
-    X_.row(v) = sum / weight;
+    for (RimColumn entry(rim_columns_, v); entry; ++entry) {
+      add(static_cast<Index>(entry.row()), -entry.value());
+    }
+    X_.row(v) -= half_gradient / half_curvature;
   }
+
+  using Rims = Eigen::SparseMatrix<double, Eigen::RowMajor>;
+  using RimColumns = Eigen::SparseMatrix<double>;
+  using RimRow = Rims::InnerIterator;
+  using RimColumn = RimColumns::InnerIterator;
 
   const Topology& topology_;
   const std::vector<std::uint8_t>& fixed_;
   const CompressedRows rings_;
+  const Rims rims_;
+  const RimColumns rim_columns_;
+  const Points& given_;
   Points X_;  // with the outliers found so far moved
   const double limit_;
 };
