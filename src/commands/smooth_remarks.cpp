@@ -148,6 +148,21 @@ std::string remark_on_noise(const SmoothPlan& plan) {
   return {};
 }
 
+/// A remark if a mesh has so few vertices that its noise is only guessed; else empty. Of shapes
+/// without noise that have 30 to 500 vertices, several are taken for noisy.
+std::string remark_on_few_vertices(const SmoothResult& result) {
+  constexpr Index few = 1000;
+  const auto& choice = result.plan.choice;
+  if (!choice || choice->kind == NoiseKind::none || choice->kind == NoiseKind::steps ||
+      result.flow.unknowns >= few || result.flow.unknowns == 0) {
+    return {};
+  }
+  return fmt::format(
+      "with only {}, noise can hardly be told from the shape: compare the result with the input "
+      "(where the mesh has no noise, leave it as it is, or choose a --cutoff LENGTH)",
+      counted(result.flow.unknowns, "vertex", "vertices"));
+}
+
 /// A remark about outliers; empty if there are none.
 std::string remark_on_outliers(const SmoothPlan& plan) {
   if (plan.outliers.empty()) {
@@ -279,6 +294,7 @@ std::vector<std::string> notes_on(const SmoothArguments& arguments, const Smooth
   std::vector<std::string> notes{remark_on_texture(arguments, result.plan),
                                  remark_on_outliers(result.plan),
                                  remark_on_noise(result.plan),
+                                 remark_on_few_vertices(result),
                                  remark_on_coincident_vertices(result),
                                  remark_on_components(result.plan),
                                  remark_on_thin_walls(result.plan),

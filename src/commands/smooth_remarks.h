@@ -11,8 +11,8 @@
 namespace ibmfair::commands {
 
 /// Remarks about texture coordinates that shift, about noise that is not independent from vertex to
-/// vertex, about triangles that share no vertices, about rims of thin walls that stay, and about a
-/// default cut-off that is longer than the mesh is large.
+/// vertex, or hardly known, about triangles that share no vertices, about rims of thin walls that
+/// stay, and about a default cut-off that is longer than the mesh is large.
 std::vector<std::string> notes_on(const SmoothArguments& arguments, const SmoothResult& result);
 
 /// A warning with the cause and what helps if the volume of a closed mesh has changed by more than

@@ -57,6 +57,14 @@ class MildDenoise : public SmoothRuns {
   }
 };
 
+TEST_F(MildDenoise, SaysWhenThereAreTooFewVerticesToBeSure) {
+  for (const auto& [levels, is_sure] : {std::pair{"2", false}, {"3", false}, {"4", true}}) {
+    const Smoothed out =
+        smooth(noisy("icosahedron", {"--subdivide", levels, "--noise", "0.2"}), {"--denoise"});
+    EXPECT_EQ(contains(out.err, "can hardly be told from the shape"), !is_sure) << levels;
+  }
+}
+
 double mean_edge(const TriangleMesh& mesh) {
   return mean_edge_length(mesh.X, build_topology(mesh.X, mesh.F).E);
 }
