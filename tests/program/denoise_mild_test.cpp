@@ -77,6 +77,20 @@ TEST_F(MildDenoise, CoarsePartsWithNextToNoNoiseKeepTheirEdges) {
   }
 }
 
+/// Most of their vertices are near edges, whose shape cut-offs take for noise.
+TEST_F(MildDenoise, CoarsePartsWithNoiseAreFreedOfItAndKeepTheirEdges) {
+  for (const std::string levels : {"3", "4"}) {
+    const std::string truth = write(made("cube", {"--subdivide", levels}), "truth.obj");
+    for (const std::string noise : {"0.05", "0.1"}) {
+      SCOPED_TRACE(levels + ", " + noise);
+      const std::string input = noisy("cube", {"--subdivide", levels, "--noise", noise});
+      const Smoothed out = smooth(input, {"--denoise"});
+      ASSERT_EQ(out.exit_code, 0) << out.err;
+      EXPECT_LT(degrees_between(files_ / "out.ply", truth), 0.5 * degrees_between(input, truth));
+    }
+  }
+}
+
 TEST_F(MildDenoise, ConesWithRoundedCoordinatesKeepTheirFacets) {
   for (const int around : {16, 64}) {
     SCOPED_TRACE(around);

@@ -53,6 +53,14 @@ struct NoiseTuning {
   /// Ratio; the largest evenness of noise. It is at most 0.86 for noise, and 0.91 and more for
   /// threads, waves and studs that cover the surface in rows.
   double too_even = 0.9;
+  /// Noise by the angles of hinges (hinge_noise.h). Ratio; by which its quantiles may differ: at
+  /// most 1.3 for noise on coarse parts of 100 vertices, 1.06 on larger ones, and 1.5 or more for
+  /// most noise that is only in some places. Ratio to the standard deviation by the median of what
+  /// a cut-off removes, from which on it counts: 0.3 to 0.77 for coarse parts, 0.9 and more for
+  /// most other noisy meshes. Ratio to the same of the white part of the first two bands, at most:
+  /// 0 to 0.86 for coarse parts, and 1 for noise that is only in some places. Mean edge lengths;
+  /// from here on angles do not grow as the noise does, and tell too little.
+  double same_by_hinges = 1.35, by_hinges = 0.8, white_share = 0.9, largest_by_hinges = 0.25;
   /// Mean edge lengths; the least standard deviation of noise that is correlated. Not measured.
   double least = 0.01;
   /// How far local means of a band reach for its evenness: ratio to the cut-off, and at least

@@ -6,6 +6,7 @@
 #include "ibmfair/base/quantile.h"
 #include "ibmfair/flow/settings/choice_tuning.h"
 #include "ibmfair/flow/settings/evenness.h"
+#include "ibmfair/flow/settings/hinge_noise.h"
 #include "ibmfair/flow/settings/linear_smoother.h"
 #include "ibmfair/flow/settings/noise_model.h"
 #include "ibmfair/flow/steps/unknown_normals.h"
@@ -129,6 +130,13 @@ void CutoffTrials::estimate_noise(const Eigen::VectorXd& height, const Points& t
   const double typical = has_light_tails ? by_rms : by_median, white_part = white_deviation();
   const bool by_mean_square = has_outliers_ || white_part > typical;
   noise_.deviation = has_outliers_ ? by_rms : std::max(typical, white_part);
+  if (!has_outliers_ && white_part < choice_tuning.noise.white_share * typical) {
+    const double by_hinges = noise_by_hinges(mesh_.X(), topology_, mesh_.fixed());
+    if (by_hinges > 0 && by_hinges < choice_tuning.noise.by_hinges * typical &&
+        by_hinges < choice_tuning.noise.largest_by_hinges * mean_edge_) {
+      noise_.deviation = by_hinges;
+    }
+  }
   // As many independent heights as there are modes in them. The square of a standard deviation by
   // the median scatters by 2.33 over the root of their number.
   const double count = white.squaredNorm() / 3;

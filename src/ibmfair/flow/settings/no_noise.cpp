@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "ibmfair/flow/settings/choice_tuning.h"
+#include "ibmfair/flow/settings/hinge_noise.h"
 #include "ibmfair/flow/settings/level_steps.h"
 #include "ibmfair/mesh/geometry.h"
 
@@ -18,17 +19,6 @@ struct Flatness {
   double flat_hinges;    ///< ratio of the hinges that are flat
   double bent_vertices;  ///< ratio of the vertices without a flat hinge
 };
-
-/// The standard deviation of a hinge's angle (radians over length), if its vertices move by
-/// independent noise of the standard deviation 1 along the normal. The vertices of the edge are
-/// taken to share equally what the other two leave.
-double bend_by_noise(const Points& X, const Hinges& H, Eigen::Index h) {
-  const Vec3 a = X.row(H(h, 0)), b = X.row(H(h, 1));
-  const double length = (b - a).norm();
-  const double first = length / double_area_vector(a, b, X.row(H(h, 2))).norm();
-  const double second = length / double_area_vector(a, b, X.row(H(h, 3))).norm();
-  return std::hypot(first, second, (first + second) / std::numbers::sqrt2);
-}
 
 /// Of the vertices that are not fixed, and the hinges at them. `noise`: of independent noise, the
 /// standard deviation (length), else 0.
