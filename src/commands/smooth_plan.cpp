@@ -166,7 +166,8 @@ class Planner {
                             .twicing = std::max(1, plan_.flow.twicing),
                             .noise = plan_.choice ? plan_.choice->noise.deviation : 0,
                             .max_move = plan_.flow.max_move};
-    plan_.restores_rims = plan_.rims->noise > 0 && plan_.may_restore();
+    plan_.restores_rims =
+        plan_.rims->noise > 0 && plan_.choice->noise.is_white() && plan_.may_restore();
   }
 
   /// Finds the lines at which sheets meet, and the factors of the cut-off there. Their vertices are

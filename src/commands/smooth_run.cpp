@@ -38,8 +38,7 @@ FlowReport run_smoothing(const SmoothPlan& plan, Points& X, const Topology& topo
   const std::vector<std::uint8_t> fixed = prepare_for_flow(plan, topology, X);
   const FlowReport report = willmore_flow(X, topology, fixed, options, observe, parts);
   if (plan.restores_rims) {
-    restore_rims(start, topology, plan.fixed, plan.cutoff,
-                 plan.choice->noise.deviation_along_lines(), X);
+    restore_rims(start, topology, plan.fixed, plan.cutoff, plan.rims->noise, X);
   }
   if (restores_walls) {
     restore_walls(start, topology, fixed, plan.thin, options.laplacian, X);

@@ -231,25 +231,6 @@ TEST(NoiseModel, NoiseLikeItHasItsStandardDeviationAndCorrelations) {
   }
 }
 
-TEST(NoiseModel, ItsLongWavesAlongLinesAreThoseOfWhiteNoise) {
-  constexpr Index lines = 300, length = 100;
-  const State state(make_shape("torus", {.rows = lines, .columns = length}));
-  const Unknowns unknowns(std::vector<std::uint8_t>(state.X.rows(), 0));
-  for (const int rings : {0, 1, 2, 4}) {
-    for (const double white_share : {0.0, 0.5}) {
-      const NoiseModel model{.deviation = 1, .rings = rings, .white_share = white_share};
-      const Points noise =
-          noise_like(model, white_noise(unknowns.size()), state.topology, unknowns);
-      double squares = 0;
-      for (Index line = 0; line < lines; ++line) {
-        squares += noise.middleRows(line * length, length).colwise().sum().squaredNorm();
-      }
-      const double deviation = std::sqrt(squares / (3 * lines * length));
-      EXPECT_NEAR(deviation, model.deviation_along_lines(), 0.15 * deviation) << rings;
-    }
-  }
-}
-
 TEST(NoiseKind, OutliersCountInTheStandardDeviation) {
   for (const double deviation : {0.5, 1.0}) {
     for (State state : {ball(), torus()}) {

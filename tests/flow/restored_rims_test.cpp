@@ -8,13 +8,11 @@
 
 #include "ibmfair/flow/fixed_vertices.h"
 #include "ibmfair/flow/passes/rim_fairing.h"
-#include "ibmfair/flow/settings/noise_model.h"
 #include "ibmfair/flow/time_scale.h"
 #include "ibmfair/flow/willmore_flow.h"
 #include "ibmfair/mesh/select.h"
 #include "ibmfair/shapes/noise.h"
 #include "ibmfair/shapes/shapes.h"
-#include "support/correlated_noise.h"
 #include "support/meshes.h"
 #include "support/states.h"
 
@@ -87,17 +85,6 @@ TEST_F(RestoredRims, OfAnyLengthGetAConstantBack) {
     fixed_.assign(static_cast<std::size_t>(state_.X.rows()), 0);
     const Points X = shrunk_at_rims(0.5, [](double) { return 1; });
     EXPECT_LT(off_at_rims(restored(noisy(0.1, 1), X, 0.1)), 0.12) << columns;
-  }
-}
-
-TEST_F(RestoredRims, GetBackWhatLastsInCorrelatedNoise) {
-  for (const int rings : {1, 2}) {
-    State noisy_state = state_;
-    add_correlated_noise(noisy_state, 0.2, rings);
-    const double noise = NoiseModel{.deviation = 0.2, .rings = rings}.deviation_along_lines();
-    const Points X = shrunk_at_rims(0.5, [](double) { return 1; });
-    EXPECT_LT(off_at_rims(restored(noisy_state.X, X, noise)), 0.5 / 2.5) << rings;
-    EXPECT_LT(off_at_rims(restored(noisy_state.X, state_.X, noise)), 0.07) << rings;
   }
 }
 

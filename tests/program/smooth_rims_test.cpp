@@ -6,9 +6,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "ibmfair/base/random_numbers.h"
 #include "ibmfair/io/mesh_file.h"
-#include "support/correlated_noise.h"
 #include "support/files.h"
 #include "support/mesh_io.h"
 #include "support/meshes.h"
@@ -109,50 +107,6 @@ TEST_F(SmoothRims, DenoiseLeavesOpenMeshesWithoutNoiseAsTheyAre) {
     const std::string input = made(shape, "clean.ply", {"--rows", "30"});
     smooth(input, {"--denoise"});
     EXPECT_EQ(read_bytes(files_ / "out.ply"), read_bytes(input)) << shape;
-  }
-}
-
-double wave_height(double x, double y) {
-  return 0.1 * std::sin(6 * x) * std::cos(5 * y);
-}
-
-/// Heights of bumps about two edges wide, with a standard deviation of 0.3 edges.
-void add_bumps(Mesh& mesh, double edge, unsigned seed) {
-  RandomNumbers random(seed);
-  constexpr int waves = 200;
-  Eigen::VectorXd heights = Eigen::VectorXd::Zero(mesh.X.rows());
-  for (int i = 0; i < waves; ++i) {
-    const double a = random.normal(), b = random.normal(), phase = 10 * random.uniform();
-    const Eigen::VectorXd angle = 0.6 / edge * (a * mesh.X.col(0) + b * mesh.X.col(1));
-    heights += (angle.array() + phase).cos().matrix();
-  }
-  mesh.X.col(2) += 0.3 * edge * heights / std::sqrt(waves / 2.0);
-}
-
-/// With correlated noise cut-offs are long, and no bending moment holds the borders of a sheet.
-TEST_F(SmoothRims, DenoiseKeepsTheCurvatureOfBordersInCorrelatedNoise) {
-  Mesh mesh = flat_sheet(60, 60);
-  for (Index v = 0; v < mesh.X.rows(); ++v) {
-    mesh.X(v, 2) = wave_height(mesh.X(v, 0), mesh.X(v, 1));
-  }
-  const State truth(mesh);
-  const double edge = edge_of(truth);
-  for (const unsigned seed : {2U, 3U, 4U}) {
-    SCOPED_TRACE(seed);
-    Mesh noisy = mesh;
-    add_bumps(noisy, edge, seed);
-    const std::string input = files_ / "waves.off";
-    write_mesh(noisy, input, {.overwrite = true});
-    const Points X = smooth(input, {"--denoise"});
-    EXPECT_EQ(report_["cutoff_choice"]["kind"], "correlated");
-    double squares = 0, count = 0;
-    for (Index v = 0; v < X.rows(); ++v) {
-      if (truth.topology.kind[v] == VertexKind::boundary) {
-        squares += std::pow((X(v, 2) - wave_height(X(v, 0), X(v, 1))) / edge, 2);
-        ++count;
-      }
-    }
-    EXPECT_LT(std::sqrt(squares / count), 0.3);
   }
 }
 

@@ -25,10 +25,9 @@ namespace ibmfair {
 /// clearly gains (RimTuning::clear_gain), the ring stays.
 ///
 /// `cutoff`: the wavelength of the flow, length. `noise`: the standard deviation along the normals,
-/// length, positive; of noise that is correlated over less than the cut-off, that of white noise
-/// whose long waves are as high (NoiseModel::deviation_along_lines). Fixed vertices (#V flags)
-/// stay, and no hinge folds over. Boundaries that are too short for a curve (least_rim_size) or end
-/// at edges of more than two triangles are left alone.
+/// length, positive; it must be independent from vertex to vertex. Fixed vertices (#V flags) stay,
+/// and no hinge folds over. Boundaries that are too short for a curve (least_rim_size) or end at
+/// edges of more than two triangles are left alone.
 void restore_rims(const Points& start, const Topology& topology,
                   const std::vector<std::uint8_t>& fixed, double cutoff, double noise, Points& X);
 

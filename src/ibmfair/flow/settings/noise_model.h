@@ -7,7 +7,6 @@
 #pragma once
 
 #include <cmath>
-#include <numbers>
 #include <vector>
 
 #include "ibmfair/flow/settings/noise_kind.h"
@@ -26,15 +25,6 @@ struct NoiseModel {
   /// About how many edges apart heights are still alike: twice the standard deviation of the
   /// weights with which the white noise around a vertex adds up.
   double reach() const { return 2 * std::sqrt(static_cast<double>(rings)); }
-
-  /// The standard deviation of white noise that has waves as high as this noise, among those along
-  /// a line of vertices that are much longer than reach(); length. The mean over a vertex and its
-  /// six neighbours has the variance 3/7 along a line, and waves of noise whose weights are a
-  /// Gaussian of the variance s^2 are those of 2 sqrt(pi) s vertices that move together.
-  double deviation_along_lines() const {
-    const double together = 2 * std::sqrt(std::numbers::pi * 3 / 7 * rings);
-    return deviation * std::sqrt(is_white() ? 1 : white_share + (1 - white_share) * together);
-  }
 };
 
 /// The model that fits the bands of correlated noise best, mixed with white noise only if it does
