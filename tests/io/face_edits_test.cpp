@@ -19,10 +19,10 @@ const std::vector<FaceEdit> quarter{{0,
                                      {{{4, 2, 0, 0.75}, {0, 0, 0, 0}, {1, 1, 1, 0}},
                                       {{1, 1, 1, 0}, {2, 2, 2, 0}, {4, 2, 0, 0.75}}}}};
 
-std::string edited(const std::string& text, const std::string& name, bool expect_in_place = true) {
+std::string edited(const std::string& text, const std::string& name, bool without_notes = true) {
   const MeshFile file = MeshFiles::read(text, name);
   const EditedFile result = edit_faces(file, quarter);
-  EXPECT_EQ(result.notes.empty(), expect_in_place);
+  EXPECT_EQ(result.notes.empty(), without_notes);
   EXPECT_EQ(result.file.mesh().X, file.mesh().X);
   const Mesh wanted = with_edited_faces(file.mesh(), quarter);
   EXPECT_EQ(result.file.mesh().faces.corner, wanted.faces.corner);
@@ -99,6 +99,20 @@ TEST(FaceEdits, APlyKeepsItsTextAndProperties) {
   EXPECT_EQ(edited(header + "2" + rest + "9 3 0 1 2 6 0 0 1 0 1 .5\n" + end, "a.ply"),
             header + "3" + rest +
                 "9 3 4 0 1 6 0.25 0.125 0 0 1 0\n9 3 1 2 4 6 1 0 1 0.5 0.25 0.125\n" + end);
+}
+
+/// Strips are written as faces, and text that declares float may hold other numbers.
+TEST(FaceEdits, APlyOfStripsKeepsItsNumbers) {
+  const std::string header =
+      "ply\nformat ascii 1.0\nelement vertex 5\nproperty float x\nproperty float y\n"
+      "property float z\nelement tristrips 1\nproperty list int int vertex_indices\nend_header\n"
+      "0 0 0\n1 0 0\n";
+  for (const std::string number : {"1.5", "0.1", "1e99"}) {
+    SCOPED_TRACE(number);
+    const std::string text =
+        edited(header + number + " 1 0\n0 1 0\n.25 .25 0\n4 0 1 2 3\n", "a.ply", number != "1.5");
+    EXPECT_EQ(text.find("property float x") != std::string::npos, number == "1.5");
+  }
 }
 
 /// In files of other programs, the lines of other faces stay as they are.

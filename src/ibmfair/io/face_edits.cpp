@@ -29,6 +29,12 @@ std::optional<MeshFile> edited_in_place(const MeshFile& source,
   return read_again(source, out, format);
 }
 
+/// Text may declare float32 and hold other numbers, which must not be rounded.
+CoordinateTypes types_that_hold(const Points& X) {
+  return X.cast<float>().cast<double>() == X ? CoordinateTypes::as_declared
+                                             : CoordinateTypes::float64;
+}
+
 }  // namespace
 
 Mesh with_edited_faces(const Mesh& mesh, const std::vector<FaceEdit>& edits) {
@@ -59,7 +65,9 @@ EditedFile edit_faces(const MeshFile& source, const std::vector<FaceEdit>& edits
   EditedFile result;
   MemorySink out;
   result.notes =
-      format.generate({source.mesh(), source.attributes(), same ? &source.bytes() : nullptr}, out);
+      format.generate({source.mesh(), source.attributes(), same ? &source.bytes() : nullptr,
+                       types_that_hold(source.mesh().X)},
+                      out);
   auto edited = edited_in_place(read_again(source, out, format), edits);
   if (!edited) {
     throw CannotWrite(fmt::format(
