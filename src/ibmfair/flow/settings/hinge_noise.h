@@ -21,7 +21,8 @@ double bend_by_noise(const Points& X, const Hinges& H, Eigen::Index h);
 /// x 3), by the quantiles of 10, 25 and 50 % of the angles of its hinges; 0 if these tell different
 /// ones, as where noise is only in some places, or where the shape bends most hinges. `fixed`: #V
 /// flags; hinges whose edge is fixed do not count. Right to 6 % for noise of 0.05 to 0.2 mean edge
-/// lengths, too small for stronger noise, and too large where a shape bends all hinges.
+/// lengths on most parts, too small for stronger noise, and too large where a shape bends all
+/// hinges.
 double noise_by_hinges(const Points& X, const Topology& topology,
                        const std::vector<std::uint8_t>& fixed);
 
